@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QPoint, QRect, QSize, Qt
+from PySide6.QtCore import QPoint, QRect, QSettings, QSize, Qt
 from PySide6.QtGui import QAction, QScreen
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenu
@@ -52,6 +52,17 @@ def test_windows_fit_a_small_screen_in_large_fonts(
         window.device.draft.discard_edits()
         window.disconnect()
     assert theme().font_size == FONT_SIZES[-1]
+
+
+@pytest.mark.parametrize("saved", [2, "1", "channels"])
+def test_page_of_the_last_session_is_shown_again(
+    saved: int | str, request: pytest.FixtureRequest
+) -> None:
+    QSettings().setValue("trex/page", saved)  # 2 was the calibration, which is on that page now
+    window: WindowDriver = request.getfixturevalue("window")
+    assert window.has("channelsPage")
+    window.open_page("motorsPage")
+    assert QSettings().value("trex/page") == "motors"
 
 
 def recent(window: WindowDriver) -> list[QAction]:

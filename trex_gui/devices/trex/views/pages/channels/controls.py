@@ -12,7 +12,7 @@ from trex_gui.devices.trex.model import channel_text
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.flags import InputSource, Mode
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.board_records import Known
 from trex_gui.devices.trex.views.count_editor import CountEditor
@@ -230,8 +230,7 @@ class OtherSource(QWidget):
         self._device = device
         self._source = InputSource.ANALOG
         self._text = label(self, "otherSourceWords", wrap=True)
-        accessible = tr("Read the other input source")
-        self._switch = button(self, "switchSourceButton", icon="calibrate", accessible=accessible)
+        self._switch = button(self, "switchSourceButton", icon="calibrate")
         title = tr("Ma&ke active…")
         self._cycle = button(self, "switchSourceCycleButton", title, icon="power")
         column(self._text, row(self._switch, self._cycle, 1), into=self, margins=0)
@@ -242,20 +241,15 @@ class OtherSource(QWidget):
         self._switch.clicked.connect(on_switch)
         self._cycle.clicked.connect(self.power_cycle_requested)
 
-    def show_source(self, source: InputSource, known: Known | None) -> None:
-        """Describe a source that the board does not read; `None`: no calibrations are shown."""
-        state, parameters = self._device.state, self._device.parameters
+    def show_source(self, source: InputSource, mode: Mode, known: Known | None) -> None:
+        """Describe a source that a board in this mode does not read; `None`: nor ever did."""
+        parameters = self._device.parameters
         self._source = source
-        if state is None:
-            self._text.setText(tr("No board responds."))
-            self._switch.hide()
-            self._cycle.hide()
-            return
         name, wire = tr(channel_text.SOURCE_NAMES[source]), int(source is InputSource.ANALOG)
-        is_serial = state.mode.is_serial
+        is_serial = mode.is_serial
         is_edited = parameters.values.value_of(_SOURCE) == wire
         is_stored = parameters.values.stored.get(_SOURCE) == wire
-        text = channel_text.source_instructions(source, state.mode)
+        text = channel_text.source_instructions(source, mode)
         if is_serial and is_stored and is_edited:
             text = tr("Stored: the board reads {0} after the next power cycle.").format(name)
         elif is_serial and is_edited:

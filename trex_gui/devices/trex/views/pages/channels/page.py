@@ -69,7 +69,7 @@ class ChannelsPage(PlotPage):
         self._strips[1].setChecked(True)
         column(*((strip, 1) for strip in self._strips.values()), into=strips, margins=0, spacing=8)
 
-        card = named(Card("", self), "channelCard", accessible=tr("Calibration"))
+        self._card = card = named(Card("", self), "channelCard")
         self._title = label(card, "channelTitle", size="heading")
         self._learned = named(ElidedLabel("", card), "learnedLabel")
         self._learned.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
@@ -190,10 +190,11 @@ class ChannelsPage(PlotPage):
         self._show_marks()
         self._show_actions()
         self._show_keys(before != after)
-        self._other.setVisible(not is_active)
-        if not is_active:
+        state = self._device.state
+        self._other.setVisible(not is_active and state is not None)
+        if not is_active and state is not None:
             known = self._device.board.memory.hidden_calibration(channel, self.source)[1]
-            self._other.show_source(self.source, known)
+            self._other.show_source(self.source, state.mode, known)
         if self._plot is not None:
             self._plot.show_channel(channel, self.source, before, after, editable=editable)
         self._show_note()
@@ -211,6 +212,7 @@ class ChannelsPage(PlotPage):
         self._control = device.telemetry.serial_controls
         self._head.show_state(self._state_text())
         self._title.setText(f"{channel}  {tr(channel_text.CHANNEL_NAMES[channel])}")
+        self._card.setAccessibleName(self._strips[channel].accessibleName())
         with QSignalBlocker(self._sources):
             self._sources.setCurrentIndex(_SOURCES.index(self.source))
         learned = role = ""
@@ -372,12 +374,10 @@ class ChannelsPage(PlotPage):
         return self._device.telemetry.raw_of(self.channel) if self._is_active else None
 
     def _live_text(self, raw: int | None) -> str:
-        if self._device.telemetry.raw is None:
-            return tr("no live value")
-        if not self._is_active:
-            return tr("no live value: the board reads the other source")
+        if self._device.telemetry.raw is None or not self._is_active:
+            return ""
         if raw is None:
-            return tr("no signal now: the output is 0")
+            return tr("no signal")
         curve = self._plot.curve if self._plot is not None else None
         output = curve.output(raw) if curve is not None else 0
         counts = tr("%n count(s)", "", raw)
