@@ -230,7 +230,8 @@ class OtherSource(QWidget):
         self._device = device
         self._source = InputSource.ANALOG
         self._text = label(self, "otherSourceWords", wrap=True)
-        self._switch = button(self, "switchSourceButton", icon="calibrate")
+        accessible = tr("Read the other input source")
+        self._switch = button(self, "switchSourceButton", icon="calibrate", accessible=accessible)
         title = tr("Ma&ke active…")
         self._cycle = button(self, "switchSourceCycleButton", title, icon="power")
         column(self._text, row(self._switch, self._cycle, 1), into=self, margins=0)

@@ -37,8 +37,7 @@ class ChannelStrip(QAbstractButton, Spoken):
     def __init__(self, channel: int, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         never_mirror(self)
-        self._name = tr(CHANNEL_NAMES[channel])
-        self.setText(str(channel))
+        self._number, self._name = str(channel), tr(CHANNEL_NAMES[channel])
         self.setObjectName(f"channel{channel}Strip")
         self.setAccessibleName(tr("Channel {0}: {1}").format(channel, self._name))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -151,7 +150,7 @@ class ChannelStrip(QAbstractButton, Spoken):
     def _paint_texts(self, painter: QPainter, room: QRect) -> None:
         painter.setFont(self._large())
         line = QRect(room.left(), room.top(), room.width(), painter.fontMetrics().height())
-        write(painter, line, self.text(), "window_text", bold=True)
+        write(painter, line, self._number, "window_text", bold=True)
         write(painter, line, self._output, "accent", bold=True, align=_RIGHT)
         advance = painter.fontMetrics().horizontalAdvance
         values = line.adjusted(0, 0, -advance("  −000"), 0)
