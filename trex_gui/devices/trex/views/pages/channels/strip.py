@@ -67,9 +67,9 @@ class ChannelStrip(QAbstractButton, Spoken):
 
     def show_mark(self, mark: str, problem: str) -> None:
         """Mark the channel as edited, or as one with a problem, which the tool tip explains."""
-        if (mark, plain(problem)) != (self._mark, self.toolTip()):
+        self.setToolTip(plain(problem or self._name))
+        if mark != self._mark:
             self._mark = mark
-            self.setToolTip(plain(problem))
             self.update()
 
     def add_samples(self, times: Iterable[float], counts: Iterable[float]) -> None:
