@@ -29,6 +29,7 @@ class NoteField(QPlainTextEdit):
         if lines > 1:
             self.setPlaceholderText(use)
         else:
+            self.setPlaceholderText(tr("Note"))
             self.setToolTip(use)
             self.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
             self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)

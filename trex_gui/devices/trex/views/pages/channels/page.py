@@ -96,17 +96,16 @@ class ChannelsPage(PlotPage):
         text = tr("Learn &this channel…")
         self._learn = button(card, "learnButton", text)
         self._why = NoteField(device.draft.notes, "channelNoteEdit", card, lines=1)
-        why = label(card, text=tr("&Note:"), buddy=self._why)
         self._menu = ChangeMenu(device, self)
         self._menu.discard_requested.connect(self._on_discard)
-        self._change = button(card, "changeButton", tr("Cop&y, reset, files"))
+        self._change = button(card, "changeButton", tr("Cop&y, reset and files"))
         self._change.setMenu(self._menu)
         set_look(self._change, "link")
         self._head_buttons = (learn_all, test)
 
         title = row(self._title, (self._learned, 1), self._sources, spacing=12)
         legend = row((self._live, 1), *self._keys, spacing=16)
-        buttons = row(self._learn, why, (self._why, 1), self._change, spacing=8)
+        buttons = row(self._learn, (self._why, 1), self._change, spacing=8)
         above = column(title, self._role, self._findings, self._other, legend, spacing=4)
         self._inside = column(
             above, self._note, self._fields, self._options, buttons, into=card, spacing=6
