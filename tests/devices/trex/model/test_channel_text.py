@@ -5,6 +5,7 @@ from typing import Any
 import pytest
 
 from trex_gui.core.errors import NoReply
+from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.channel_text import (
     beyond_input,
     concern,
@@ -34,21 +35,24 @@ USUAL = Calibration(2500, 3750, 5000, 75)
         (1, Mode.ANALOG, {"joint": True, "mixed": True}, "both drivers power (joint mode"),
         (2, Mode.RC, {"joint": True}, "has no motor"),
         (4, Mode.RC, {"joint": True}, "flip"),
-        (1, Mode.RC, {"ignored": True, "is_reversed": True}, "at neutral, whatever its input is."),
+        (1, Mode.RC, {"ignored": True, "reversed_": True}, "at neutral, whatever its input is."),
         (5, Mode.SERIAL_RC, {"ignored": True}, "held off"),
-        (1, Mode.RC, {"is_reversed": True}, "; it is reversed."),
-        (4, Mode.RC, {"switches_at": "below 1 V"}, "while the input is below 1 V"),
+        (1, Mode.RC, {"reversed_": True}, "; it is reversed."),
+        (4, Mode.RC, {}, "while the input is below about 1250 µs (inferred)"),
+        (5, Mode.RC, {"reversed_": True}, "while the input is above about 1750 µs (inferred)"),
     ],
 )
 def test_text_says_what_a_channel_does(
     channel: int, mode: Mode, state: dict[str, Any], words: str
 ) -> None:
-    assert words in function_text(channel, mode, **{"joint": False, "ignored": False, **state})
+    options = {"joint": False} | {key: state[key] for key in ("joint", "mixed") if key in state}
+    curve = ChannelCurve(USUAL, **{key: state[key] for key in state.keys() - options.keys()})
+    assert words in function_text(channel, mode, curve, InputSource.RC, **options)
 
 
 def test_override_takes_motors_from_channels_and_names_channel_5() -> None:
     said = [
-        function_text(channel, Mode.RC, joint=False, ignored=False, overridden=True)
+        function_text(channel, Mode.RC, None, InputSource.RC, joint=False, overridden=True)
         for channel in (1, 2, 3, 4, 5)
     ]
     assert [

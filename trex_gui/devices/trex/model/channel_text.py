@@ -53,32 +53,30 @@ def input_text(source: InputSource, count: int) -> str:
 def function_text(
     channel: int,
     mode: Mode,
+    curve: ChannelCurve | None,
+    source: InputSource,
     *,
     joint: bool,
-    ignored: bool,
-    is_reversed: bool = False,
     overridden: bool = False,
-    switches_at: str = "",
     mixed: bool | None = None,
 ) -> str:
-    """Return what a channel does now.
+    """Return what a channel does now; `curve` is that for `source`, if it is known.
 
     `overridden` is whether serial commands control the motors of a board in RC or analog mode,
-    `switches_at` where a switch does, such as `below 1.2 V`; `mixed` is whether the mix jumper is
-    on, `None` if that is not known.
+    `mixed` whether the mix jumper is on, `None` if that is not known.
     """
-    if ignored:
-        held = (
-            tr_noop("is ignored: it is held off, whatever its input is")
-            if channel in _SWITCHES
-            else tr_noop("is ignored: it is held at neutral, whatever its input is")
-        )
+    if curve is not None and curve.ignored:
+        held = tr_noop("is ignored: it is held at neutral, whatever its input is")
+        if channel in _SWITCHES:
+            held = tr_noop("is ignored: it is held off, whatever its input is")
         task = tr(held)
     else:
         task = _task(channel, joint=joint, mixed=mixed)
-        if switches_at:
-            task = tr("{0} while the input is {1}").format(task, switches_at)
-        elif is_reversed:
+        if curve is not None and (threshold := curve.threshold(channel)) is not None:
+            below, above = tr("below about {0} (inferred)"), tr("above about {0} (inferred)")
+            where = (above if curve.reversed_ else below).format(source.text(threshold))
+            task = tr("{0} while the input is {1}").format(task, where)
+        elif curve is not None and curve.reversed_:
             task = tr("{0}; it is reversed").format(task)
     if mode.is_serial:
         text = tr("In RC and analog mode it {1}.")
@@ -98,15 +96,6 @@ def _task(channel: int, *, joint: bool, mixed: bool | None) -> str:
     elif mixed is not None:
         task = _MIXED_TASKS.get((channel, mixed), task)
     return tr(task)
-
-
-def switching_text(channel: int, curve: ChannelCurve, source: InputSource) -> str:
-    """Return where a switch is on, `below about 1250 µs (inferred)`; empty for other channels."""
-    threshold = curve.threshold(channel)
-    if threshold is None:
-        return ""
-    side = tr("above about {0} (inferred)") if curve.reversed_ else tr("below about {0} (inferred)")
-    return side.format(source.text(threshold))
 
 
 def source_instructions(source: InputSource, mode: Mode) -> str:

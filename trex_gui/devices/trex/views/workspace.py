@@ -68,7 +68,8 @@ class TrexWorkspace(Workspace):
         self._question = frame.question
         self._frame = frame
         self._linter = BoardLinter(device, self)
-        self.former_pages = ("board", "channels", "channels", "motors", "currents", "parameters")
+        own = ("board", "channels", "channels", "motors", "currents", "parameters")
+        self.former_pages = (*own, "errors", "log", "transcript")
         self.help_topics, self.message_help = TOPICS, message_help()
         self.log.follow(device.events)
 

@@ -6,7 +6,7 @@ from functools import partial
 from PySide6.QtCore import QSignalBlocker, Signal, Slot
 from PySide6.QtWidgets import QLabel, QWidget
 
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model import channel_text
 from trex_gui.devices.trex.model.device import Device
@@ -115,11 +115,23 @@ def _fit(editor: CountEditor) -> None:
     editor.setMinimumWidth(editor.fontMetrics().horizontalAdvance("0000 µs") + 44)
 
 
-CHANNEL_OPTIONS: set[str] = {
-    ParameterKey.REVERSED_CHANNELS,
-    ParameterKey.PARABOLIC_CHANNELS,
-    ParameterKey.IGNORED_CHANNELS,
-    ParameterKey.REQUIRED_CHANNELS,
+CHANNEL_OPTIONS = {  # title and tool tip of each
+    ParameterKey.REVERSED_CHANNELS: (
+        tr_noop("Re&versed"),
+        tr_noop("The output changes its sign: forward and reverse are swapped"),
+    ),
+    ParameterKey.PARABOLIC_CHANNELS: (
+        tr_noop("Parab&olic"),
+        tr_noop("Gentle near neutral, steep near the ends"),
+    ),
+    ParameterKey.IGNORED_CHANNELS: (
+        tr_noop("I&gnored"),
+        tr_noop("Held at neutral at any input; for channels without a cable"),
+    ),
+    ParameterKey.REQUIRED_CHANNELS: (
+        tr_noop("Re&quired in RC mode"),
+        tr_noop("The motors stop when its pulses are missing for half a second"),
+    ),
 }
 
 
@@ -132,34 +144,15 @@ class ChannelOptions(QWidget):
         self._channel = 1
         self._editable = False
         self._blocker = ""
-        options = {
-            ParameterKey.REVERSED_CHANNELS: (
-                tr("Re&versed"),
-                tr("The output changes its sign: forward and reverse are swapped"),
-            ),
-            ParameterKey.PARABOLIC_CHANNELS: (
-                tr("Parab&olic"),
-                tr("Gentle near neutral, steep near the ends"),
-            ),
-            ParameterKey.IGNORED_CHANNELS: (
-                tr("I&gnored"),
-                tr("Held at neutral at any input; for channels without a cable"),
-            ),
-            ParameterKey.REQUIRED_CHANNELS: (
-                tr("Re&quired in RC mode"),
-                tr("The motors stop when its pulses are missing for half a second"),
-            ),
-        }
-        self._tips = {key: tip for key, (_, tip) in options.items()}
         self._boxes = {
             key: check_box(
                 self,
                 key.removesuffix("_channels") + "Box",
-                title,
-                accessible=title.replace("&", ""),
+                tr(title),
+                accessible=tr(title).replace("&", ""),
                 on_toggle=lambda checked, key=key: self._set(key, self._channel, checked),
             )
-            for key, (title, _) in options.items()
+            for key, (title, _) in CHANNEL_OPTIONS.items()
         }
         row(*self._boxes.values(), 1, into=self, margins=0, spacing=8)
         parameters.dataChanged.connect(self._refresh)
@@ -210,7 +203,7 @@ class ChannelOptions(QWidget):
             with QSignalBlocker(box):
                 box.setChecked(self._bit(key, self._channel))
             box.setEnabled(self._editable and self._parameters.values.can_edit(key))
-            box.setToolTip(plain(self._blocker or self._tips[key]))
+            box.setToolTip(plain(self._blocker or tr(CHANNEL_OPTIONS[key][1])))
             set_bold(box, self._is_edited(key, self._channel))
 
     def _set(self, key: str, channel: int, wanted: bool) -> None:

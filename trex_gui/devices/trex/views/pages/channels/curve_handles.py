@@ -209,7 +209,7 @@ class HandleLayer(QGraphicsObject):
         if threshold is None:
             return
         x, frame = round(threshold.x) + 0.5, self._frame
-        pen = QPen(theme().color("limit"), 1, Qt.PenStyle.DashLine)
+        pen = QPen(theme().color("muted"), 1, Qt.PenStyle.DashLine)
         self._paint_line(painter, x, pen)
         width, height = self._width(threshold.text) + 2, self._metrics.height()
         left = x + 5 if threshold.above else x - 5 - width

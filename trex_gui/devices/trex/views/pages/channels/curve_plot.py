@@ -59,7 +59,6 @@ class CurvePlot(Painted):
         self._deadband = self._canvas.add_band("deadband")
         self._stored_line = self._canvas.add_curve("muted", 1, Qt.PenStyle.DashLine)
         self._line = self._canvas.add_curve("pointer", 2)
-        self._dot_line = self._canvas.add_curve("accent")
         self._dot = QGraphicsEllipseItem(-_DOT, -_DOT, 2 * _DOT, 2 * _DOT)
         self._dot.setFlag(QGraphicsItem.GraphicsItemFlag.ItemIgnoresTransformations)
         self._dot.setZValue(60)
@@ -175,12 +174,8 @@ class CurvePlot(Painted):
     def _show_dot(self) -> None:
         dot = self.dot
         self._dot.setVisible(dot is not None)
-        self._dot_line.set_visible(dot is not None)
         if dot is not None:
-            raw, output = dot
-            self._dot.setPos(raw, output)
-            x, y = np.array([raw, raw], dtype=float), np.array([-_OUTPUT_REACH, output])
-            self._dot_line.set_points(x, y)
+            self._dot.setPos(*dot)
 
     @Slot()
     def _on_theme_changed(self) -> None:

@@ -123,7 +123,9 @@ class ChannelsPage(PlotPage):
         learn_all.clicked.connect(lambda: self.learn_requested.emit(CHANNELS))
         self._learn.clicked.connect(lambda: self.learn_requested.emit((self.channel,)))
         # `concern` is about the calibration that is shown; these are about the options.
-        self._findings.follow(linter, lambda found: not CHANNEL_OPTIONS.isdisjoint(found.keys))
+        self._findings.follow(
+            linter, lambda found: not CHANNEL_OPTIONS.keys().isdisjoint(found.keys)
+        )
         self._sources.currentChanged.connect(self._on_source_chosen)
         self._fields.edited.connect(self._on_edited)
         self._fields.rejected.connect(self._on_rejected)
@@ -219,17 +221,13 @@ class ChannelsPage(PlotPage):
             if self._is_active:
                 is_learned = channel in channels_in(state.calibrated)
                 learned = tr("learned") if is_learned else tr("factory calibration")
-            curve = self._options.curve(channel, self._calibration())
             role = channel_text.function_text(
                 channel,
                 state.mode,
+                self._options.curve(channel, self._calibration()),
+                self.source,
                 joint=device.board.is_joint,
-                ignored=curve is not None and curve.ignored,
-                is_reversed=curve is not None and curve.reversed_,
                 overridden=bool(self._control) and not state.mode.is_serial,
-                switches_at=""
-                if curve is None
-                else channel_text.switching_text(channel, curve, self.source),
                 mixed=device.mix_jumper.is_on,
             )
         self._learned.show_text(learned)
