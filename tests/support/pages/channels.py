@@ -20,7 +20,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.views.pages.channels.curve_handles import GRIP
 from trex_gui.devices.trex.views.pages.channels.curve_plot import CurvePlot
 from trex_gui.devices.trex.views.pages.channels.page import ChannelsPage
-from trex_gui.devices.trex.views.pages.channels.strip import ChannelStrip
+from trex_gui.devices.trex.views.pages.channels.strips import ChannelStrip
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.theme import theme
 

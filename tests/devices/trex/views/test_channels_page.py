@@ -24,7 +24,7 @@ from trex_gui.devices.trex.protocol.calibration import (
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.simulator.channel_control import ChannelSetup
-from trex_gui.devices.trex.views.pages.channels.strip import STRIP_SECONDS, ChannelStrip
+from trex_gui.devices.trex.views.pages.channels.strips import STRIP_SECONDS, ChannelStrip
 
 FACTORY = DEFAULT_CALIBRATION[InputSource.RC]
 

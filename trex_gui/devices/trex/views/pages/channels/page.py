@@ -1,7 +1,5 @@
 """Page of the channels: five live strips, and the calibration of the chosen one."""
 
-import math
-from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
@@ -26,7 +24,7 @@ from trex_gui.devices.trex.views.pages.channels.controls import (
     ChannelOptions,
     OtherSource,
 )
-from trex_gui.devices.trex.views.pages.channels.strip import STRIP_SECONDS, ChannelStrip
+from trex_gui.devices.trex.views.pages.channels.strips import ChannelStrips
 from trex_gui.ui.plotting.page import PlotPage
 from trex_gui.ui.theme.theme import set_look, set_style_property
 from trex_gui.ui.translations import error_sentence
@@ -38,7 +36,6 @@ from trex_gui.ui.widgets.labels import ElidedLabel, LegendKey, LiveLabel, Note, 
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.pages.channels.curve_plot import CurvePlot
 
-_STRIP_INTERVAL = 0.06  # seconds: every second frame
 _SOURCES = (InputSource.RC, InputSource.ANALOG)
 
 
@@ -51,11 +48,9 @@ class ChannelsPage(PlotPage):
         super().__init__(parent)
         self.setObjectName("channelsPage")
         self._device = device
-        self.channel = 1  # the chosen one
         self.source = InputSource.RC  # the input source whose calibrations are shown
         self._followed: InputSource | None = None
         self._control: bool | None = None  # as the texts say
-        self._drawn_until = -math.inf  # time of the newest sample in the strips
         self._failures: dict[int, tuple[Calibration | None, str]] = {}
         self._rejection = ""
         self._plot: CurvePlot | None = None
@@ -64,10 +59,7 @@ class ChannelsPage(PlotPage):
         set_look(learn_all, "primary")
         test = button(self, "testSticksButton", tr("Test stic&ks…"), on_click=self.test_requested)
         self._head = PageHead(tr("Channels"), self, learn_all, test)
-        strips = named(QWidget(self), "channelStrips", accessible=tr("Channels"))
-        self._strips = {channel: ChannelStrip(channel, strips) for channel in CHANNELS}
-        self._strips[1].setChecked(True)
-        column(*((strip, 1) for strip in self._strips.values()), into=strips, margins=0, spacing=8)
+        self._strips = ChannelStrips(device, self)
 
         self._card = card = named(Card("", self), "channelCard")
         self._title = label(card, "channelTitle", size="heading")
@@ -112,14 +104,13 @@ class ChannelsPage(PlotPage):
         )
         column(
             self._head,
-            (row((strips, 3), (card, 5), spacing=12), 1),
+            (row((self._strips, 3), (card, 5), spacing=12), 1),
             into=self,
             margins=12,
             spacing=8,
         )
 
-        for channel, strip in self._strips.items():
-            strip.toggled.connect(partial(self._on_strip_toggled, channel))
+        self._strips.chosen.connect(self._refresh)
         learn_all.clicked.connect(lambda: self.learn_requested.emit(CHANNELS))
         self._learn.clicked.connect(lambda: self.learn_requested.emit((self.channel,)))
         # `concern` is about the calibration that is shown; these are about the options.
@@ -141,6 +132,11 @@ class ChannelsPage(PlotPage):
         device.parameters.pending_changed.connect(self._refresh)
         units().changed.connect(self._on_text_due)
         self._on_device_changed()
+
+    @property
+    def channel(self) -> int:
+        """The chosen channel, 1 to 5."""
+        return self._strips.channel
 
     @property
     def _is_active(self) -> bool:
@@ -165,13 +161,8 @@ class ChannelsPage(PlotPage):
         state = self._device.state
         if state is not None and state.source is not self._followed:
             self.source = self._followed = state.source
-        self._clear_strips()
+        self._strips.renew()
         self._show_channel()
-
-    def _on_strip_toggled(self, channel: int, chosen: bool) -> None:
-        if chosen:
-            self.channel = channel
-            self._refresh()
 
     @Slot()
     def _refresh(self) -> None:
@@ -213,7 +204,7 @@ class ChannelsPage(PlotPage):
         self._control = device.telemetry.serial_controls
         self._head.show_state(self._state_text())
         self._title.setText(f"{channel}  {tr(channel_text.CHANNEL_NAMES[channel])}")
-        self._card.setAccessibleName(self._strips[channel].accessibleName())
+        self._card.setAccessibleName(self._strips.of[channel].accessibleName())
         with QSignalBlocker(self._sources):
             self._sources.setCurrentIndex(_SOURCES.index(self.source))
         learned = role = ""
@@ -272,7 +263,7 @@ class ChannelsPage(PlotPage):
 
     def _show_marks(self) -> None:
         calibrations = self._device.calibrations
-        for channel, strip in self._strips.items():
+        for channel, strip in self._strips.of.items():
             shown = calibrations.shown(channel)
             strip.set_scale(calibrations.source, shown)
             problem = self._failure(channel)
@@ -322,47 +313,14 @@ class ChannelsPage(PlotPage):
     @Slot()
     @only_when_visible
     def _on_frame_due(self) -> None:
-        telemetry = self._device.telemetry
         if self._plot is not None:
             self._plot.set_raw(self._raw)
-        if telemetry.raw is not None and telemetry.latest - self._drawn_until >= _STRIP_INTERVAL:
-            self._draw_strips()
-
-    def _draw_strips(self) -> None:
-        inputs = self._device.telemetry.inputs
-        newest = inputs.span[1] if inputs.span is not None else -math.inf
-        first = max(math.nextafter(self._drawn_until, math.inf), newest - STRIP_SECONDS)
-        rows = inputs.rows(first, newest)
-        times = inputs.times[rows].tolist()
-        for channel, strip in self._strips.items():
-            strip.add_samples(times, inputs.values(channel - 1)[rows].tolist())
-        self._drawn_until = newest
-
-    def _clear_strips(self) -> None:
-        self._drawn_until = -math.inf
-        for strip in self._strips.values():
-            strip.clear()
 
     @Slot()
     @only_when_visible
     def _on_text_due(self) -> None:
-        telemetry, source = self._device.telemetry, self._device.calibrations.source
-        if telemetry.serial_controls is not self._control:
+        if self._device.telemetry.serial_controls is not self._control:
             self._show_texts()
-        if telemetry.raw is None and self._drawn_until > -math.inf:
-            self._clear_strips()
-        for channel, strip in self._strips.items():
-            raw, remapped = telemetry.raw_of(channel), telemetry.remapped_of(channel)
-            value = spoken = tr("N/A") if telemetry.raw is None else tr("no signal")
-            output = ""
-            if raw is not None:
-                value = units().ordered(source.text(raw), str(raw))[0]
-                spoken = channel_text.input_text(source, raw)
-                # Without a signal the board reports 0, which is no measurement.
-                output = "" if remapped is None else signed_text(remapped)
-            if output:
-                spoken = tr("{0}, remapped {1}").format(spoken, output)
-            strip.show_value(value, output, spoken)
         self._live.setText(self._live_text(self._raw))
 
     @property

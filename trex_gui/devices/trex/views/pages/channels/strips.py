@@ -1,26 +1,40 @@
-"""One input, live: its value, a bar with its calibration, and a line of the last seconds."""
+"""The inputs, live: value, bar with the calibration, and a line of the last seconds of each."""
 
 import math
 from collections.abc import Iterable
+from functools import partial
 
-from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt
-from PySide6.QtGui import QAccessible, QFont, QFontMetrics, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt, Signal, Slot
+from PySide6.QtGui import (
+    QAccessible,
+    QFont,
+    QFontMetrics,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QPolygonF,
+    QShowEvent,
+)
 from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
 
+from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.model.channel_text import CHANNEL_NAMES
+from trex_gui.devices.trex.model.channel_text import CHANNEL_NAMES, input_text
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.views.bars import USUAL_AXIS, paint_input, widened
 from trex_gui.devices.trex.views.board.parts import write
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import scaled_font, theme
+from trex_gui.ui.units import units
 from trex_gui.ui.widgets.accessible import Spoken
-from trex_gui.ui.widgets.behaviour import strokes
-from trex_gui.ui.widgets.builders import plain
+from trex_gui.ui.widgets.behaviour import only_when_visible, strokes
+from trex_gui.ui.widgets.builders import column, named, plain
 from trex_gui.ui.widgets.painted import Painter, never_mirror
 
 STRIP_SECONDS = 10.0
+_INTERVAL = 0.06  # seconds: every second frame
 _MAX_GAP = 0.5  # seconds without a sample that interrupt the line
 _PADDING, _GAP, _TRACK, _BEYOND = 10, 7, 8, 3  # pixels
 _RIGHT = Qt.AlignmentFlag.AlignRight
@@ -181,3 +195,77 @@ class ChannelStrip(QAbstractButton, Spoken):
         for _ in strokes(painter):
             for line in self.lines:
                 painter.drawPolyline(line)
+
+
+class ChannelStrips(QWidget):
+    """The five strips, of which one is chosen."""
+
+    chosen = Signal()  # another channel
+
+    def __init__(self, device: Device, parent: QWidget) -> None:
+        super().__init__(parent)
+        named(self, "channelStrips", accessible=tr("Channels"))
+        self._device = device
+        self._drawn_until = -math.inf  # time of the newest sample in the strips
+        self.channel = 1
+        self.of = {channel: ChannelStrip(channel, self) for channel in CHANNELS}
+        self.of[self.channel].setChecked(True)
+        for channel, strip in self.of.items():
+            strip.toggled.connect(partial(self._on_toggled, channel))
+        column(*((strip, 1) for strip in self.of.values()), into=self, margins=0, spacing=8)
+        device.telemetry.frame_due.connect(self._on_frame_due)
+        device.telemetry.text_due.connect(self._on_text_due)
+        units().changed.connect(self._on_text_due)
+
+    def _on_toggled(self, channel: int, is_chosen: bool) -> None:
+        if is_chosen:
+            self.channel = channel
+            self.chosen.emit()
+
+    def renew(self) -> None:
+        """Draw the lines again, from what is known now."""
+        self._clear()
+        self._on_frame_due()
+        self._on_text_due()
+
+    def _clear(self) -> None:
+        self._drawn_until = -math.inf
+        for strip in self.of.values():
+            strip.clear()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self.renew()
+
+    @Slot()
+    @only_when_visible
+    def _on_frame_due(self) -> None:
+        telemetry, inputs = self._device.telemetry, self._device.telemetry.inputs
+        if telemetry.raw is None or telemetry.latest - self._drawn_until < _INTERVAL:
+            return
+        newest = inputs.span[1] if inputs.span is not None else -math.inf
+        first = max(math.nextafter(self._drawn_until, math.inf), newest - STRIP_SECONDS)
+        rows = inputs.rows(first, newest)
+        times = inputs.times[rows].tolist()
+        for channel, strip in self.of.items():
+            strip.add_samples(times, inputs.values(channel - 1)[rows].tolist())
+        self._drawn_until = newest
+
+    @Slot()
+    @only_when_visible
+    def _on_text_due(self) -> None:
+        telemetry, source = self._device.telemetry, self._device.calibrations.source
+        if telemetry.raw is None and self._drawn_until > -math.inf:
+            self._clear()
+        for channel, strip in self.of.items():
+            raw, remapped = telemetry.raw_of(channel), telemetry.remapped_of(channel)
+            value = spoken = tr("N/A") if telemetry.raw is None else tr("no signal")
+            output = ""
+            if raw is not None:
+                value = units().ordered(source.text(raw), str(raw))[0]
+                spoken = input_text(source, raw)
+                # Without a signal the board reports 0, which is no measurement.
+                output = "" if remapped is None else signed_text(remapped)
+            if output:
+                spoken = tr("{0}, remapped {1}").format(spoken, output)
+            strip.show_value(value, output, spoken)
