@@ -25,12 +25,43 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.theme import theme
 
 
-def handle_position(plot: CurvePlot, handle: Handle) -> QPoint:
-    """Return where a handle can be grabbed, in pixels."""
-    assert plot.curve is not None
-    frame = plot._canvas.frame
-    y = frame.bottom() - GRIP if handle.is_deadband else frame.top() + 2
-    return QPoint(round(plot.x_of(handle.count(plot.curve.calibration))), round(y))
+class CurvePlotDriver(WidgetDriver):
+    """A plot whose handles the mouse drags."""
+
+    def __init__(self, plot: CurvePlot, qtbot: QtBot) -> None:
+        super().__init__(plot, qtbot)
+        self.plot = plot
+
+    @property
+    def viewport(self) -> QWidget:
+        return self.find(QWidget, "curveViewport")
+
+    def place(self, handle: Handle) -> QPoint:
+        """Return where a handle can be grabbed, in pixels."""
+        assert self.plot.curve is not None
+        frame = self.plot._canvas.frame
+        y = frame.bottom() - GRIP if handle.is_deadband else frame.top() + 2
+        return QPoint(round(self.plot.x_of(handle.count(self.plot.curve.calibration))), round(y))
+
+    def press(self, place: QPoint) -> None:
+        QTest.mousePress(self.viewport, LEFT, pos=place)
+
+    def move(self, place: QPoint) -> None:
+        QTest.mouseMove(self.viewport, place)
+
+    def release(self, place: QPoint) -> None:
+        QTest.mouseRelease(self.viewport, LEFT, pos=place)
+
+    def drag_handle(self, handle: Handle, count: int, *, release: bool = True) -> None:
+        """Drag a handle to a count in a few steps."""
+        start = self.place(handle)
+        below = 30 if handle is Handle.NEUTRAL else 0
+        end = QPoint(round(self.plot.x_of(count)), start.y() + below)
+        self.press(start)
+        for step in (0.3, 0.7, 1.0):
+            self.move(start + (end - start) * step)
+        if release:
+            self.release(end)
 
 
 def input_of(page: WidgetDriver, channel: int) -> str:
@@ -98,19 +129,11 @@ class ChannelsDriver(WidgetDriver):
         QTest.mouseClick(bar, LEFT, pos=bar.tabRect(index).center())
 
     def drag_handle(self, handle: Handle, count: int, *, release: bool = True) -> None:
-        """Drag a handle of the curve to a count."""
         self.widget.grab()  # lets the layout settle
-        viewport = self.find(QWidget, "curveViewport")
-        start = handle_position(self.plot, handle)
-        end = QPoint(round(self.plot.x_of(count)), start.y())
-        QTest.mousePress(viewport, LEFT, pos=start)
-        for share in (0.5, 1.0):
-            QTest.mouseMove(viewport, start + (end - start) * share)
-        if release:
-            self.release_handle()
+        CurvePlotDriver(self.plot, self.qtbot).drag_handle(handle, count, release=release)
 
     def release_handle(self) -> None:
-        QTest.mouseRelease(self.find(QWidget, "curveViewport"), LEFT)
+        CurvePlotDriver(self.plot, self.qtbot).release(QPoint())
 
     def action(self, key: str) -> QAction:
         """Return the entry of the page's menu with this key."""

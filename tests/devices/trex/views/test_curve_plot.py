@@ -6,12 +6,12 @@ import pytest
 from PySide6.QtCore import QLocale, QPoint
 from PySide6.QtGui import QFontMetrics
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from tests.support.catalogs import in_language
-from tests.support.pages.channels import handle_position
-from tests.support.window import LEFT, WidgetDriver
+from tests.support.pages.channels import CurvePlotDriver
+from tests.support.window import LEFT
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.calibration_moves import Handle
@@ -36,40 +36,6 @@ def plot(qapp: QApplication, qtbot: QtBot) -> CurvePlot:
     widget.show()
     widget.grab()
     return widget
-
-
-class CurvePlotDriver(WidgetDriver):
-    """A plot whose handles the mouse drags."""
-
-    def __init__(self, plot: CurvePlot, qtbot: QtBot) -> None:
-        super().__init__(plot, qtbot)
-        self.plot = plot
-
-    @property
-    def viewport(self) -> QWidget:
-        return self.find(QWidget, "curveViewport")
-
-    def place(self, handle: Handle) -> QPoint:
-        return handle_position(self.plot, handle)
-
-    def press(self, place: QPoint) -> None:
-        QTest.mousePress(self.viewport, LEFT, pos=place)
-
-    def move(self, place: QPoint) -> None:
-        QTest.mouseMove(self.viewport, place)
-
-    def release(self, place: QPoint) -> None:
-        QTest.mouseRelease(self.viewport, LEFT, pos=place)
-
-    def drag_handle(self, handle: Handle, count: int) -> None:
-        """Drag a handle to a count in a few steps."""
-        start = self.place(handle)
-        below = 30 if handle is Handle.NEUTRAL else 0
-        end = QPoint(round(self.plot.x_of(count)), start.y() + below)
-        self.press(start)
-        for step in (0.3, 0.7, 1.0):
-            self.move(start + (end - start) * step)
-        self.release(end)
 
 
 @pytest.fixture
