@@ -24,13 +24,13 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.views.bars import USUAL_AXIS, paint_input, widened
-from trex_gui.devices.trex.views.board.parts import write
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import scaled_font, theme
 from trex_gui.ui.units import units
 from trex_gui.ui.widgets.accessible import Spoken
 from trex_gui.ui.widgets.behaviour import only_when_visible, strokes
 from trex_gui.ui.widgets.builders import column, named, plain
+from trex_gui.ui.widgets.circuit import write
 from trex_gui.ui.widgets.painted import Painter, never_mirror
 
 STRIP_SECONDS = 10.0
@@ -163,7 +163,7 @@ class ChannelStrip(QAbstractButton, Spoken):
 
     def _paint_texts(self, painter: QPainter, room: QRect) -> None:
         painter.setFont(self._large())
-        line = QRect(room.left(), room.top(), room.width(), painter.fontMetrics().height())
+        line = QRectF(room.left(), room.top(), room.width(), painter.fontMetrics().height())
         write(painter, line, self._number, "window_text", bold=True)
         write(painter, line, self._output, "accent", bold=True, align=_RIGHT)
         advance = painter.fontMetrics().horizontalAdvance
@@ -176,7 +176,8 @@ class ChannelStrip(QAbstractButton, Spoken):
         if self._mark:
             side = self.fontMetrics().height()
             at = min(self.fontMetrics().horizontalAdvance(self._name) + 6, role.width() - side)
-            icon(self._mark).paint(painter, role.left() + at, line.top(), side, line.height())
+            beside = QRectF(role.left() + at, line.top(), side, line.height())
+            icon(self._mark).paint(painter, beside.toRect())
             role.setWidth(at)
         write(painter, role, self._name, "window_text")
 
