@@ -4,16 +4,10 @@ import ast
 from collections.abc import Iterator
 from pathlib import Path
 
-import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from PySide6.QtGui import QImage, QTextDocumentFragment
-from PySide6.QtWidgets import QLabel, QTableWidget
-from pytestqt.qtbot import QtBot
+from PySide6.QtGui import QTextDocumentFragment
 
-from trex_gui.core.files import SettingsError
-from trex_gui.devices.trex.settings.reader import read_settings
-from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel
 from trex_gui.ui.widgets.builders import plain
 
 _PROGRAM = Path(__file__).parents[1] / "trex_gui"
@@ -132,22 +126,3 @@ def test_plain_text_is_shown_as_it_is_written(text: str) -> None:
         shown = QTextDocumentFragment.fromHtml(shown).toPlainText()
         text = text.replace("\xa0", " ").strip("\n")
     assert shown == text
-
-
-def test_tool_tip_of_a_finding_opens_no_file(
-    qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    QImage(500, 500, QImage.Format.Format_RGB32).save("x.png")
-    with pytest.raises(SettingsError) as refused:
-        read_settings("product: TReX\nserial_timeout: <img src='x.png'>\n")
-    panel = FindingsPanel()
-    qtbot.addWidget(panel)
-    panel.show_findings(refused.value.findings)
-    table = panel.findChild(QTableWidget)
-    assert table is not None
-    tips = [item.toolTip() for row in range(table.rowCount()) if (item := table.item(row, 3))]
-
-    shown = QLabel(next(tip for tip in tips if "x.png" in tip))  # as a tool tip is
-    qtbot.addWidget(shown)
-    assert shown.sizeHint().height() < 500

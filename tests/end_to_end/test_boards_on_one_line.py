@@ -84,11 +84,11 @@ def test_boards_on_one_line(
 
     # A reset would give it a number that is taken.
     window.trigger("defaults")
-    defaults = window.dialog("defaultsDialog")
-    assert not defaults.text("boardResetNumberTaken")
-    defaults.click("boardResetButton")
-    assert "It gets device number 7, which another board" in defaults.text("boardResetNumberTaken")
-    defaults.click("defaultsCancelButton")
+    review = window.dialog("reviewDialog")
+    review.click("boardResetButton")
+    assert "It gets device number 7, which another board" in review.text("questionText")
+    review.click("questionCancel")
+    review.click("reviewCloseButton")
 
     # The keyboard does the same.
     shown = window.find(QListWidget, "boardList")

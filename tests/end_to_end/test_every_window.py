@@ -65,7 +65,6 @@ FOCUSED = {
     "aboutBox": pseudo("OK"),
     "armDialog": "writeAndArmButton",
     "convertDialog": "convertButton",
-    "defaultsDialog": "takeDefaultsButton",  # reviewed before it is written
     "findDialog": "findStartButton",
     "learnDialog": "learnNextButton",
     "lineSettingsDialog": pseudo("OK"),
@@ -85,8 +84,8 @@ FOCUSED = {
     "newSettingsDialog": "beginningsList",
     "numberDialog": "newNumberField",
     "wireDialog": "wireField",
+    "applyToBoardsDialog": "closeBoardsButton",  # nothing can be written in this test
     # The first control: the primary button is disabled at the board of this test.
-    "applyToBoardsDialog": "boardsToWrite",
     "checkBoardDialog": "qt_tabwidget_tabbar",
 }
 """What has the focus in each dialog when it opens."""
@@ -310,11 +309,11 @@ def test_aracna(pseudo_window: WindowDriver, tmp_path: Path) -> None:
 
 def test_board_reset_needs_a_press_of_its_own(connected_window: WindowDriver) -> None:
     connected_window.trigger("defaults")
-    dialog = connected_window.dialog("defaultsDialog")
+    dialog = connected_window.dialog("reviewDialog")
     dialog.root.activateWindow()
     dialog.button("boardResetButton").setFocus()
     for _ in range(2):
         QTest.keyClick(dialog.root.windowHandle(), ENTER)
-    assert not dialog.root.isVisible()
+    assert not dialog.has("boardResetSureButton"), "the second one cancels"
     assert not connected_window.device.writer.running
     assert not connected_window.device.draft.reset_pending

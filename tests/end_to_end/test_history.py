@@ -15,8 +15,8 @@ from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.core.files import data_folder, load
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.devices.trex.settings.reader import read_settings
+from trex_gui.devices.trex.views.changes.dialog import ChangesDialog
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
-from trex_gui.devices.trex.views.load_dialog import LoadDialog
 from trex_gui.devices.trex.views.note_field import NoteField
 from trex_gui.devices.trex.views.pages.parameters.page import ParametersPage
 from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
@@ -49,7 +49,7 @@ def test_snapshots_are_restored_partly_and_completely(
 
     dialog.click("restoreButton")
     assert len(pending(window)) == 3
-    dialog.wait_for_text("comparisonSummary", "matches this snapshot")
+    dialog.wait_for_text("comparisonSummary", "No setting differs")
     assert not dialog.is_enabled("restoreButton")
     window.device.draft.undo.undo()
     assert not pending(window), "restoring is one step"
@@ -68,7 +68,7 @@ def test_snapshots_are_restored_partly_and_completely(
     dialog.wait(lambda: dialog.count() == 3)
 
     dialog.wait(lambda: set(dialog.values()) == {"motor1_acceleration", "motor2_acceleration"})
-    dialog.click("tickAllButton")
+    dialog.tick_all(True)
     dialog.click("restoreButton")
     window.apply()
     assert quick_simulator.show()["parameters"] == before
@@ -147,7 +147,7 @@ def test_history_dialog_follows_connection_state(
     window.wait(lambda: device.link is not ConnectionState.CONNECTED)
     trex(window.program).controller.leave()
     dialog.wait_for_text("restoreNote", "No board is connected")
-    dialog.wait(lambda: combo.currentText().startswith("snapshot of"))
+    dialog.wait(lambda: combo.currentText() == "the snapshot beside it")
     dialog.wait(lambda: dialog.values() == {"serial_timeout": ("off", "0.5 s")})
     window.connect(quick_simulator.do("line plug").split()[-1])
     dialog.wait(lambda: dialog.is_enabled("restoreButton"))
@@ -218,8 +218,8 @@ def test_note_is_typed_and_kept_wherever_the_value_goes(
     assert not draft.notes.all
     files.open_file(path)
     window.wait(lambda: window.has("takeChangesButton"))
-    dialog = window.find(LoadDialog, "loadSettingsDialog")
-    assert KEY in {row.key for row in dialog._view.table.ticked}
+    dialog = window.find(ChangesDialog, "loadSettingsDialog")
+    assert KEY in {row.key for row in dialog.ticked}
     window.click("takeChangesButton")
     assert draft.notes.all == {KEY: NOTE}
     window.disconnect()

@@ -11,7 +11,7 @@ from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity, EditFiles
 from trex_gui.devices.trex.settings.history import SettingsHistory
-from trex_gui.devices.trex.views.load_dialog import LoadDialog
+from trex_gui.devices.trex.views.changes.dialog import ChangesDialog
 
 
 def asked(window: WindowDriver) -> str:
@@ -39,8 +39,8 @@ def test_settings_that_a_board_lost_are_shown_and_restored(
     window.click("questionCancel")
     reconnect(window, lost.url)
     window.click("showDiffering")
-    dialog = window.find(LoadDialog, "loadSettingsDialog")
-    assert {row.key for row in dialog._view.table.ticked} == {
+    dialog = window.find(ChangesDialog, "loadSettingsDialog")
+    assert {row.key for row in dialog.ticked} == {
         "serial_timeout",
         "motor1_acceleration",
     }

@@ -18,7 +18,6 @@ def openers(window: WindowDriver) -> dict[str, Callable[[], object]]:
     """Return what opens each dialog of the window, by its name."""
     return {
         "benchDialog": lambda: window.trigger("bench"),
-        "defaultsDialog": lambda: window.trigger("defaults"),
         "findDialog": lambda: window.click("findButton"),
         "gamepadDialog": window.find_only(GamepadPanel)._on_set_up_clicked,
         "helpDialog": lambda: window.window.show_help("safety.md"),

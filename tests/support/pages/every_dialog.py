@@ -27,7 +27,7 @@ from trex_gui.ui.runtime import runtime
 
 DIALOGS = (
     "test_sticks", "find", "check_board", "preferences", "report", "new", "power",
-    "number", "to_boards",
+    "number", "to_boards", "defaults",
 )  # fmt: skip
 """Menu entries that open a dialog."""
 

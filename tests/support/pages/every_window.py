@@ -40,11 +40,6 @@ def open_review(window: WindowDriver, folder: Path) -> QWidget:
     return window.find(QWidget, "reviewDialog")
 
 
-def open_defaults(window: WindowDriver, folder: Path) -> QWidget:
-    window.trigger("defaults")
-    return window.find(QWidget, "defaultsDialog")
-
-
 def open_bench(window: WindowDriver, folder: Path) -> QWidget:
     window.trigger("bench")
     return window.find(QWidget, "benchDialog")
@@ -73,7 +68,6 @@ WINDOWS_WITH_STOP = (
     open_editor,
     open_history,
     open_review,
-    open_defaults,
     open_bench,
     open_setup,
     open_plot,

@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import QItemSelectionModel, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QDialog, QMessageBox, QTableView, QTableWidget, QWidget
+from PySide6.QtWidgets import QDialog, QLabel, QMessageBox, QTableView, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.program import trex
@@ -14,11 +14,18 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.devices.trex.model.settings.comparison_table import ComparisonColumn, ComparisonRole
 from trex_gui.devices.trex.settings.history import SettingsHistory
+from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.history_dialog import HistoryDialog as HistoryWidget
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets.behaviour import ConfirmButton
 from trex_gui.ui.widgets.messages import InlinePrompt
+
+
+def findings_of(shown: WidgetDriver, where: str) -> list[str]:
+    """Return the texts of the findings in a page or dialog."""
+    labels = [each for each in shown.find_all(QLabel) if each.isVisible()]
+    return [each.text() for each in labels if each.objectName().startswith(f"{where}Finding")]
 
 
 class ComparisonDialog(WidgetDriver):
@@ -42,6 +49,11 @@ class ComparisonDialog(WidgetDriver):
         keys = [model.index(row, 0).data(ComparisonRole.KEY) for row in range(model.rowCount())]
         return {key: (row[1], row[2]) for key, row in zip(keys, self.rows(), strict=True)}
 
+    def tick_all(self, wanted: bool) -> None:
+        """Check or clear every box."""
+        view = self.find_only(ComparisonView)
+        view.table.tick_all(wanted)
+
     def toggle(self, setting: str) -> None:
         """Check or clear the box of a setting with the keyboard."""
         row = [row[0] for row in self.rows()].index(setting)
@@ -58,7 +70,8 @@ class ReviewDialog(ComparisonDialog):
 
     @property
     def head(self) -> str:
-        return self.text("reviewHead")
+        """What will happen, to which board, and what hinders it."""
+        return " ".join(map(self.text, ("reviewHead", "reviewCaption", "reviewTrouble")))
 
     def open(self) -> None:
         self._window.click("applyButton")
@@ -99,11 +112,8 @@ class SimulatedPower:
 class LoadDialog(ComparisonDialog):
     """The dialog that compares a settings file with the board."""
 
-    def findings(self) -> list[tuple[str, str]]:
-        """Return line and message of each finding."""
-        table = self.find(QTableWidget, "findingsTable")
-        cells = [[table.item(row, column) for column in (1, 3)] for row in range(table.rowCount())]
-        return [(line.text(), text.text()) for line, text in cells if line and text]
+    def findings(self) -> list[str]:
+        return findings_of(self, "load")
 
     def button_text(self) -> str:
         return self.button("takeChangesButton").text().replace("&", "")
@@ -216,7 +226,7 @@ class HistoryDialog(ComparisonDialog):
 
     def compare_with_file(self) -> None:
         box = self.combo("compareWithCombo")
-        box.setCurrentIndex(box.findText("a settings file…"))
+        box.setCurrentIndex(2)
         box.activated.emit(box.currentIndex())
         self.wait_for_files()
 
@@ -227,7 +237,7 @@ class HistoryDialog(ComparisonDialog):
         self.wait_for_files()
 
     def check_only(self, setting: str) -> None:
-        self.click("tickNoneButton")
+        self.tick_all(False)
         self.toggle(setting)
 
 

@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtCore import QItemSelectionModel, QPoint, QRect, Qt
 from PySide6.QtGui import QFontMetrics
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QTableView
+from PySide6.QtWidgets import QCheckBox, QTableView
 from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.settings.samples import factory
@@ -68,26 +68,38 @@ def test_space_bar_toggles_the_row_from_any_column(
     assert len(view.table.ticked) == 2
 
 
-def test_buttons_check_all_rows_or_none(view: ComparisonView, driver: ComparisonDialog) -> None:
-    driver.click("tickNoneButton")
-    assert not view.table.ticked
-    driver.click("tickAllButton")
-    assert len(view.table.ticked) == 2
-    view.show_comparison(comparison(serial_timeout=5), "Now", "File", with_ticks=False)
-    assert not driver.has("tickAllButton")
+def test_box_checks_all_rows_or_none(view: ComparisonView, driver: ComparisonDialog) -> None:
+    assert not driver.has("tickAllBox"), "two are checked as fast"
+    found = comparison(serial_timeout=5, motor1_acceleration=9, motor_mode=1, ignored_channels=2)
+    view.show_comparison(found, "Now", "File")
+    driver.toggle("Motor Mode")
+    box = driver.find(QCheckBox, "tickAllBox")
+    assert box.checkState() is Qt.CheckState.PartiallyChecked
+    for ticked in (4, 0):
+        driver.click("tickAllBox")
+        assert len(view.table.ticked) == ticked
+    view.show_comparison(found, "Now", "File", with_ticks=False)
+    assert not driver.has("tickAllBox")
     assert not view.table.ticked
 
 
-def test_renewal_keeps_the_current_row_and_column_widths(
+def test_details_are_wire_values_and_what_matches(
     view: ComparisonView, driver: ComparisonDialog
 ) -> None:
-    table = driver.table
-    table.selectRow(1)
-    key = table.currentIndex().data()
-    table.setColumnWidth(0, 321)
-    view.renew(comparison(serial_timeout=6, motor1_acceleration=9, motor_mode=1), "Renewed.")
-    assert table.currentIndex().data() == key
-    assert table.columnWidth(0) == 321
+    assert driver.table.isColumnHidden(ComparisonColumn.WIRE)
+    driver.click("detailsBox")
+    assert not driver.table.isColumnHidden(ComparisonColumn.WIRE)
+    assert len(driver.rows()) == len(view.table.comparison.rows)
+
+
+def test_renewal_keeps_the_current_row_and_its_check_box(
+    view: ComparisonView, driver: ComparisonDialog
+) -> None:
+    driver.toggle(key := "Motor 1 Acceleration")
+    found = comparison(serial_timeout=6, motor1_acceleration=9, motor_mode=1)
+    view.show_comparison(found, "Now", "File", summary="Renewed.")
+    assert driver.table.currentIndex().data() == key
+    assert {row.key for row in view.table.ticked} == {"serial_timeout", "motor_mode"}
     assert driver.text("comparisonSummary") == "Renewed."
 
 
@@ -140,7 +152,7 @@ def cut_short(table: QTableView) -> list[str]:
             index = model.index(row, column)
             cell, text = table.visualRect(index), str(index.data())
             shown = cell.left() >= 0 and cell.right() < table.viewport().width()
-            sign = TICK if column in {ComparisonColumn.SETTING, ComparisonColumn.OUTCOME} else 0
+            sign = 0 if column in {ComparisonColumn.BEFORE, ComparisonColumn.WIRE} else TICK
             font = index.data(Qt.ItemDataRole.FontRole)
             is_bold = font is not None and font.bold()
             metrics = QFontMetrics(bold if is_bold else table.font())
@@ -154,19 +166,15 @@ def cut_short(table: QTableView) -> list[str]:
 def test_longest_rows_and_reasons_are_readable(
     view: ComparisonView, driver: ComparisonDialog
 ) -> None:
-    view.resize(860, 400)  # inside a dialog that is 880 wide
+    view.resize(712, 400)  # inside a dialog that is 760 wide
+    driver.click("detailsBox")
     view.show_comparison(worst(), "On the board", "Factory default")
     table = driver.table
     texts = {str(table.model().index(row, 2).data()) for row in range(40)}
     assert any("stop bit" in text for text in texts)
     assert cut_short(table) == []
-    width = table.columnWidth(ComparisonColumn.AFTER)
-    table.setColumnWidth(ComparisonColumn.AFTER, 90)
-    assert cut_short(table) == []
-    table.setColumnWidth(ComparisonColumn.AFTER, width)
 
     why = "The board refused it: Channels 1, 2 and 3 drive the motors, but not in this mode."
-    view.table.set_outcomes({row.key: why for row in view.table.comparison.rows})
-    assert cut_short(table) == []
-    view.freeze("Before", "New value")
+    outcomes = {row.key: why for row in view.table.comparison.rows}
+    view.show_comparison(worst(), "Before", "After", with_ticks=False, outcomes=outcomes)
     assert cut_short(table) == []

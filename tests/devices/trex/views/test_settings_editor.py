@@ -7,14 +7,14 @@ import pytest
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QColor, QTextCursor
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDialog, QMessageBox, QTableView, QTableWidget, QWidget
+from PySide6.QtWidgets import QApplication, QDialog, QMessageBox, QTableView
 from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
 from tests.support.colours import contrast
 from tests.support.keyboard import check_keyboard
-from tests.support.pages.settings import SettingsEditorWindow, answer_questions
-from tests.support.window import LEFT, WidgetDriver
+from tests.support.pages.settings import SettingsEditorWindow, answer_questions, findings_of
+from tests.support.window import WidgetDriver
 from trex_gui.core.files import load
 from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.model.device import Device
@@ -76,15 +76,8 @@ class EditorDriver(SettingsEditorWindow):
         self.trigger("Save")
         self.wait_for_files()
 
-    def findings(self, panel: str = "findingsPanel") -> list[tuple[str, str]]:
-        """Return line and text of each finding."""
-        table = self.findings_table(panel)
-        cells = [[table.item(row, column) for column in (1, 3)] for row in range(table.rowCount())]
-        return [(line.text(), words.text()) for line, words in cells if line and words]
-
-    def findings_table(self, panel: str = "findingsPanel") -> QTableWidget:
-        part = WidgetDriver(self.find(QWidget, panel), self.qtbot)
-        return part.find(QTableWidget, "findingsTable")
+    def findings(self, where: str = "editor") -> list[str]:
+        return findings_of(self, where)
 
     def select_calibration(self, row: int, column: int = 1) -> QTableView:
         self.tabs.setCurrentIndex(CALIBRATIONS)
@@ -225,12 +218,8 @@ def test_typing_is_undone_to_the_byte(open_text: Open) -> None:
 def test_finding_shows_its_line_or_is_accepted(open_text: Open) -> None:
     editor = open_text("product: TReX\n\n\nmotor_mode: 9\n")
     editor.tabs.setCurrentIndex(FINDINGS)
-    table = editor.findings_table()
-    item = table.item(0, 3)
-    assert item is not None
-    place = table.visualItemRect(item).center()
-    QTest.mouseClick(table.viewport(), LEFT, pos=place)
-    QTest.mouseDClick(table.viewport(), LEFT, pos=place)
+    assert editor.button("editorLine0").text() == "Show line 4"
+    editor.click("editorLine0")
     assert editor.tabs.currentIndex() == TEXT_PAGE
     assert editor.text_page.textCursor().blockNumber() == 3
     editor.editor.close_at_once()
@@ -238,12 +227,11 @@ def test_finding_shows_its_line_or_is_accepted(open_text: Open) -> None:
     editor = open_text("product: TReX\nrequired_channels: 1\nignored_channels: 1\n")
     editor.tabs.setCurrentIndex(FINDINGS)
     rows = editor.findings()
-    row = next(n for n, (_, words) in enumerate(rows) if "required and ignored" in words)
-    assert rows[row][0] == "2"
+    row = next(n for n, words in enumerate(rows) if "required and ignored" in words)
+    assert editor.button(f"editorLine{row}").text() == "Show line 2"
     assert editor.tabs.tabText(FINDINGS) == f"Findings ({len(rows)})"
-    editor.findings_table().setCurrentCell(row, 0)
     check_keyboard(editor.root)
-    WidgetDriver(editor.find(QWidget, "findingsPanel"), editor.qtbot).click("acceptFindingButton")
+    editor.click(f"editorAccept{row}")
     assert editor.value_of("required_channels") == 0
     editor.wait(lambda: len(editor.findings()) == len(rows) - 1)
 

@@ -9,6 +9,7 @@ from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.protocol.device_table import Model
 from trex_gui.devices.trex.protocol.line_settings import LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, ParameterSpec
+from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow
 from trex_gui.devices.trex.settings.document import Settings, specs_for
 from trex_gui.devices.trex.settings.writer import calibration_text
 
@@ -55,6 +56,18 @@ class Conversion:
 
     def of(self, fate: Fate) -> tuple[ConvertedRow, ...]:
         return tuple(row for row in self.rows if row.fate is fate)
+
+    def compared_with(self, before: Settings) -> Comparison:
+        """Compare the settings before the conversion with those after it."""
+        old, new = ({**s.parameters, **s.calibrations} for s in (before, self.settings))
+        return Comparison(
+            tuple(
+                ComparisonRow(
+                    row.key, row.name, old.get(row.key), new.get(row.key), row.before, row.after
+                )
+                for row in self.rows
+            )
+        )
 
 
 def convert(settings: Settings, product: Model, firmware: str | None) -> Conversion:

@@ -1,31 +1,47 @@
-"""Findings of the settings check, and a question about values beyond inferred limits."""
+"""Findings about settings, with buttons that accept a proposal or show a line."""
 
-from collections.abc import Callable, Iterable, Sequence
+import re
+from collections.abc import Callable, Iterable
+from dataclasses import replace
 from functools import partial
 
 from PySide6.QtCore import Qt, Signal, Slot
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QPushButton, QWidget
 
+from trex_gui.core.files import Finding, Severity
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.settings.rules import LintFinding
-from trex_gui.ui.notifier import Answer
-from trex_gui.ui.widgets.builders import button, column, label, row, tab_order
+from trex_gui.devices.trex.settings.yaml_subset import LINE_END
+from trex_gui.ui.theme.theme import set_look
+from trex_gui.ui.widgets.builders import button, column, label, no_mnemonic, row, tab_order
 from trex_gui.ui.widgets.labels import Sign
-from trex_gui.ui.widgets.messages import InlinePrompt
+
+Remark = LintFinding | Finding | str
+"""A finding of the linter, of the reader of a file, or a sentence."""
+
+_MOST = 60  # findings that get a line; the rest is only counted
+_SIGNS = {Severity.ERROR: ("error", "danger"), Severity.WARNING: ("warning", "warning")}
+
+
+def line_of_key(text: str, key: str) -> int | None:
+    """Return the line of a setting in a file, counted from 1."""
+    found = re.search(rf"^\W*{re.escape(key)}\W*:", text, re.MULTILINE)
+    return None if found is None else len(LINE_END.findall(text, 0, found.start())) + 1
 
 
 class FindingsList(QWidget):
     """Every finding, with a button for its proposal; hidden without any."""
 
     accepted = Signal(object)  # a `LintFinding`; its change is to become an edit
+    line_chosen = Signal(int)  # a line, from 1, is to be shown
 
     def __init__(
         self, where: str, after: QWidget, parent: QWidget | None = None, *, is_wide: bool = False
     ) -> None:
         """Create the list; `where` begins the object names: `parameter`, `review`.
 
-        Tab comes to it from `after`. `is_wide`: there is room for the buttons beside the texts.
+        Tab comes to it from `after`. `is_wide`: the whole proposal fits on a button.
         """
         super().__init__(parent)
         self._after = after
@@ -33,10 +49,12 @@ class FindingsList(QWidget):
         self._where = where
         self.setObjectName(f"{where}Findings")
         self.setAccessibleName(tr("Findings about the settings"))
-        self._findings: tuple[LintFinding, ...] = ()
+        self._findings: tuple[Remark, ...] = ()
+        self._text: str | None = None
         self._can_accept = True
         self._lines: list[QWidget] = []
         self._layout = column(into=self, margins=0)
+        self._layout.setAlignment(Qt.AlignmentFlag.AlignTop)
         self.hide()
 
     def follow(
@@ -50,16 +68,13 @@ class FindingsList(QWidget):
 
     @Slot()
     def _on_linter_changed(self) -> None:
-        self.show_findings(filter(self._concerns, self._linter.findings))
+        self.show_findings([each for each in self._linter.findings if self._concerns(each)])
 
-    @property
-    def count(self) -> int:
-        return len(self._findings)
-
-    def show_findings(self, findings: Iterable[LintFinding]) -> None:
+    def show_findings(self, findings: Iterable[Remark], *, text: str | None = None) -> None:
+        """Show findings; with the `text` of their file each has a button that shows its line."""
         shown = tuple(findings)
-        if shown != self._findings:
-            self._findings = shown
+        if (shown, text) != (self._findings, self._text):
+            self._findings, self._text = shown, text
             self._fill()
 
     def set_can_accept(self, can_accept: bool) -> None:
@@ -72,46 +87,48 @@ class FindingsList(QWidget):
             self._layout.removeWidget(line)
             line.setParent(None)
             line.deleteLater()  # later: this may handle a click on one of its buttons
-        self._lines = [self._line(*numbered) for numbered in enumerate(self._findings)]
+        shown, more = self._findings[:_MOST], len(self._findings) - _MOST
+        if more > 0:
+            shown += (tr("and %n more", "", more),)
+        self._lines = [self._line(*numbered) for numbered in enumerate(shown)]
         for line in self._lines:
             self._layout.addWidget(line)
         self.setVisible(bool(self._lines))
         tab_order(self._after, self)
 
-    def _line(self, number: int, finding: LintFinding) -> QWidget:
-        line = QWidget(self)
-        sign = Sign(line)
-        sign.show_sign("warning")
-        text = label(line, f"{self._where}Finding{number}", finding.text, wrap=True, expand=True)
-        accept = button(
-            line,
-            f"{self._where}Accept{number}",
-            tr("Accept"),
-            accessible=finding.proposal,
-            tip=tr("Add this change to the edits; nothing is written until you click Apply"),
-            default=False,
-            on_click=partial(self.accepted.emit, finding),
-        )
-        accept.setVisible(bool(finding.change))
-        accept.setEnabled(self._can_accept)
-        if self._is_wide:
-            row(sign, (text, 1), accept, into=line, margins=0)
-        else:
-            below = (accept, 0, Qt.AlignmentFlag.AlignRight)
-            column(row(sign, (text, 1)), below, into=line, margins=0)
+    def _line(self, number: int, finding: Remark) -> QWidget:
+        line, link = QWidget(self), partial(button, default=False)
+        text, sign, at, actions = str(finding), ("info", "info"), None, list[QPushButton]()
+        if isinstance(finding, LintFinding):
+            text = finding.message if self._is_wide else finding.text
+            sign = _SIGNS[Severity.WARNING]
+            lines = (line_of_key(self._text or "", key) for key in finding.keys)
+            at = next((line for line in lines if line is not None), None)
+            accept = link(
+                line,
+                f"{self._where}Accept{number}",
+                no_mnemonic(finding.proposal) if self._is_wide else tr("Accept"),
+                accessible=finding.proposal,
+                on_click=partial(self.accepted.emit, finding),
+            )
+            accept.setVisible(bool(finding.change))
+            accept.setEnabled(self._can_accept)
+            actions.append(accept)
+        elif isinstance(finding, Finding):
+            sign, at = _SIGNS[finding.severity], finding.line
+            text = str(replace(finding, severity=Severity.ERROR))  # the sign says that
+        if at is not None and self._text is not None:
+            choose = partial(self.line_chosen.emit, at)
+            title = tr("Show line {0}").format(at)
+            actions.append(link(line, f"{self._where}Line{number}", title, on_click=choose))
+        text = f"{text[:1].upper()}{text[1:]}"
+        shown = label(line, f"{self._where}Finding{number}", text, wrap=True, expand=True)
+        mark = Sign(line)
+        mark.show_sign(*sign)
+        for each in actions:
+            if self._is_wide:
+                set_look(each, "link")
+        below = row(*actions, 1) if self._is_wide else row(1, *actions)
+        right = column(shown, *([below] if actions else []), margins=0, spacing=0)
+        row((mark, 0, Qt.AlignmentFlag.AlignTop), (right, 1), into=line, margins=0)
         return line
-
-
-class LimitsPrompt(InlinePrompt):
-    def ask_before(self, write: Callable[[], object], doubts: Callable[[], Sequence[str]]) -> None:
-        """Call `write`, after a question if there are doubts; `doubts` names the values."""
-        named = doubts()
-        if not named:
-            write()
-            return
-        text = tr(
-            "{0}: beyond a limit that no document confirms (inferred). The board decides: it may "
-            "reject the value, or store another one."
-        )
-        answer = Answer("writeAnyway", tr("Write an&yway"), write)
-        self.ask(text.format(", ".join(named)), answer, still=lambda: doubts() == named)

@@ -90,7 +90,7 @@ class HistoryDialog(ReusedDialog):
         self._table.failed.connect(self._banner.show_problem)
         self._list.chosen_changed.connect(self._later.start)
         self._list.delete_key.activated.connect(self._on_delete_clicked)
-        self._pane.choice.chosen.connect(self._on_present_chosen)
+        self._pane.present_chosen.connect(self._on_present_chosen)
         self._pane.restore_requested.connect(self.restore_requested)
         self._bound.changed.connect(self.refresh)
         draft = device.draft
@@ -311,7 +311,7 @@ class _SnapshotList(QWidget):
 
 
 class _BoundField(QWidget):
-    """`Keep the newest 500 snapshots`; the Set button makes it the bound."""
+    """`Keep 500 snapshots`; the Set button makes it the bound, 0 keeps all."""
 
     changed = Signal()  # the bound was set; snapshots may be gone
 
@@ -326,43 +326,34 @@ class _BoundField(QWidget):
         self._stored: int | None = KEPT
         self._total: int | None = None  # snapshots that there are, once they were counted
 
-        title, items = tr("Which snapshots are kept"), [tr("the newest"), tr("all")]
-        self._which = ui.combo_box(self, "keptCombo", title, items=items, on_change=self._on_edited)
-        self._count = ui.spin_box(
-            self, "keptField", tr("How many snapshots are kept"), 1, _MOST_KEPT, value=KEPT
-        )
+        title = tr("How many snapshots are kept")
+        self._count = ui.spin_box(self, "keptField", title, 0, _MOST_KEPT, value=KEPT)
+        self._count.setSpecialValueText(tr("all"))
         self._count.setKeyboardTracking(True)
         self._count.valueChanged.connect(self._on_edited)
         self._set = ui.button(
             self, "keptButton", tr("&Set"), default=False, on_click=self._on_set_clicked
         )
-        keep = ui.label(self, text=tr("&Keep"), buddy=self._which)
+        keep = ui.label(self, text=tr("&Keep"), buddy=self._count)
         snapshots = ui.label(self, text=tr("snapshots"))
-        ui.row(keep, self._which, self._count, snapshots, self._set, into=self, margins=0)
+        ui.row(keep, self._count, snapshots, self._set, into=self, margins=0)
         self._on_edited()
 
     def show_bound(self, listing: Listing) -> None:
         """Show the bound that was read; an edit in progress stays."""
-        untouched = self._wanted == self._stored
+        if self._wanted == self._stored:
+            self._count.setValue(listing.bound.kept or 0)
         self._total = listing.total
         self.problem = listing.bound.problem
         self._stored = listing.bound.kept
-        if untouched:
-            self._show(self._stored)
         self._on_edited()
-
-    def _show(self, kept: int | None) -> None:
-        self._which.setCurrentIndex(int(kept is None))
-        if kept is not None:
-            self._count.setValue(kept)
 
     @property
     def _wanted(self) -> int | None:
-        return None if self._which.currentIndex() else self._count.value()
+        return self._count.value() or None
 
     @Slot()
     def _on_edited(self) -> None:
-        self._count.setEnabled(self._which.currentIndex() == 0)
         is_edited = bool(self.problem) or self._wanted != self._stored
         self._set.setEnabled(is_edited and self._total is not None)
 
@@ -375,14 +366,14 @@ class _BoundField(QWidget):
             return
 
         def on_cancelled() -> None:
-            self._show(self._stored)
+            self._count.setValue(self._stored or 0)
             self._on_edited()
 
         text = tr("Permanently remove the oldest %n of {0} snapshots?", "", removed)
         remove = tr("Remove {0}").format(removed)
         answer = Answer("historyQuestionYes", remove, lambda: self._keep(wanted))
         self._question.ask(text.format(self._total), answer, otherwise=on_cancelled)
-        self._show(wanted)
+        self._count.setValue(wanted or 0)
         self._set.setEnabled(False)
 
     def _keep(self, kept: int | None) -> None:

@@ -10,7 +10,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.settings.board_records import utc_now
 from trex_gui.devices.trex.settings.comparison import ComparisonRow
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
+from trex_gui.devices.trex.views.changes.review import Review
 from trex_gui.devices.trex.views.settings_files import SettingsFiles
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.notifier import Answer
@@ -22,7 +22,7 @@ class ClosePrompt(QObject):
     """Asks whether to apply, save, keep or discard edits before the window closes."""
 
     def __init__(
-        self, device: Device, files: SettingsFiles, review: ReviewDialog, frame: MainWindow
+        self, device: Device, files: SettingsFiles, review: Review, frame: MainWindow
     ) -> None:
         super().__init__(frame)
         self._device = device

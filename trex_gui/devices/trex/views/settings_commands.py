@@ -14,9 +14,8 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
-from trex_gui.devices.trex.views.review.defaults_dialog import DefaultsDialog
+from trex_gui.devices.trex.views.changes.review import Review
 from trex_gui.devices.trex.views.review.power_cycle import PowerCycleDialog
-from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.notifier import Answer
 from trex_gui.ui.translations import error_sentence
@@ -33,12 +32,9 @@ class SettingsCommands(QObject):
         super().__init__(frame)
         self._device = device
         self._question = frame.question
-        self.review = ReviewDialog(device, linter, frame)
-        self.defaults = DefaultsDialog(device, boards, frame)
+        self.review = Review(device, linter, boards, frame)
         self.power = PowerCycleDialog(device, frame)
 
-        self.defaults.staged.connect(self.review.review_staged)
-        self.defaults.reset_requested.connect(device.writer.reset_to_factory)
         device.applied.connect(self._on_applied)
         device.applied.connect(frame.question.reconsider)
 
@@ -54,7 +50,7 @@ class SettingsCommands(QObject):
         notifier.cleared.emit()
         if any(result.key == ParameterKey.FACTORY_RESET for result in results):
             self.power.guide()
-        elif not self.review.isVisible():
+        elif not self.review.dialog.isVisible():
             notifier.info.emit(tr("%n setting(s) written and verified.", "", len(results)))
 
     @Slot()

@@ -15,7 +15,8 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.protocol.device_table import Model, device_table
 from trex_gui.devices.trex.settings.document import Settings, factory_settings
-from trex_gui.devices.trex.views.load_dialog import LoadDialog
+from trex_gui.devices.trex.views.changes.dialog import ChangesDialog
+from trex_gui.devices.trex.views.changes.files import add_editing, load_dialog
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 from trex_gui.devices.trex.views.shown_settings import ShownSettings
 from trex_gui.ui.files import in_background
@@ -46,7 +47,7 @@ class SettingsFiles(QObject):
         self._device = device
         self._notifier = device.notifier
         self._window = window
-        self._loading: LoadDialog | None = None
+        self._loading: ChangesDialog | None = None
         self.editors: list[SettingsEditor] = []  # the open windows, each with one file
         self.shown = ShownSettings(device, window)
         self.shown.saved.connect(self._note_used)
@@ -116,8 +117,7 @@ class SettingsFiles(QObject):
         if self._device.state is None:  # meanwhile
             self.open_editor(document)
         elif document.path is not None:
-            dialog = self._offer(document)
-            dialog.edit_wanted.connect(partial(self.edit_file, document.path))
+            add_editing(self._offer(document), partial(self.edit_file, document.path))
 
     def edit_file(self, path: Path) -> None:
         """Open a file in a window of its own, or the window that has it already."""
@@ -178,27 +178,31 @@ class SettingsFiles(QObject):
     def _send(self, editor: SettingsEditor) -> None:
         """Offer to load the settings of an editor into the board."""
         if editor.document.settings is not None and self._device.state is not None:
-            self._offer(editor.document).offer_editing(False)
+            self._offer(editor.document)
 
     def offer_settings(self, settings: Settings, applied: str) -> None:
         """Offer settings that were applied to the board at this time."""
         title = tr("Settings applied {0}").format(applied)
         document = SettingsDocument.of_settings(settings, title, "Settings applied.")
-        self._offer(document, tr("Applied")).offer_editing(False)
+        self._offer(document, tr("Applied"))
 
-    def _offer(self, document: SettingsDocument, heading: str = "") -> LoadDialog:
-        """Show what settings would change; `heading` names them in place of `File`."""
+    def _offer(self, document: SettingsDocument, side: str = "") -> ChangesDialog:
+        """Show what settings would change; `side` names them in place of `File`."""
         if self._loading is not None:
             self._loading.close()
-        dialog = LoadDialog(self._device, document, self._window, heading=heading)
-        dialog.staged.connect(self._on_staged)
-        dialog.ended.connect(self._notifier.error)
+        self._loading = dialog = load_dialog(
+            self._device,
+            document,
+            self._window,
+            on_staged=self._on_staged,
+            on_ended=self._notifier.error.emit,
+            side=side,
+        )
         dialog.finished.connect(partial(self._on_offer_finished, dialog))
-        self._loading = dialog
-        dialog.show_in_front()
+        dialog.open_anew()
         return dialog
 
-    def _on_offer_finished(self, dialog: LoadDialog, _result: int) -> None:
+    def _on_offer_finished(self, dialog: ChangesDialog, _result: int) -> None:
         if dialog is self._loading:
             self._loading = None
 

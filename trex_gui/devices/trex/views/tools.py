@@ -7,12 +7,12 @@ from PySide6.QtCore import QObject
 from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.boards import BoardList
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.views.apply_to_boards_dialog import ApplyToBoardsDialog
 from trex_gui.devices.trex.views.bench.dialog import BenchDialog
+from trex_gui.devices.trex.views.changes.boards import ApplyToSeveral
+from trex_gui.devices.trex.views.changes.review import Review
 from trex_gui.devices.trex.views.check_board import CheckBoardDialog
 from trex_gui.devices.trex.views.history_dialog import HistoryDialog
 from trex_gui.devices.trex.views.learning.dialog import LearnDialog
-from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
 from trex_gui.devices.trex.views.setup.dialog import SetupDialog
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.notifier import Remedy
@@ -26,7 +26,7 @@ class Tools(QObject):
         device: Device,
         boards: BoardList,
         learn: LearnDialog,
-        review: ReviewDialog,
+        review: Review,
         frame: MainWindow,
     ) -> None:
         super().__init__(frame)
@@ -56,8 +56,8 @@ class Tools(QObject):
         return dialog
 
     @cached_property
-    def apply_to_boards(self) -> ApplyToBoardsDialog:
-        return ApplyToBoardsDialog(self._boards, self._device, self._frame)
+    def apply_to_boards(self) -> ApplyToSeveral:
+        return ApplyToSeveral(self._boards, self._device, self._frame)
 
     @cached_property
     def check_board(self) -> CheckBoardDialog:

@@ -228,8 +228,8 @@ class TrexWorkspace(Workspace):
         keys = QKeySequence.StandardKey
         settings, compare = self._settings, partial(compare_traffic, self.notifier, self)
         reload, review, activate = settings.reload, settings.review.review, settings.power.guide
-        factory = partial(settings.defaults.preview, serial_only=False)
-        serial = partial(settings.defaults.preview, serial_only=True)
+        factory = partial(settings.review.review_defaults, serial_only=False)
+        serial = partial(settings.review.review_defaults, serial_only=True)
         plot_title = tr("Plot of currents in its o&wn window")
 
         def open_guide() -> None:

@@ -63,12 +63,9 @@ def test_table_passes_qt_model_tester_through_changes(
     qtmodeltester.check(table)  # type: ignore[no-untyped-call] # of pytest-qt
     table.set_with_equal(True)
     table.renew(comparison(serial_timeout=7, motor_mode=1))
-    table.set_outcomes({"serial_timeout": "", "motor_mode": "the board refused it"})
     table.set_with_equal(False)
     table.renew(comparison(serial_timeout=7))
-    table.freeze("Was", "Is")
-    table.set_outcomes({"serial_timeout": ""})
-    table.set_outcomes({})
+    table.show_comparison(table.comparison, "Was", "Is", outcomes={"serial_timeout": ""})
     table.show_comparison(Comparison(()), "", "")
 
 
@@ -128,7 +125,8 @@ def test_unchecked_row_stays_unchecked_when_values_change(table: ComparisonTable
 
 
 def test_outcomes_add_a_column(table: ComparisonTable) -> None:
-    table.set_outcomes({"serial_timeout": "", "motor1_acceleration": "the board refused it"})
+    outcomes = {"serial_timeout": "", "motor1_acceleration": "the board refused it"}
+    table.show_comparison(table.comparison, "Now", "File", outcomes=outcomes)
     assert table.columnCount() == 5
     sign = Qt.ItemDataRole.DecorationRole
     outcome = index(table, "serial_timeout", ComparisonColumn.OUTCOME)
@@ -137,18 +135,6 @@ def test_outcomes_add_a_column(table: ComparisonTable) -> None:
     refused = index(table, "motor1_acceleration", ComparisonColumn.OUTCOME)
     assert refused.data() == "the board refused it"
     assert refused.data(sign).cacheKey() == icon("warning").cacheKey()
-    table.renew(comparison(serial_timeout=5))
-    assert table.columnCount() == 4
-
-
-def test_freezing_keeps_only_checked_rows(table: ComparisonTable) -> None:
-    tick(table, "serial_timeout", False)
-    table.freeze("Was", "Is")
-    assert keys(table) == ["motor1_acceleration"]
-    assert index(table, "motor1_acceleration", ComparisonColumn.AFTER).data() == (
-        "1.4 s to full speed"
-    )
-    assert not tick(table, "motor1_acceleration", False)
 
 
 def test_calibration_row_shows_only_differing_fields(table: ComparisonTable) -> None:
@@ -178,7 +164,8 @@ def test_missing_value_is_shown_as_not_given(table: ComparisonTable) -> None:
 
 
 def test_markup_is_shown_as_it_is_written(table: ComparisonTable) -> None:
-    table.set_outcomes({"serial_timeout": "no <b>reply</b>"})
+    outcomes = {"serial_timeout": "no <b>reply</b>"}
+    table.show_comparison(table.comparison, "Now", "File", outcomes=outcomes)
     cell = index(table, "serial_timeout", ComparisonColumn.OUTCOME)
     assert cell.data() == "no <b>reply</b>"
     assert "&lt;b&gt;" in cell.data(Qt.ItemDataRole.ToolTipRole)

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Collection, Hashable, Mapping, Sequence
 from enum import IntEnum
+from types import MappingProxyType
 from typing import Any, TypeVar
 
 from PySide6.QtCore import (
@@ -24,6 +25,7 @@ from trex_gui.devices.trex.settings.comparison import (
     wire_text,
 )
 from trex_gui.ui.theme.icons import icon
+from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.builders import plain
 
 Index = QModelIndex | QPersistentModelIndex
@@ -60,15 +62,24 @@ class ComparisonTable(QAbstractTableModel):
         self._titles = ("", "")
 
     def show_comparison(
-        self, comparison: Comparison, before: str, after: str, *, with_ticks: bool = True
+        self,
+        comparison: Comparison,
+        before: str,
+        after: str,
+        *,
+        with_ticks: bool = True,
+        outcomes: Mapping[str, str] = MappingProxyType({}),
     ) -> None:
-        """Show a comparison, every change ticked; `before` and `after` head the columns."""
+        """Show a comparison, every change ticked; `before` and `after` head the columns.
+
+        `outcomes` are reasons by key, such as those of failures. An empty one is a stored value.
+        """
         self.beginResetModel()
         self.comparison = comparison
         self._titles = (before, after)
         self._with_ticks = with_ticks
         self._cleared = set()
-        self._outcomes = {}
+        self._outcomes = dict(outcomes)
         self._rows = self._chosen_rows()
         self.endResetModel()
         self.ticked_changed.emit()
@@ -79,14 +90,8 @@ class ComparisonTable(QAbstractTableModel):
             ticked = {row.key for row in self.ticked}
             self._cleared |= {row.key for row in comparison.rows if row.is_offered} - ticked
         self.comparison = comparison
-        self.set_outcomes({})
         renew_rows(self, self._rows, self._chosen_rows(), lambda row: row.key)
         self._announce_ticks()
-
-    def freeze(self, before: str, after: str) -> None:
-        """Keep only the checked rows, under new headings, without check boxes."""
-        chosen = Comparison(self.ticked, self.comparison.left_out)
-        self.show_comparison(chosen, before, after, with_ticks=False)
 
     def set_with_equal(self, with_equal: bool) -> None:
         self._with_equal = with_equal
@@ -98,7 +103,11 @@ class ComparisonTable(QAbstractTableModel):
     @property
     def ticked(self) -> tuple[ComparisonRow, ...]:
         """The changes to make, in the order of the table."""
-        rows = self.comparison.rows if self._with_ticks else ()
+        return self.ticked_of(self.comparison)
+
+    def ticked_of(self, comparison: Comparison) -> tuple[ComparisonRow, ...]:
+        """Return the changes of a comparison whose check boxes were not cleared."""
+        rows = comparison.rows if self._with_ticks else ()
         return tuple(row for row in rows if row.is_offered and row.key not in self._cleared)
 
     def tick_all(self, ticked: bool) -> None:
@@ -118,27 +127,10 @@ class ComparisonTable(QAbstractTableModel):
         self.setData(index, state, Qt.ItemDataRole.CheckStateRole)
 
     def _announce_ticks(self) -> None:
-        self._announce_rows()
-        self.ticked_changed.emit()
-
-    def _announce_rows(self) -> None:
         if self._rows:
             last = self.index(len(self._rows) - 1, self.columnCount() - 1)
             self.dataChanged.emit(self.index(0, 0), last)
-
-    def set_outcomes(self, outcomes: Mapping[str, str]) -> None:
-        """Show the outcome of writing by key: empty if the value is stored, else the reason."""
-        column, root = ComparisonColumn.OUTCOME, QModelIndex()
-        if outcomes and not self._outcomes:
-            self.beginInsertColumns(root, column, column)
-            self._outcomes = dict(outcomes)
-            self.endInsertColumns()
-        elif self._outcomes and not outcomes:
-            self.beginRemoveColumns(root, column, column)
-            self._outcomes = {}
-            self.endRemoveColumns()
-        self._outcomes = dict(outcomes)
-        self._announce_rows()
+        self.ticked_changed.emit()
 
     def rowCount(self, parent: Index | None = None) -> int:
         return 0 if parent is not None and parent.isValid() else len(self._rows)
@@ -176,6 +168,12 @@ class ComparisonTable(QAbstractTableModel):
                 font = QFont()
                 font.setBold(row.before != row.after)
                 return font
+            case Qt.ItemDataRole.ForegroundRole if index.column() == ComparisonColumn.BEFORE:
+                return theme().color("muted")
+            case Qt.ItemDataRole.ForegroundRole if index.column() == ComparisonColumn.AFTER:
+                return theme().color("accent") if row.before != row.after else None
+            case Qt.ItemDataRole.DecorationRole if index.column() == ComparisonColumn.AFTER:
+                return icon("arrow") if row.before != row.after else None
             case Qt.ItemDataRole.DecorationRole if index.column() == ComparisonColumn.OUTCOME:
                 outcome = self._outcomes.get(row.key)
                 return None if outcome is None else icon("warning" if outcome else "ok")

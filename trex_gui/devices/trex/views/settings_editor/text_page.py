@@ -15,11 +15,12 @@ from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.settings.edit_in_place import BYTE_ORDER_MARK
 from trex_gui.devices.trex.settings.repair import repair_values
 from trex_gui.devices.trex.settings.yaml_subset import LINE_END
-from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel
+from trex_gui.devices.trex.views.findings_list import FindingsList
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import fixed_font, follow_theme, theme
 from trex_gui.ui.widgets.builders import button, column, label, named, row, splitter
 from trex_gui.ui.widgets.painted import Painter
+from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 _MARGIN = 6
 EDITOR_BREAK = re.compile("\r\n|[\n\r\u2029\ufdd0\ufdd1]")  # of Qt's editor; YAML has two more
@@ -68,11 +69,12 @@ class TextPage(QWidget):
         self._repair = button(self, "repairTextButton", text, icon="edited", tip=tip)
         title = tr("Text of the settings file")
         self.editor = named(NumberedText(self), "settingsText", accessible=title)
-        self._findings = named(FindingsPanel(self), "textFindings")
+        self._findings = FindingsList("text", self.editor, self, is_wide=True)
+        self._findings_area = ScrollBox(self._findings, self)
 
         at_top = Qt.AlignmentFlag.AlignTop
         top = row((self._notice, 1), (self._check, 0, at_top), (self._repair, 0, at_top))
-        parts = (self.editor, 3), (self._findings, 2)
+        parts = (self.editor, 3), (self._findings_area, 2)
         both = splitter(self, "", Qt.Orientation.Vertical, *parts)
         column(top, (both, 1), into=self)
 
@@ -132,7 +134,7 @@ class TextPage(QWidget):
     def _on_changed(self) -> None:
         document = self._document
         self.editor.setReadOnly(document.readable)
-        for widget in (self._check, self._repair, self._findings):
+        for widget in (self._check, self._repair, self._findings_area):
             widget.setVisible(not document.readable)
         if document.text != self._shown:
             self._shown = document.text
@@ -146,7 +148,7 @@ class TextPage(QWidget):
         places = self._editor_lines(signs)
         self.editor.mark({places[line]: sign for line, sign in signs.items()})
         if not document.readable:
-            self._findings.show_findings(document.findings)
+            self._findings.show_findings(document.findings, text="")
         self._notice.setText(self._notice_text())
 
     def _notice_text(self) -> str:

@@ -15,12 +15,15 @@ from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.devices.trex.settings.reader import read_settings
-from trex_gui.devices.trex.views.conversion_view import ConvertDialog
+from trex_gui.devices.trex.views.changes.files import (
+    GetSettings,
+    show_comparison,
+    show_conversion,
+)
+from trex_gui.devices.trex.views.findings_list import FindingsList, Remark
 from trex_gui.devices.trex.views.motor_controls import ActionBar
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
 from trex_gui.devices.trex.views.settings_editor.calibration_page import CalibrationEditor
-from trex_gui.devices.trex.views.settings_editor.compare_dialog import CompareDialog, GetSettings
-from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel
 from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
 from trex_gui.devices.trex.views.settings_editor.text_page import TextPage
 from trex_gui.ui.devices.undo import undo_titles
@@ -33,6 +36,7 @@ from trex_gui.ui.widgets.document_saver import DocumentSaver
 from trex_gui.ui.widgets.file_questions import SaveAnswer
 from trex_gui.ui.widgets.messages import Banner, MessageRoom
 from trex_gui.ui.widgets.placement import keep_on_screen, restore_geometry, save_geometry
+from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 _TOOL_BAR = ("new", "open", "save", SEPARATOR, "undo", "redo", SEPARATOR, "send", "print")
 
@@ -64,11 +68,11 @@ class SettingsEditor(QMainWindow):
         self.tabs = named(QTabWidget(self), "editorTabs", accessible=tr("Pages"))
         self.tabs.setDocumentMode(True)
         parameters = ParameterTable(document.draft, self._linter, self)
-        self._findings = FindingsPanel(self)
+        self._findings = FindingsList("editor", parameters, self, is_wide=True)
         self._text = TextPage(document, self)
         self.tabs.addTab(_with_margins(parameters), tr("Parameters"))
         self.tabs.addTab(CalibrationEditor(document.draft, self), tr("Calibrations"))
-        self._findings_index = self.tabs.addTab(_with_margins(self._findings), "")
+        self._findings_index = self.tabs.addTab(_with_margins(ScrollBox(self._findings)), "")
         self._text_index = self.tabs.addTab(self._text, tr("Text"))
         bar = ActionBar(device, "editorStopButton", self)
         row(bar.stop, 1, into=bar)
@@ -236,17 +240,20 @@ class SettingsEditor(QMainWindow):
     def _compare(
         self, other: GetSettings, name: str, renewed_by: SignalInstance | None = None
     ) -> None:
-        dialog = CompareDialog(self.document, other, name, renewed_by=renewed_by, parent=self)
-        dialog.taken.connect(self._banner.show_news)
-        dialog.show()
+        on_copied = self._banner.show_news
+        show_comparison(
+            self._device,
+            self.document,
+            other,
+            name,
+            self,
+            on_copied=on_copied,
+            renewed_by=renewed_by,
+        )
 
     def convert(self) -> None:
         """Show what becomes of the settings on another board, and open that as a new file."""
-        state = self._device.state if self._device.is_connected else None
-        dialog = ConvertDialog(self.document, state, self)
-        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        dialog.converted.connect(self.converted)
-        dialog.show()
+        show_conversion(self._device, self.document, self, self.converted.emit)
 
     def _edits(self) -> QUndoStack | QPlainTextEdit:
         return self.document.draft.undo if self.document.readable else self._text.editor
@@ -257,8 +264,10 @@ class SettingsEditor(QMainWindow):
         self.setWindowTitle(tr("{0}[*] – TReX settings file").format(document.name))
         self.setWindowModified(document.modified)
         findings = self._linter.findings if document.readable else ()
-        self._findings.show_findings(document.findings, findings, text=document.text)
-        count = self._findings.count
+        found: list[Remark] = [*document.findings, *findings]
+        nothing = tr("No errors, warnings or suggestions.")
+        self._findings.show_findings(found or [nothing], text=document.text if findings else "")
+        count = len(found)
         title = tr("Findings ({0})").format(count) if count else tr("Findings")
         self.tabs.setTabText(self._findings_index, title)
         for index in range(self._findings_index):

@@ -1,0 +1,1 @@
+"""Changes of settings before they are made: review, load, compare, convert, several boards."""

@@ -1,0 +1,207 @@
+"""One settings file for several boards on a line."""
+
+from dataclasses import replace
+
+from PySide6.QtCore import QObject, Qt, Slot
+from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QWidget
+
+from trex_gui.core.translation import tr
+from trex_gui.devices.trex.model.apply_to_boards import ApplyToBoards, BoardPlan, BoardStep
+from trex_gui.devices.trex.model.boards import BoardList
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.settings.document import SettingsDocument
+from trex_gui.devices.trex.settings.comparison import Comparison
+from trex_gui.devices.trex.views.boards import board_name
+from trex_gui.devices.trex.views.changes.dialog import Changes, ChangesDialog, Names, Rows, TickedOf
+from trex_gui.ui.widgets import builders as ui
+
+_LEFT_OUT = {BoardStep.FAILED, BoardStep.SKIPPED}
+_CHECKED, _CLEARED = Qt.CheckState.Checked, Qt.CheckState.Unchecked
+_LINES = 6  # boards that are seen at once
+
+
+class ApplyToSeveral(QObject):
+    """Shows what a file changes of each board, then writes it to those that are checked.
+
+    Closing the dialog ends the work after the present board, and the window reports the outcome.
+    """
+
+    def __init__(self, boards: BoardList, device: Device, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._boards = boards
+        self._device = device
+        self.work = ApplyToBoards(boards, device, self)
+        self._name = self._trouble = ""
+        self._cleared: set[int] = set()  # boards whose check box the user has cleared
+        self._is_filling = False
+
+        title = tr("Boards to write to")
+        self._table = table = ui.flat_table(QTableWidget(0, 3, parent), "boardsToWrite", title)
+        table.setHorizontalHeaderLabels([tr("Board"), tr("Changes"), tr("Result")])
+        header = table.horizontalHeader()
+        for column in (0, 1):
+            header.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
+        header.setStretchLastSection(True)
+        table.setMaximumHeight(_LINES * 2 * table.fontMetrics().height())
+        self.dialog = ChangesDialog(
+            device,
+            parent,
+            names=Names("applyToBoardsDialog", "boards", "writeBoardsButton", "closeBoardsButton"),
+            describe=self._describe,
+            act=self._on_write_clicked,
+            follows=(device.link_changed, device.motors.arming_changed),
+            above=self._table,
+        )
+        self._end = ui.button(
+            self.dialog, "endBoardsButton", tr("&End after this board"), default=False
+        )
+        self.dialog.add_beside_buttons(self._end)
+
+        self._end.clicked.connect(self.work.cancel)
+        self._table.itemChanged.connect(self._on_item_changed)
+        self._table.currentCellChanged.connect(self.dialog.refresh)
+        self.work.changed.connect(self._fill)
+        self.work.finished.connect(self._on_finished)
+        self.dialog.rejected.connect(self.work.cancel)
+
+    def open_file(self, document: SettingsDocument) -> None:
+        """Read every board on the line, and show what a file would change of each."""
+        if self.work.is_running:
+            self.dialog.show_in_front()
+            return
+        self._name = document.name
+        self._cleared.clear()
+        self._trouble = ""
+        if document.settings is None:
+            self._trouble = tr("This file cannot be used: it has errors. Nothing was changed.")
+        else:
+            self.work.review(document.settings, [one.number for one in self._boards.boards])
+        self._fill()
+        self.dialog.open_anew()
+
+    def _chosen(self) -> list[int]:
+        plans = (plan for plan in self.work.plans if plan.step is BoardStep.REVIEWED)
+        writable = (plan.number for plan in plans if plan.to_write)
+        return [number for number in writable if number not in self._cleared]
+
+    @Slot()
+    def _fill(self) -> None:
+        self._is_filling = True
+        names = {one.number: board_name(one) for one in self._boards.boards}
+        plans = self.work.plans
+        self._table.setRowCount(len(plans))
+        for row, plan in enumerate(plans):
+            can_check = plan.step is BoardStep.REVIEWED and bool(plan.to_write)
+            texts = (names.get(plan.number, str(plan.number)), *_texts(plan))
+            for column, text in enumerate(texts):
+                item = self._table.item(row, column) or QTableWidgetItem()
+                item.setText(text)
+                if column == 0:
+                    checkable = Qt.ItemFlag.ItemIsUserCheckable
+                    flags = item.flags() & ~checkable
+                    item.setFlags(flags | checkable if can_check else flags)
+                    state = _CLEARED if plan.number in self._cleared else _CHECKED
+                    role = Qt.ItemDataRole.CheckStateRole
+                    item.setData(role, state if can_check else None)  # `None`: no check box
+                if self._table.item(row, column) is None:
+                    self._table.setItem(row, column, item)
+        self._is_filling = False
+        self._table.resizeRowsToContents()
+        self.dialog.refresh()
+
+    @Slot(QTableWidgetItem)
+    def _on_item_changed(self, item: QTableWidgetItem) -> None:
+        if self._is_filling or item.column() != 0 or item.row() >= len(self.work.plans):
+            return
+        number = {self.work.plans[item.row()].number}
+        cleared = item.checkState() is not _CHECKED
+        self._cleared = self._cleared | number if cleared else self._cleared - number
+        self.dialog.refresh()
+
+    def _describe(self, _ticked_of: TickedOf) -> Changes:
+        running, chosen = self.work.is_running, self._chosen()
+        self._end.setEnabled(running)
+        is_driven = self._device.motors.armed or self._device.may_move
+        plans, row = self.work.plans, self._table.currentRow()
+        if not 0 <= row < len(plans):
+            row = next((i for i, plan in enumerate(plans) if plan.to_write), -1)
+        plan = plans[row] if row >= 0 else None
+        rows = None if plan is None else plan.changes
+        text = tr("&Write to %n board(s)", "", len(chosen))
+        return Changes(
+            tr("Apply {0} to several boards").format(self._name),
+            tr(
+                "Each checked board gets these settings, one board after the other, with a "
+                "snapshot before. Each keeps its device number and its serial settings. The "
+                "first error while writing ends the work."
+            ),
+            rows and Comparison(tuple(r for r in rows.rows if not r.is_missing), rows.left_out),
+            (tr("Board {0}").format(plan.number) if plan is not None else "", tr("File")),
+            with_ticks=False,
+            # Without buttons: what is written is the file, which the user can edit.
+            remarks=[replace(one, change={}) for one in plan.findings] if plan is not None else [],
+            trouble=self._trouble,
+            action=text if chosen else tr("&Write to boards"),
+            can_act=bool(chosen) and not running and self._device.is_writable and not is_driven,
+            close=tr("Close"),
+        )
+
+    def _on_write_clicked(self, _rows: Rows) -> None:
+        self._trouble = ""
+        self.dialog.question.ask_before(lambda: self.work.write(self._chosen()), self._doubts)
+
+    def _doubts(self) -> list[str]:
+        """Return the values of the chosen boards of which only the boards can tell."""
+        if not self.dialog.action.isEnabled():
+            return []
+        chosen = self._chosen()
+        plans = [plan for plan in self.work.plans if plan.number in chosen]
+        return list(dict.fromkeys(doubt for plan in plans for doubt in plan.doubts))
+
+    @Slot()
+    def _on_finished(self) -> None:
+        steps = [plan.step for plan in self.work.plans]
+        written = steps.count(BoardStep.WRITTEN)
+        if written or BoardStep.FAILED in steps or self.work.was_stopped:
+            self._report(steps, written)
+        self._fill()
+
+    def _report(self, steps: list[BoardStep], written: int) -> None:
+        """Say what was written and left out: in the dialog, or in the window if that is closed."""
+        left_out = [plan for plan in self.work.plans if plan.step in _LEFT_OUT]
+        texts = []
+        if self.work.was_stopped:
+            texts.append(tr("Stop was pressed, which has ended the work."))
+        if written:
+            texts.append(tr("Written to %n board(s).", "", written))
+        if not self.dialog.isVisible() and self.work.is_writing:
+            for plan in left_out:
+                text = tr("Board {0}: {1}").format(plan.number, _texts(plan)[1])
+                texts.append(text if text.endswith(".") else f"{text}.")
+            notifier = self._device.notifier
+            say = notifier.error if BoardStep.FAILED in steps else notifier.info
+            say.emit(" ".join(texts))
+        elif left_out:
+            text = tr("%n board(s) left out; the reason is beside each.", "", len(left_out))
+            texts.append(text)
+        self._trouble = " ".join(texts)
+
+
+def _texts(plan: BoardPlan) -> tuple[str, str]:
+    """Return how many settings change, and how far the board is."""
+    changes = ""
+    if plan.changes is not None:
+        changes = tr("%n setting(s)", "", plan.to_write) if plan.to_write else tr("none")
+    read = tr("nothing to write")
+    if plan.to_write:
+        read = tr("read, with warnings") if plan.findings else tr("read")
+    state = {
+        BoardStep.WAITING: tr("waiting"),
+        BoardStep.READING: tr("being read …"),
+        BoardStep.REVIEWED: read,
+        BoardStep.WRITING: tr("being written …"),
+        BoardStep.WRITTEN: tr("written and verified"),
+        BoardStep.FAILED: plan.problem,
+        BoardStep.SKIPPED: tr("not tried"),
+    }[plan.step]
+    return changes, state

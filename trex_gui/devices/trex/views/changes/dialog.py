@@ -1,0 +1,251 @@
+"""The dialog of everything that shows changes before they are made."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from PySide6.QtCore import QRect, SignalInstance, Slot
+from PySide6.QtGui import QGuiApplication, QShowEvent
+from PySide6.QtWidgets import QBoxLayout, QSizePolicy, QWidget
+
+from trex_gui.core.translation import tr
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow
+from trex_gui.devices.trex.views.comparison_view import ComparisonView
+from trex_gui.devices.trex.views.findings_list import FindingsList, Remark
+from trex_gui.devices.trex.views.motor_controls import ActionBar
+from trex_gui.ui.notifier import Answer
+from trex_gui.ui.theme.theme import set_look
+from trex_gui.ui.widgets.behaviour import ReusedDialog
+from trex_gui.ui.widgets.builders import button, column, label, named, row, tab_order
+from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.messages import InlinePrompt
+from trex_gui.ui.widgets.placement import fitted, resize_with_font
+from trex_gui.ui.widgets.scroll_box import ScrollBox
+
+_WIDTH = 760  # pixels
+_MARGIN = 24  # pixels
+_AROUND_BUTTONS = 8  # pixels that are amber while motors are armed
+Rows = tuple[ComparisonRow, ...]
+TickedOf = Callable[[Comparison], Rows]
+"""Returns the rows of a comparison whose check boxes are not cleared."""
+
+
+class Names(NamedTuple):
+    """Object names."""
+
+    dialog: str
+    prefix: str  # of its parts
+    action: str
+    close: str
+
+
+@dataclass(frozen=True, slots=True)
+class Changes:
+    """Content of the dialog at one time."""
+
+    heading: str  # what will happen, or has happened
+    caption: str = ""
+    rows: Comparison | None = None  # `None`: no table
+    sides: tuple[str, str] = ("", "")  # names of the settings before and after
+    with_ticks: bool = True  # rows can be left out
+    outcomes: Mapping[str, str] = field(default_factory=dict)  # by key, see `ComparisonTable`
+    summary: str = ""  # in place of the counts
+    remarks: Sequence[Remark] = ()
+    can_accept: bool = False  # proposals of the remarks can be accepted
+    trouble: str = ""  # why it cannot be done, or what went wrong
+    action: str = ""  # verb and count on the primary button; without one there is no button
+    can_act: bool = False
+    close: str = ""  # on the other button, by default `Cancel`
+    closes_first: bool = False  # the other button is the one that has the focus
+
+
+class Question(InlinePrompt):
+    """Asks above the buttons, which keep their place."""
+
+    def ask_before(self, write: Callable[[], object], doubts: Callable[[], Sequence[str]]) -> None:
+        """Call `write`, after a question if there are doubts; `doubts` names the values."""
+        named = doubts()
+        if not named:
+            write()
+            return
+        text = tr(
+            "{0}: beyond a limit that no document confirms (inferred). The board decides: it may "
+            "reject the value, or store another one."
+        )
+        answer = Answer("writeAnyway", tr("Write an&yway"), write)
+        self.ask(text.format(", ".join(named)), answer, still=lambda: doubts() == named)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        window = self.window()
+        if isinstance(window, ChangesDialog):
+            window.fit(upwards=True)
+
+
+class ChangesDialog(ReusedDialog):
+    """Shows settings before and after, with a row for each change; as tall as its rows.
+
+    Not modal, with a stop button of its own. Whoever creates it describes its content, and
+    describes it again whenever a row is checked or cleared or one of `follows` is emitted.
+    """
+
+    def __init__(
+        self,
+        device: Device,
+        parent: QWidget,
+        *,
+        names: Names,
+        describe: Callable[[TickedOf], Changes | None],
+        act: Callable[[Rows], object],
+        follows: Sequence[SignalInstance] = (),
+        above: QWidget | None = None,
+    ) -> None:
+        """Create it for the `parent` window; `describe` returns `None` to close the dialog.
+
+        `act` gets the checked rows when the primary button is pressed. `above` is put above the
+        rows.
+        """
+        super().__init__(parent)
+        prefix = names.prefix
+        self.setObjectName(names.dialog)
+        set_look(self, "sheet")
+        resize_with_font(self, _WIDTH, 1)
+        self._describe = describe
+        self._act = act
+        self._is_rendering = False
+
+        self._heading = label(self, f"{prefix}Head", wrap=True, size="title")
+        self._caption = label(self, f"{prefix}Caption", wrap=True, size="caption")
+        self._trouble = named(Note(0, self), f"{prefix}Trouble")
+        if above is not None:
+            above.setParent(self)  # before the rows, for Tab
+        self.rows = ComparisonView(self)
+        self.findings = FindingsList(prefix, self.rows, self, is_wide=True)
+        self._findings_area = ScrollBox(self.findings, self)
+        set_look(self._findings_area, "inset")
+        policy = QSizePolicy.Policy  # without stretch: Qt would ignore how high they like to be
+        self.rows.setSizePolicy(policy.Preferred, policy.Expanding)
+        self._findings_area.setSizePolicy(policy.Preferred, policy.Maximum)
+        self.question = named(Question(self), f"{prefix}Question")
+        bar = ActionBar(device, f"{prefix}StopButton", self)
+        self._close = button(self, names.close, on_click=self.close)
+        self.action = button(self, names.action, confirms=True, on_click=self._on_action_clicked)
+        margins = _AROUND_BUTTONS, _AROUND_BUTTONS, _AROUND_BUTTONS, _AROUND_BUTTONS
+        self._bar = row(bar.stop, 1, self._close, self.action, into=bar, margins=margins)
+        if (inset := self.findings.layout()) is not None:
+            inset.setContentsMargins(14, 10, 14, 10)
+        self._parts = column(
+            column(self._heading, self._caption, margins=0, spacing=4),
+            self._trouble,
+            *([above] if above is not None else []),
+            self.rows,
+            self._findings_area,
+            self.question,
+            margins=(_AROUND_BUTTONS, 0, _AROUND_BUTTONS, 0),
+            spacing=14,
+        )
+        side = _MARGIN - _AROUND_BUTTONS
+        self._all = column(
+            (self._parts, 1), bar, into=self, margins=(side, _MARGIN, side, side), spacing=12
+        )
+        self.rows.ticked_changed.connect(self.refresh)
+        for changed in follows:
+            changed.connect(self._on_changed)
+
+    def add_above_buttons(self, part: QWidget) -> None:
+        self._insert(self._parts, self._parts.count(), part)
+
+    def add_beside_buttons(self, part: QWidget, stretch: int = 0) -> None:
+        self._insert(self._bar, self._bar.indexOf(self._close), part, stretch)
+
+    def _insert(self, into: QBoxLayout, place: int, part: QWidget, stretch: int = 0) -> None:
+        into.insertWidget(place, part, stretch)
+        items = [each.itemAt(n) for each in (self._parts, self._bar) for n in range(each.count())]
+        tab_order(*(found for item in items if item and (found := item.widget())))
+
+    @property
+    def ticked(self) -> Rows:
+        return self.rows.table.ticked
+
+    def open_anew(self) -> None:
+        """Show the changes with every row checked."""
+        self.rows.show_nothing()
+        self.refresh()
+        self.show_in_front()
+
+    def show_trouble(self, text: str) -> None:
+        """Show why an action failed, until something changes."""
+        self._trouble.show_note(text, alarming=True)
+
+    @Slot()
+    def _on_changed(self) -> None:
+        if self.isVisible():
+            self.refresh()
+
+    @Slot()
+    def refresh(self) -> None:
+        """Describe and show the changes again."""
+        if self._is_rendering:
+            return
+        self._is_rendering = True
+        changes = self._describe(self.rows.table.ticked_of)
+        if changes is not None:
+            self._render(changes)
+        self._is_rendering = False
+        if changes is None:
+            self.close()
+
+    def _render(self, changes: Changes) -> None:
+        self.setWindowTitle(changes.heading.rstrip("."))
+        self._heading.setText(changes.heading)
+        self._caption.setText(changes.caption)
+        self._caption.setVisible(bool(changes.caption))
+        self._trouble.show_note(changes.trouble, alarming=True)
+        if changes.rows is not None:
+            self.rows.show_comparison(
+                changes.rows,
+                *changes.sides,
+                with_ticks=changes.with_ticks,
+                outcomes=changes.outcomes,
+                summary=changes.summary,
+            )
+        self.rows.setVisible(changes.rows is not None)
+        self.findings.show_findings(changes.remarks)
+        self.findings.set_can_accept(changes.can_accept)
+        self._findings_area.setVisible(bool(changes.remarks))
+        self.action.setText(changes.action or self.action.text())
+        self.action.setVisible(bool(changes.action))
+        self.action.setEnabled(changes.can_act)
+        is_primary = bool(changes.action) and changes.can_act and not changes.closes_first
+        self.action.setDefault(is_primary)
+        set_look(self.action, "primary" if bool(changes.action) and changes.can_act else "")
+        self._close.setText(changes.close or tr("Cancel"))
+        self._close.setDefault(not is_primary)
+        self.question.reconsider()
+
+    @Slot()
+    def _on_action_clicked(self) -> None:
+        self._act(self.ticked)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        middle = self.geometry().center()
+        self.resize(self.width(), 1)
+        self.fit()
+        place = self.geometry()
+        place.moveCenter(middle)
+        self._move_to(place)
+
+    def fit(self, *, upwards: bool = False) -> None:
+        """Become as high as the content, but no lower; `upwards`: the buttons keep their place."""
+        self._findings_area.updateGeometry()
+        self._all.activate()
+        place = self.geometry()
+        more = max(0, self._all.totalHeightForWidth(place.width()) - place.height())
+        place.adjust(0, -more if upwards else 0, 0, 0 if upwards else more)
+        self._move_to(place)
+
+    def _move_to(self, place: QRect) -> None:
+        screen = QGuiApplication.screenAt(place.center()) or self.screen()
+        self.setGeometry(fitted(place, screen.availableGeometry()))

@@ -1,0 +1,274 @@
+"""Dialogs of a settings file: load it, compare it, convert it for another board."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from pathlib import Path
+
+from PySide6.QtCore import Qt, SignalInstance
+from PySide6.QtWidgets import QWidget
+
+from trex_gui.core.errors import BadRequest, StudioError
+from trex_gui.core.translation import tr
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.settings.document import SettingsDocument
+from trex_gui.devices.trex.model.settings.draft import diff_against_draft
+from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.settings.comparison import Comparison, compare
+from trex_gui.devices.trex.settings.conversion import Conversion, Fate, convert
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.edit_in_place import amend
+from trex_gui.devices.trex.settings.writer import write_settings
+from trex_gui.devices.trex.views.changes.dialog import Changes, ChangesDialog, Names, Rows, TickedOf
+from trex_gui.ui.translations import error_sentence
+from trex_gui.ui.widgets.builders import button, combo_box, label, no_mnemonic, row
+
+_NAMED = 3  # settings that are listed before the rest is only counted
+
+GetSettings = Callable[[], Settings | None]
+Report = Callable[[str], object]
+
+
+def load_dialog(
+    device: Device,
+    document: SettingsDocument,
+    parent: QWidget,
+    *,
+    on_staged: Report,
+    on_ended: Report,
+    side: str = "",
+) -> ChangesDialog:
+    """Create the dialog that shows what a document would change of the board.
+
+    `on_staged` and `on_ended` get a message: changes are edits now, or the board is gone. `side`
+    names the settings of the document, by default `File`.
+    """
+    # The document itself may be edited or deleted meanwhile.
+    name, settings, findings = document.name, document.settings, document.findings
+
+    def describe(ticked_of: TickedOf) -> Changes | None:
+        state = device.state
+        if state is None:
+            on_ended(tr("{0} was not loaded: the board is no longer connected.").format(name))
+            return None
+        heading = tr("Load settings from {0}").format(name)
+        if settings is None:
+            trouble = tr("This file cannot be used: it has errors. Nothing was changed.")
+            return Changes(heading, remarks=findings, trouble=trouble)
+        board = state.signature
+        conversion = convert(settings, board.model, board.firmware)
+        is_converted = settings.product != board.model or conversion.alters
+        # Settings that only the board's firmware has are not missed.
+        given = conversion.settings if is_converted else replace(settings, firmware=None)
+        try:
+            found = diff_against_draft(device.draft, given)
+        except BadRequest as error:
+            return Changes(heading, remarks=findings, trouble=error_sentence(error))
+        rows = replace(found, rows=tuple(row for row in found.rows if not row.is_missing))
+        source = f"{settings.product.name} {settings.firmware or ''}".rstrip()
+        caption = tr("For a {0}; the board is a {1}. Checked changes become edits.")
+        altered = _altered(conversion) if is_converted else ()
+        count = len(ticked_of(rows))
+        return Changes(
+            heading,
+            caption.format(source, board),
+            rows,
+            (tr("Board, as shown"), side or tr("File")),
+            remarks=(*findings, *altered, *_missing(found)),
+            action=tr("&Load %n change(s)", "", count),
+            can_act=count > 0 and device.is_writable,
+        )
+
+    def load(rows: Rows) -> None:
+        try:
+            device.draft.stage(rows, tr("Load {0}").format(name))
+        except BadRequest as error:
+            dialog.show_trouble(error_sentence(error))
+            return
+        text = tr("{0}: %n change(s) pending: review them to write them.", "", len(rows))
+        on_staged(text.format(name))
+        dialog.close()
+
+    draft = device.draft
+    dialog = ChangesDialog(
+        device,
+        parent,
+        names=Names("loadSettingsDialog", "load", "takeChangesButton", "cancelLoadButton"),
+        describe=describe,
+        act=load,
+        follows=(draft.pending_changed, draft.loaded, device.link_changed, device.state_changed),
+    )
+    dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    return dialog
+
+
+def add_editing(dialog: ChangesDialog, edit: Callable[[], object]) -> None:
+    """Offer to edit a file in place of loading it."""
+
+    def close_and_edit() -> None:
+        dialog.close()
+        edit()
+
+    text = tr("&Edit the file instead")
+    dialog.add_beside_buttons(
+        button(dialog, "editFileButton", text, default=False, on_click=close_and_edit)
+    )
+
+
+def _missing(comparison: Comparison) -> Iterator[str]:
+    """Yield a sentence about settings that a file does not have."""
+    if missing := [row.name for row in comparison.rows if row.is_missing]:
+        names = ", ".join(missing[:_NAMED])
+        if len(missing) > _NAMED:
+            names = tr("{0} and {1} more").format(names, len(missing) - _NAMED)
+        yield tr("Not in the file, so they stay as they are: {0}.").format(names)
+
+
+def _counts(conversion: Conversion) -> str:
+    fates = Fate.CARRIED_OVER, Fate.CHANGED, Fate.LEFT_OUT
+    text = tr("For a {0}: {1} carried over, {2} changed, {3} left out.")
+    return text.format(conversion.board, *(len(conversion.of(fate)) for fate in fates))
+
+
+def _altered(conversion: Conversion) -> Iterator[str]:
+    """Yield the counts of a conversion, then each setting that it changes or leaves out."""
+    yield _counts(conversion)
+    yield from (str(row) for row in conversion.rows if row.fate is not Fate.CARRIED_OVER)
+
+
+def show_comparison(
+    device: Device,
+    document: SettingsDocument,
+    other: GetSettings,
+    other_name: str,
+    parent: QWidget,
+    *,
+    on_copied: Report,
+    renewed_by: SignalInstance | None = None,
+) -> None:
+    """Compare a document with the result of `other`, again whenever `renewed_by` is emitted.
+
+    Values of the other side can become edits of the document; `on_copied` gets a message then.
+    """
+    theirs: Settings | None = None
+
+    def describe(ticked_of: TickedOf) -> Changes | None:
+        nonlocal theirs
+        theirs = other() or theirs  # settings of a board that is gone stay
+        mine, trouble = document.settings, ""
+        heading, close = tr("{0} and {1}").format(document.name, other_name), tr("Close")
+        if mine is None or theirs is None:
+            return Changes(heading, close=close)
+        try:
+            rows = diff_against_draft(document.draft, theirs)
+        except BadRequest as error:
+            trouble, rows = error_sentence(error), compare(mine, theirs)
+        count = len(ticked_of(rows))
+        text = tr("%n setting(s) differ, {0} match.", "", len(rows.differing))
+        action = tr("&Copy %n value(s) to {0}", "", count).format(no_mnemonic(document.name))
+        return Changes(
+            heading,
+            rows=rows,
+            sides=(document.name, other_name),
+            with_ticks=not trouble,
+            summary=text.format(rows.equal),
+            trouble=trouble,
+            action="" if trouble else action,
+            can_act=count > 0,
+            close=close,
+            closes_first=True,
+        )
+
+    def copy(rows: Rows) -> None:
+        try:
+            document.draft.stage(rows, tr("Copy values from {0}").format(other_name))
+        except BadRequest as error:
+            dialog.show_trouble(error_sentence(error))
+        else:
+            on_copied(tr("%n value(s) copied from {0}.", "", len(rows)).format(other_name))
+
+    dialog = ChangesDialog(
+        device,
+        parent,
+        names=Names("compareDialog", "compare", "takeValuesButton", "closeCompareButton"),
+        describe=describe,
+        act=copy,
+        follows=(document.changed, *([renewed_by] if renewed_by is not None else [])),
+    )
+    dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    dialog.open_anew()
+
+
+def show_conversion(
+    device: Device,
+    document: SettingsDocument,
+    parent: QWidget,
+    on_converted: Callable[[SettingsDocument], object],
+) -> None:
+    """Show what becomes of a document on another board; `on_converted` gets that as a new one."""
+
+    boards = [(m, firmware) for m in device_table().models for firmware in m.firmware[::-1]]
+    text, title = tr("{0}, firmware {1}"), tr("Board to convert for")
+    items = [(text.format(board.name, firmware), (board, firmware)) for board, firmware in boards]
+    above = QWidget(parent)
+    choice = combo_box(above, "convertBoard", title, items=items)
+    row(label(above, text=tr("Convert &for:"), buddy=choice), choice, 1, into=above, margins=0)
+    # First the board that is connected, or the other model.
+    before, state = document.settings, device.state if device.is_connected else None
+    own = None if before is None else (before.product, before.specs.firmware)
+    models = [model for model in device_table().models if own is None or model != own[0]]
+    first = models[0], models[0].firmware[-1]
+    if state is not None and (state.signature.model, state.signature.firmware) != own:
+        first = state.signature.model, state.signature.firmware
+    choice.setCurrentIndex(boards.index(first))
+
+    def conversion() -> Conversion | None:
+        model, firmware = choice.currentData()
+        settings = document.settings
+        return None if settings is None else convert(settings, model, firmware)
+
+    def describe(_ticked_of: TickedOf) -> Changes:
+        caption = tr(
+            "Opens the converted settings as a new file, with the comments of this one. {0} "
+            "stays as it is."
+        )
+        heading, action = tr("Convert {0}").format(document.name), tr("&Convert")
+        found, settings = conversion(), document.settings
+        if found is None or settings is None:
+            return Changes(heading, action=action)
+        altered = (row for row in found.rows if row.fate is not Fate.CARRIED_OVER)
+        return Changes(
+            heading,
+            caption.format(document.name),
+            found.compared_with(settings),
+            (tr("In the file"), tr("For a {0}").format(found.board)),
+            with_ticks=False,
+            outcomes={row.key: row.reason for row in altered},
+            summary=_counts(found),
+            action=action,
+            can_act=True,
+        )
+
+    def convert_it(_rows: Rows) -> None:
+        found = conversion()
+        if found is None:
+            return
+        try:
+            text = amend(document.text, found.settings, document.name)
+        except StudioError:  # written in a way that cannot be changed in place
+            text = write_settings(found.settings)
+        name = f"{Path(document.name).stem}_{found.settings.product.key}.txt"
+        on_converted(SettingsDocument(text, name))
+        dialog.close()
+
+    dialog = ChangesDialog(
+        device,
+        parent,
+        names=Names("convertDialog", "convert", "convertButton", "cancelConvertButton"),
+        describe=describe,
+        act=convert_it,
+        follows=(document.changed,),
+        above=above,
+    )
+    dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    choice.activated.connect(dialog.refresh)
+    dialog.open_anew()
