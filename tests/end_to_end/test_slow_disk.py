@@ -57,7 +57,7 @@ def test_apply_begins_once_the_snapshot_is_saved(
     device, begin = connected_window.device, now()
     review.wait(lambda: now() > begin + SECONDS / 2)
     assert device.writer.running
-    assert "Saving the board's present settings" in review.head
+    assert "Nothing is written yet" in review.head
     assert not connected_window.is_enabled("applyButton")
     assert stored(quick_simulator) == 0
     review.wait_for_text("reviewHead", "written and verified")

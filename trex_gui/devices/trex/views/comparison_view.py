@@ -73,6 +73,12 @@ class ComparisonView(QWidget):
         self.table = ComparisonTable(self)
         self._shown: object = None  # what the table is about; `None` for nothing
 
+        self._all = check_box(self, "tickAllBox", tr("Select &all"), on_click=self._on_all_clicked)
+        self._summary = label(self, "comparisonSummary", wrap=True, expand=True, size="caption")
+        tip = tr("Show wire values, and settings that match")
+        self._details = check_box(
+            self, "detailsBox", tr("Deta&ils"), tip=tip, on_toggle=self._on_details_toggled
+        )
         self._view = flat_table(_Table(self), "comparisonTable", tr("Comparison of settings"))
         self._view.setAlternatingRowColors(False)
         self._view.setModel(self.table)
@@ -82,15 +88,9 @@ class ComparisonView(QWidget):
         header = self._view.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         header.setStretchLastSection(True)
-        self._all = check_box(self, "tickAllBox", tr("Select &all"), on_click=self._on_all_clicked)
-        self._summary = label(self, "comparisonSummary", wrap=True, expand=True, size="caption")
-        tip = tr("Show wire values, and settings that match")
-        self._details = check_box(
-            self, "detailsBox", tr("Deta&ils"), tip=tip, on_toggle=self._on_details_toggled
-        )
         self._left_out = label(self, "comparisonLeftOut", wrap=True)
-        below = row(self._all, (self._summary, 1), self._details)
-        column((self._view, 1), below, self._left_out, 0, into=self, margins=0)
+        top = row(self._all, (self._summary, 1), self._details)
+        column(top, (self._view, 1), self._left_out, 0, into=self, margins=0)
 
         self.table.ticked_changed.connect(self._on_ticked_changed)
         for changed in (self.table.modelReset, self._view.resized):

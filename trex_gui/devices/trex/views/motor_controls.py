@@ -44,14 +44,15 @@ class ArmDialog(QDialog):
         self.setWindowTitle(tr("Arm the motors"))
         self._device, self._seconds = device, seconds
         remark = tr(
-            "“Arm without” is remembered for this board. Cut the power by hand then if the "
+            "Arming without one is remembered for this board. Cut the power by hand then if the "
             "cable falls out."
         )
         self._note = ui.named(Note(1, self), "armNote")
         write = tr("&Write {0:g} s and arm").format(Number(seconds))
+        without = tr("Arm with&out a timeout")
         self._choices = (
             ui.button(self, "writeAndArmButton", write, default=True, on_click=self._on_write),
-            ui.button(self, "armWithoutButton", tr("Arm with&out"), on_click=self._on_without),
+            ui.button(self, "armWithoutButton", without, on_click=self._on_without),
         )
         cancel = ui.button(self, "cancelArmButton", tr("Cancel"), on_click=self.close)
         warning = ui.label(self, "armWarning", text, wrap=True)

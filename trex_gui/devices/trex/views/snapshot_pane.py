@@ -119,7 +119,7 @@ class SnapshotPane(QWidget):
         self._rows.show_comparison(
             comparison,
             present.title,
-            self._title_of(snapshot),
+            self._table.time_text(snapshot),
             with_ticks=present.settings is None,
             summary=summary,
             tick_new=len(table.ticked) == table.comparison.offered,
@@ -151,10 +151,7 @@ class SnapshotPane(QWidget):
         content = self._table.content_of(beside)
         if not isinstance(content, Settings):
             return self._unread(beside)
-        return _Present(_NEXT, self._title_of(beside), content)
-
-    def _title_of(self, snapshot: Snapshot) -> str:
-        return tr("Snapshot of {0}").format(self._table.time_text(snapshot))
+        return _Present(_NEXT, self._table.time_text(beside), content)
 
     def _describe(self, snapshot: Snapshot) -> None:
         title = tr("{0}, before {1}") if snapshot.reason else "{0}"

@@ -130,13 +130,14 @@ class ApplyToSeveral(QObject):
         text = tr("&Write to %n board(s)", "", len(chosen))
         return Changes(
             tr("Apply {0} to several boards").format(self._name),
-            tr(
+            caption=tr(
                 "Each checked board gets these settings, one board after the other, with a "
                 "snapshot before. Each keeps its device number and its serial settings. The "
                 "first error while writing ends the work."
             ),
-            rows and Comparison(tuple(r for r in rows.rows if not r.is_missing), rows.left_out),
-            (tr("Board {0}").format(plan.number) if plan is not None else "", tr("File")),
+            rows=rows
+            and Comparison(tuple(r for r in rows.rows if not r.is_missing), rows.left_out),
+            sides=(tr("Board {0}").format(plan.number) if plan is not None else "", tr("File")),
             with_ticks=False,
             # Without buttons: what is written is the file, which the user can edit.
             remarks=[replace(one, change={}) for one in plan.findings] if plan is not None else [],

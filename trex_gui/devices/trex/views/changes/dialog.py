@@ -15,11 +15,11 @@ from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.findings_list import FindingsList, Remark
 from trex_gui.devices.trex.views.motor_controls import ActionBar
 from trex_gui.ui.notifier import Answer
-from trex_gui.ui.theme.theme import set_look
+from trex_gui.ui.theme.theme import set_look, set_style_property
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.builders import button, column, label, named, row, tab_order
 from trex_gui.ui.widgets.labels import Note
-from trex_gui.ui.widgets.messages import InlinePrompt
+from trex_gui.ui.widgets.messages import InlinePrompt, MessageRoom
 from trex_gui.ui.widgets.placement import fitted, resize_with_font
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
@@ -45,6 +45,7 @@ class Changes:
     """Content of the dialog at one time."""
 
     heading: str  # what will happen, or has happened
+    has_failed: bool = False
     caption: str = ""
     rows: Comparison | None = None  # `None`: no table
     sides: tuple[str, str] = ("", "")  # names of the settings before and after
@@ -61,8 +62,6 @@ class Changes:
 
 
 class Question(InlinePrompt):
-    """Asks above the buttons, which keep their place."""
-
     def ask_before(self, write: Callable[[], object], doubts: Callable[[], Sequence[str]]) -> None:
         """Call `write`, after a question if there are doubts; `doubts` names the values."""
         named = doubts()
@@ -75,12 +74,6 @@ class Question(InlinePrompt):
         )
         answer = Answer("writeAnyway", tr("Write an&yway"), write)
         self.ask(text.format(", ".join(named)), answer, still=lambda: doubts() == named)
-
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        window = self.window()
-        if isinstance(window, ChangesDialog):
-            window.fit(upwards=True)
 
 
 class ChangesDialog(ReusedDialog):
@@ -115,7 +108,8 @@ class ChangesDialog(ReusedDialog):
         self._act = act
         self._is_rendering = False
 
-        self._heading = label(self, f"{prefix}Head", wrap=True, size="title")
+        self._heading = named(Note(1, self), f"{prefix}Head")
+        set_style_property(self._heading, "textSize", "title")
         self._caption = label(self, f"{prefix}Caption", wrap=True, size="caption")
         self._trouble = named(Note(0, self), f"{prefix}Trouble")
         if above is not None:
@@ -141,20 +135,20 @@ class ChangesDialog(ReusedDialog):
             *([above] if above is not None else []),
             self.rows,
             self._findings_area,
-            self.question,
+            MessageRoom(self, self.question, lines=1),
             margins=(_AROUND_BUTTONS, 0, _AROUND_BUTTONS, 0),
             spacing=14,
         )
         side = _MARGIN - _AROUND_BUTTONS
         self._all = column(
-            (self._parts, 1), bar, into=self, margins=(side, _MARGIN, side, side), spacing=12
+            (self._parts, 1), bar, into=self, margins=(side, _MARGIN, side, side), spacing=0
         )
         self.rows.ticked_changed.connect(self.refresh)
         for changed in follows:
             changed.connect(self._on_changed)
 
     def add_above_buttons(self, part: QWidget) -> None:
-        self._insert(self._parts, self._parts.count(), part)
+        self._insert(self._parts, self._parts.count() - 1, part)
 
     def add_beside_buttons(self, part: QWidget, stretch: int = 0) -> None:
         self._insert(self._bar, self._bar.indexOf(self._close), part, stretch)
@@ -198,7 +192,7 @@ class ChangesDialog(ReusedDialog):
 
     def _render(self, changes: Changes) -> None:
         self.setWindowTitle(changes.heading.rstrip("."))
-        self._heading.setText(changes.heading)
+        self._heading.show_note(changes.heading, alarming=changes.has_failed)
         self._caption.setText(changes.caption)
         self._caption.setVisible(bool(changes.caption))
         self._trouble.show_note(changes.trouble, alarming=True)
@@ -231,19 +225,19 @@ class ChangesDialog(ReusedDialog):
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         middle = self.geometry().center()
-        self.resize(self.width(), 1)
-        self.fit()
+        for _ in range(2):  # the first gives the rows their width
+            self.resize(self.width(), 1)
+            self.fit()
         place = self.geometry()
         place.moveCenter(middle)
         self._move_to(place)
 
-    def fit(self, *, upwards: bool = False) -> None:
-        """Become as high as the content, but no lower; `upwards`: the buttons keep their place."""
+    def fit(self) -> None:
+        """Become as high as the content, but no lower."""
         self._findings_area.updateGeometry()
         self._all.activate()
         place = self.geometry()
-        more = max(0, self._all.totalHeightForWidth(place.width()) - place.height())
-        place.adjust(0, -more if upwards else 0, 0, 0 if upwards else more)
+        place.setHeight(max(place.height(), self._all.totalHeightForWidth(place.width())))
         self._move_to(place)
 
     def _move_to(self, place: QRect) -> None:

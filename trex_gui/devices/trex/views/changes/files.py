@@ -70,9 +70,9 @@ def load_dialog(
         count = len(ticked_of(rows))
         return Changes(
             heading,
-            caption.format(source, board),
-            rows,
-            (tr("Board, as shown"), side or tr("File")),
+            caption=caption.format(source, board),
+            rows=rows,
+            sides=(tr("Board, as shown"), side or tr("File")),
             remarks=(*findings, *altered, *_missing(found)),
             action=tr("&Load %n change(s)", "", count),
             can_act=count > 0 and device.is_writable,
@@ -205,7 +205,6 @@ def show_conversion(
     on_converted: Callable[[SettingsDocument], object],
 ) -> None:
     """Show what becomes of a document on another board; `on_converted` gets that as a new one."""
-
     boards = [(m, firmware) for m in device_table().models for firmware in m.firmware[::-1]]
     text, title = tr("{0}, firmware {1}"), tr("Board to convert for")
     items = [(text.format(board.name, firmware), (board, firmware)) for board, firmware in boards]
@@ -238,9 +237,9 @@ def show_conversion(
         altered = (row for row in found.rows if row.fate is not Fate.CARRIED_OVER)
         return Changes(
             heading,
-            caption.format(document.name),
-            found.compared_with(settings),
-            (tr("In the file"), tr("For a {0}").format(found.board)),
+            caption=caption.format(document.name),
+            rows=found.compared_with(settings),
+            sides=(tr("In the file"), tr("For a {0}").format(found.board)),
             with_ticks=False,
             outcomes={row.key: row.reason for row in altered},
             summary=_counts(found),

@@ -289,9 +289,10 @@ class Review(QObject):
         if self._phase is not _Phase.REVIEW:
             return Changes(
                 self._result(),
-                self._board_text(),
-                self._writing,
-                (before, after),
+                has_failed=bool(self._problem),
+                caption=self._board_text(),
+                rows=self._writing,
+                sides=(before, after),
                 with_ticks=False,
                 outcomes=self._outcomes,
                 summary=" ",
@@ -310,9 +311,9 @@ class Review(QObject):
             heading = tr("There is nothing to write.")
         return Changes(
             heading,
-            self._caption(),
-            rows,
-            (tr("Board now"), after),
+            caption=self._caption(),
+            rows=rows,
+            sides=(tr("Board now"), after),
             summary=" ",
             remarks=(*self._findings, *self._remarks(ticked)),
             can_accept=self._device.is_writable,
