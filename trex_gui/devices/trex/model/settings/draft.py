@@ -12,7 +12,7 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
-from trex_gui.devices.trex.model.settings.calibrations import Calibrations
+from trex_gui.devices.trex.model.settings.calibrations import Calibrations, Channel
 from trex_gui.devices.trex.model.settings.notes import Notes
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -63,12 +63,13 @@ class SettingsDraft(QObject):
         parameters = self.parameters
         return parameters.values.specs[key].name if parameters.index_of(key).isValid() else key
 
-    def stored_curve(self, channel: int) -> ChannelCurve | None:
-        """Return the curve of a channel (1-5) with the stored values, if they are known."""
+    def stored_curve(self, channel: Channel) -> ChannelCurve | None:
+        """Return the curve of a channel with the stored values, if they are known."""
         calibration = self.calibrations.stored(channel)
         if calibration is None:
             return None
-        return ChannelCurve.stored(channel, calibration, self.parameters.values.stored.get)
+        number = channel.channel if isinstance(channel, CalibrationKey) else channel
+        return ChannelCurve.stored(number, calibration, self.parameters.values.stored.get)
 
     def select_state(self, state: DeviceState, connection: ConnectionSettings | None) -> None:
         """Take what another board on the same line stores; edits are forgotten.

@@ -1,12 +1,9 @@
 """Page of the channels: five live strips, and the calibration of the chosen one."""
 
-from typing import TYPE_CHECKING
-
-from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
+from PySide6.QtCore import Signal, Slot
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QSizePolicy, QTabBar, QWidget
+from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from trex_gui.core.errors import BadRequest
 from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.board import WriteResult
@@ -16,27 +13,19 @@ from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels_in
 from trex_gui.devices.trex.views.findings_list import FindingsList
-from trex_gui.devices.trex.views.note_field import NoteField
+from trex_gui.devices.trex.views.pages.channels.card import ChannelCard
 from trex_gui.devices.trex.views.pages.channels.change_menu import ChangeMenu
 from trex_gui.devices.trex.views.pages.channels.controls import (
     CHANNEL_OPTIONS,
-    CalibrationFields,
-    ChannelOptions,
     OtherSource,
 )
 from trex_gui.devices.trex.views.pages.channels.strips import ChannelStrips
 from trex_gui.ui.plotting.page import PlotPage
 from trex_gui.ui.theme.theme import set_look, set_style_property
-from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.units import units
 from trex_gui.ui.widgets.behaviour import only_when_visible
-from trex_gui.ui.widgets.builders import Card, button, column, label, named, plain, row
-from trex_gui.ui.widgets.labels import ElidedLabel, LegendKey, LiveLabel, Note, PageHead
-
-if TYPE_CHECKING:
-    from trex_gui.devices.trex.views.pages.channels.curve_plot import CurvePlot
-
-_SOURCES = (InputSource.RC, InputSource.ANALOG)
+from trex_gui.ui.widgets.builders import button, column, label, named, plain, row
+from trex_gui.ui.widgets.labels import ElidedLabel, LiveLabel, PageHead
 
 
 class ChannelsPage(PlotPage):
@@ -53,7 +42,6 @@ class ChannelsPage(PlotPage):
         self._control: bool | None = None  # as the texts say
         self._failures: dict[int, tuple[Calibration | None, str]] = {}
         self._rejection = ""
-        self._plot: CurvePlot | None = None
 
         learn_all = button(self, "learnAllButton", tr("Learn a&ll…"))
         set_look(learn_all, "primary")
@@ -61,33 +49,19 @@ class ChannelsPage(PlotPage):
         self._head = PageHead(tr("Channels"), self, learn_all, test)
         self._strips = ChannelStrips(device, self)
 
-        self._card = card = named(Card("", self), "channelCard")
-        self._title = label(card, "channelTitle", size="heading")
+        self._card = card = ChannelCard(device.draft, self)
+        self._options = card.options
         self._learned = named(ElidedLabel("", card), "learnedLabel")
         self._learned.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self._sources = named(QTabBar(card), "sourceTabs", accessible=tr("Input source"))
-        set_look(self._sources, "switch")
-        self._sources.setDrawBase(False)
-        self._sources.setUsesScrollButtons(False)
-        for text in (tr("RC pulses"), tr("Analog")):
-            self._sources.addTab(text)
         self._role = label(card, "channelDoes", wrap=True, size="caption")
-        self._findings = FindingsList("calibration", self._sources, card, is_wide=True)
+        self._findings = FindingsList("calibration", card.sources, card, is_wide=True)
         self._other = OtherSource(device, card)
         self._live = LiveLabel("channelLive", tr("Live value"), card)
         # Values that change must not change the least width of the page.
         self._live.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         set_style_property(self._live, "textSize", "caption")
-        self._keys = (
-            LegendKey(tr("edited"), "pointer", card),
-            LegendKey(tr("stored"), "muted", card, Qt.PenStyle.DashLine),
-        )
-        self._note = named(Note(1, card), "calibrationNote")
-        self._fields = CalibrationFields(card)
-        self._options = ChannelOptions(device.parameters, card)
         text = tr("Learn &this channel…")
         self._learn = button(card, "learnButton", text)
-        self._why = NoteField(device.draft.notes, "channelNoteEdit", card, lines=1)
         self._menu = ChangeMenu(device, self)
         self._menu.discard_requested.connect(self._on_discard)
         self._change = button(card, "changeButton", tr("Cop&y, reset and files"))
@@ -95,13 +69,8 @@ class ChannelsPage(PlotPage):
         set_look(self._change, "link")
         self._head_buttons = (learn_all, test)
 
-        title = row(self._title, (self._learned, 1), self._sources, spacing=12)
-        legend = row((self._live, 1), *self._keys, spacing=16)
-        buttons = row(self._learn, (self._why, 1), self._change, spacing=8)
-        above = column(title, self._role, self._findings, self._other, legend, spacing=4)
-        self._inside = column(
-            above, self._note, self._fields, self._options, buttons, into=card, spacing=6
-        )
+        above = self._role, self._findings, self._other
+        card.lay_out(self._learned, above, self._live, self._learn, self._change)
         column(
             self._head,
             (row((self._strips, 3), (card, 5), spacing=12), 1),
@@ -117,9 +86,9 @@ class ChannelsPage(PlotPage):
         self._findings.follow(
             linter, lambda found: not CHANNEL_OPTIONS.keys().isdisjoint(found.keys)
         )
-        self._sources.currentChanged.connect(self._on_source_chosen)
-        self._fields.edited.connect(self._on_edited)
-        self._fields.rejected.connect(self._on_rejected)
+        card.source_chosen.connect(self._on_source_chosen)
+        card.released.connect(self._refresh)
+        card.rejected.connect(self._on_rejected)
         self._other.power_cycle_requested.connect(self.power_cycle_requested)
         device.mix_jumper.changed.connect(self._show_texts)
         for changed in (device.link_changed, device.state_changed):
@@ -175,27 +144,19 @@ class ChannelsPage(PlotPage):
         shown = self._calibration()
         after = self._options.curve(channel, shown)
         before = self._device.draft.stored_curve(channel) if is_active else after
-        self._fields.show_calibration(self.source, shown, editable=editable)
         key = CalibrationKey.of(self.source, channel)
-        self._why.show_note_on(key, tr("the calibration of {0}").format(key.label))
+        self._card.show_channel(key, shown, before, after, editable=editable)
         self._show_texts()
         self._show_marks()
         self._show_actions()
-        self._show_keys(before != after)
         state = self._device.state
         self._other.setVisible(not is_active and state is not None)
         if not is_active and state is not None:
             known = self._device.board.memory.hidden_calibration(channel, self.source)[1]
             self._other.show_source(self.source, state.mode, known)
-        if self._plot is not None:
-            self._plot.show_channel(channel, self.source, before, after, editable=editable)
         self._show_note()
         self._on_frame_due()
         self._on_text_due()
-
-    def _show_keys(self, differs: bool) -> None:
-        for key in self._keys:
-            key.setVisible(differs)
 
     @Slot()
     def _show_texts(self) -> None:
@@ -203,10 +164,6 @@ class ChannelsPage(PlotPage):
         device, channel, state = self._device, self.channel, self._device.state
         self._control = device.telemetry.serial_controls
         self._head.show_state(self._state_text())
-        self._title.setText(f"{channel}  {tr(channel_text.CHANNEL_NAMES[channel])}")
-        self._card.setAccessibleName(self._strips.of[channel].accessibleName())
-        with QSignalBlocker(self._sources):
-            self._sources.setCurrentIndex(_SOURCES.index(self.source))
         learned = role = ""
         if state is not None:
             if self._is_active:
@@ -280,7 +237,7 @@ class ChannelsPage(PlotPage):
         problem = self._problem_text()
         is_connected = self._is_active and self._device.is_connected
         hint = self._device.writer.blocker if is_connected else ""
-        self._note.show_note(problem or hint, alarming=bool(problem))
+        self._card.note.show_note(problem or hint, alarming=bool(problem))
 
     def _problem_text(self) -> str:
         """Return why a value was rejected or not stored, or a concern; empty: none."""
@@ -300,21 +257,13 @@ class ChannelsPage(PlotPage):
         self._show_channel()
 
     def add_plot(self) -> None:
-        from trex_gui.devices.trex.views.pages.channels.curve_plot import CurvePlot  # noqa: PLC0415
-
-        self._plot = plot = CurvePlot(self)
-        plot.setObjectName("curvePlot")
-        plot.trace.hide()  # the strips have it
-        plot.previewed.connect(self._on_previewed)
-        plot.released.connect(self._refresh)
-        plot.edited.connect(self._on_edited)
-        self._inside.insertWidget(1, plot, 1)
+        self._card.add_plot()
 
     @Slot()
     @only_when_visible
     def _on_frame_due(self) -> None:
-        if self._plot is not None:
-            self._plot.set_raw(self._raw)
+        if self._card.plot is not None:
+            self._card.plot.set_raw(self._raw)
 
     @Slot()
     @only_when_visible
@@ -333,7 +282,7 @@ class ChannelsPage(PlotPage):
             return ""
         if raw is None:
             return tr("no signal")
-        curve = self._plot.curve if self._plot is not None else None
+        curve = self._card.plot.curve if self._card.plot is not None else None
         output = curve.output(raw) if curve is not None else 0
         counts = tr("%n count(s)", "", raw)
         return tr("input now {0} ({1}), output {2}").format(
@@ -342,26 +291,10 @@ class ChannelsPage(PlotPage):
 
     # --- Edits --------------------------------------------------------------------------
 
-    @Slot(int)
-    def _on_source_chosen(self, index: int) -> None:
-        self.source = _SOURCES[index]
+    @Slot(object)
+    def _on_source_chosen(self, source: InputSource) -> None:
+        self.source = source
         self._refresh()
-
-    @Slot(object)
-    def _on_previewed(self, calibration: Calibration) -> None:
-        """Show the numbers of a held handle."""
-        self._fields.show_calibration(self.source, calibration, editable=self._editable)
-        if self._plot is not None:
-            differs = self._plot.curve != self._device.draft.stored_curve(self.channel)
-            self._show_keys(differs)
-
-    @Slot(object)
-    @Slot(object, object)
-    def _on_edited(self, calibration: Calibration, run: object = None) -> None:
-        try:
-            self._device.calibrations.edit(self.channel, calibration, run=run)
-        except BadRequest as error:
-            self._on_rejected(error_sentence(error))
 
     @Slot(str)
     def _on_rejected(self, why: str) -> None:
