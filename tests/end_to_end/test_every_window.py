@@ -83,7 +83,6 @@ FOCUSED = {
     "historyDialog": "snapshotSearch",
     "newSettingsDialog": "beginningsList",
     "numberDialog": "newNumberField",
-    "wireDialog": "wireField",
     "applyToBoardsDialog": "closeBoardsButton",  # nothing can be written in this test
     # The first control: the primary button is disabled at the board of this test.
     "checkBoardDialog": "qt_tabwidget_tabbar",

@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QDialog, QPushButton, QSpinBox, QWidget
+from PySide6.QtWidgets import QPushButton, QSpinBox, QTabBar, QWidget
 
 from tests.support.keyboard import check_keyboard
 from tests.support.pages.parameters import ParametersPage
@@ -19,6 +19,7 @@ from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationK
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.settings.rules import LintFinding
+from trex_gui.devices.trex.views.pages.parameters.filters import Shown
 
 LINE = LineSettings(57600, Detection.EVEN, 2)
 CALIBRATION = Calibration(2600, 3750, 5000, 60)
@@ -150,11 +151,9 @@ def test_board_decides_about_values_beyond_inferred_limits(
     def try_wire(wire: int) -> None:
         page.view.setCurrentIndex(page.index_of(key))
         page.find(QAction, "tryParameter").trigger()
-        dialog = WidgetDriver(page.find(QDialog, "wireDialog"), window.qtbot)
-        check_keyboard(dialog.root)
-        assert "(inferred). No document confirms this limit" in dialog.text("wireNote")
-        dialog.find(QSpinBox, "wireField").setValue(wire)
-        dialog.click("tryWireButton")
+        assert "No document confirms this limit" in page.text("wireNote")
+        page.find(QSpinBox, "wireField").setValue(wire)
+        page.click("tryWireButton")
 
     def write_anyway() -> None:
         review.open()
@@ -192,7 +191,7 @@ def test_board_decides_about_values_beyond_inferred_limits(
     review.close()
     assert stored(simulator, key) == 63
     window.wait_for_files()
-    help_text = page.text("parameterHelp")
+    help_text = page.text("parameterDetails")
     assert "This firmware has stored beyond that: wire value 63." in help_text
 
 
@@ -339,6 +338,7 @@ def test_arming_warns_about_the_serial_timeout(connected_window: WindowDriver) -
     window.open_page("parametersPage")
     window.wait(lambda: window.motors.is_available)
     window.motors.arm()
+    window.find(QTabBar, "parameterChoice").setCurrentIndex(Shown.FOUND)
     window.click("parameterAccept0")
     assert window.device.parameters.values.value_of("serial_timeout") == 5
 

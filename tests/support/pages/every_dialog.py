@@ -5,12 +5,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QTabWidget, QWidget
 
 from tests.devices.trex.bench.runs import run_of
 from tests.support.pages.every_window import WINDOWS_WITH_STOP, open_bench, open_editor, open_plot
-from tests.support.pages.parameters import ParametersPage
 from tests.support.program import aracna, trex
 from tests.support.scripts import load_script
 from tests.support.window import WindowDriver
@@ -100,8 +98,6 @@ def _trex_windows(
     window.trigger("help")
     yield window.help
     window.help.close()
-    _open_wire_dialog(window)
-    yield from _dialogs(window.window, "wire")
     ArmDialog(window.device, tr("Writing …"), 0.5, window.window).open()
     yield from _dialogs(window.window, "arm")
     set_up = window.open_page("motorsPage").button("gamepadSetUpButton")
@@ -192,13 +188,6 @@ def _files(window: WindowDriver, folder: Path) -> Iterator[QWidget]:
     window.wait_for_files()
     yield plot
     plot.close()
-
-
-def _open_wire_dialog(window: WindowDriver) -> None:
-    page = ParametersPage(window)
-    page.view.setCurrentIndex(page.index_of("ignored_channels"))
-    page.find(QAction, "tryParameter").setEnabled(True)
-    page.find(QAction, "tryParameter").trigger()
 
 
 def _learning(window: WindowDriver) -> Iterator[QWidget]:

@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import QCoreApplication, QModelIndex, Qt
 from PySide6.QtGui import QAction, QContextMenuEvent, QGuiApplication
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QCheckBox, QComboBox, QLineEdit, QMenu, QWidget
+from PySide6.QtWidgets import QCheckBox, QLineEdit, QMenu, QTabBar, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.views.parameters import ParametersDriver
@@ -15,6 +15,7 @@ from trex_gui.devices.trex.model.parameters.parameters import Role
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.protocol.parameters import parameters_of
+from trex_gui.devices.trex.views.pages.parameters.filters import Shown
 
 SPECS = parameters_of("trexjr", "1.2")
 OLDER = parameters_of("trexjr", "1.0")
@@ -31,10 +32,6 @@ def parameters(qtbot: QtBot) -> ParametersDriver:
     parameters = ParametersDriver(qtbot)
     parameters.load(SPECS)
     return parameters
-
-
-def help_text(parameters: ParametersDriver) -> str:
-    return parameters.text("parameterHelp")
 
 
 # --- Tasks and search -------------------------------------------------------------------
@@ -71,28 +68,7 @@ def test_no_value_is_cut(parameters: ParametersDriver, width: int) -> None:
         assert view.sizeHintForIndex(cell).width() <= view.visualRect(cell).width(), key
     assert view.horizontalScrollBar().maximum() == 0
     character = view.fontMetrics().averageCharWidth()
-    assert 22 * character <= view.columnWidth(ParameterColumn.NAME) <= 44 * character
-
-
-def test_width_that_the_user_gives_a_column_stays(
-    parameters: ParametersDriver, qtbot: QtBot
-) -> None:
-    view = parameters.view
-    view.resize(1000, 400)
-    value = view.columnWidth(ParameterColumn.MOTOR1)
-    wide = view.columnWidth(ParameterColumn.NAME) + 57
-    view.setColumnWidth(ParameterColumn.NAME, wide)
-    view.resize(1900, 400)
-    assert view.columnWidth(ParameterColumn.NAME) == wide
-    assert view.columnWidth(ParameterColumn.MOTOR1) > value
-
-    later = ParametersDriver(qtbot).view
-    assert later.columnWidth(ParameterColumn.NAME) == wide
-    later.resize(1000, 400)
-    narrow = later.columnWidth(ParameterColumn.MOTOR1)
-    later.resize(1900, 400)
-    assert later.columnWidth(ParameterColumn.NAME) == wide
-    assert later.columnWidth(ParameterColumn.MOTOR1) > narrow
+    assert 20 * character <= view.columnWidth(ParameterColumn.NAME) <= 44 * character
 
 
 def test_search_keeps_what_was_selected(parameters: ParametersDriver) -> None:
@@ -102,7 +78,7 @@ def test_search_keeps_what_was_selected(parameters: ParametersDriver) -> None:
     assert parameters.titles == ["Serial"]
     parameters.search("flux")
     assert parameters.current == ""
-    assert help_text(parameters) == ""
+    assert parameters.text("parameterTitle") == ""
     parameters.search("")
     assert parameters.current == "required_channels"
 
@@ -116,39 +92,28 @@ def test_search_keeps_what_was_selected(parameters: ParametersDriver) -> None:
 
 def test_hidden_parameters_are_counted_and_can_be_shown(parameters: ParametersDriver) -> None:
     assert not parameters.has("noParameterMatches")
-    for words, shown, count in (
-        ("brake duration", 1, "1 of 20"),
-        ("", 20, ""),  # the text is hidden while every row is shown
-        ("flux capacitor", 0, "None of 20 matches"),
-    ):
-        parameters.search(words)
-        assert parameters.rows.shown == shown
-        assert parameters.has("parameterCount") is bool(count)
-        assert not count or parameters.text("parameterCount") == count
-    parameters.find(QCheckBox, "modifiedOnly").setChecked(True)
+    parameters.search("flux capacitor")
+    assert parameters.has("noParameterMatches")
+    parameters.search("")
+    parameters.find(QTabBar, "parameterChoice").setCurrentIndex(Shown.CHANGED)
     assert parameters.has("noParameterMatches")
     parameters.click("showAllParameters")
     assert not parameters.has("noParameterMatches")
-    assert parameters.rows.shown == parameters.model.count
+    parameters.model.edit("motor2_current_limit", 9)
+    choice = parameters.find(QTabBar, "parameterChoice")
+    texts = [choice.tabText(shown) for shown in Shown]
+    assert texts == ["All", "Changed 1", "Not default 1", "Findings 0"]
 
     parameters.search("motor")
     parameters.table.show_parameter("serial_timeout")
     assert parameters.current == "serial_timeout"
-    assert "Serial Timeout" in help_text(parameters)
+    assert parameters.text("parameterTitle") == "Serial Timeout"
 
 
 def test_board_of_older_firmware_lacks_parameters(parameters: ParametersDriver) -> None:
     parameters.go_to("uart_response_delay")
     parameters.load(OLDER)
     assert parameters.current == FIRST
-
-    group = parameters.find(QComboBox, "parameterGroup")
-    parameters.load(SPECS)
-    assert [group.itemData(i) for i in range(group.count())] == ["", *TASKS]
-    group.setCurrentIndex(group.findData("serial"))
-    parameters.load(OLDER)
-    assert group.currentData() == "serial"
-    assert len(parameters.headings) == 1
 
 
 # --- Reset to the default ---------------------------------------------------------------
@@ -183,7 +148,9 @@ def test_click_on_reset_restores_the_default(parameters: ParametersDriver) -> No
 
 def test_finding_is_accepted_only_while_rows_are_enabled(parameters: ParametersDriver) -> None:
     parameters.open_file(SPECS, ignored_channels=1, required_channels=1)
+    parameters.find(QTabBar, "parameterChoice").setCurrentIndex(Shown.FOUND)
     parameters.wait(lambda: parameters.has("parameterFinding0"))
+    assert parameters.current == "required_channels"
     assert "Set Required Channels to none." in parameters.text("parameterFinding0")
     parameters.table.set_rows_enabled(False)
     assert not parameters.is_enabled("parameterAccept0")
@@ -321,7 +288,6 @@ def test_menu_entries_describe_their_effect(parameters: ParametersDriver) -> Non
     actions = menu_of(parameters, "serial_timeout")
     assert parameters.current == "serial_timeout"
     assert actions["resetParameter"].text() == "Reset to default: 0 (off)"
-    assert actions["restoreParameter"].text() == "Restore stored value: 0 (off)"
     assert actions["copyParameter"].text() == "Copy as “serial_timeout: 15”"
     assert "leaveOutParameter" not in actions
     assert "copyToOtherMotor" not in actions

@@ -62,12 +62,12 @@ class FindingsList(QWidget):
     ) -> None:
         """Show the findings that concern the user here."""
         self._linter, self._concerns = linter, concerns
-        linter.changed.connect(self._on_linter_changed)
+        linter.changed.connect(self.refresh)
         self.accepted.connect(linter.accept)
-        self._on_linter_changed()
+        self.refresh()
 
     @Slot()
-    def _on_linter_changed(self) -> None:
+    def refresh(self) -> None:
         self.show_findings([each for each in self._linter.findings if self._concerns(each)])
 
     def show_findings(self, findings: Iterable[Remark], *, text: str | None = None) -> None:

@@ -50,7 +50,7 @@ TOPICS = {  # by object names
     "settingsEditor": "settings.md#settings-files",
     "setupDialog": "first_steps.md#set-up-the-robot",
     "armDialog": "safety.md#does-the-serial-timeout-stop-your-motors",
-    "wireDialog": "settings.md#limits-that-are-inferred",
+    "parameterWire": "settings.md#limits-that-are-inferred",
 }
 
 

@@ -159,7 +159,6 @@ class TrexWorkspace(Workspace):
 
     def _make_parameters_page(self) -> QWidget:
         page = ParametersPage(self._device, self._linter, self)
-        page.reload_requested.connect(self._settings.reload)
         page.power_cycle_requested.connect(self._settings.power.guide)
         self._parameter_shown.connect(page.table.show_parameter)
         return page

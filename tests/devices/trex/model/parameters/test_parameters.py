@@ -102,7 +102,7 @@ def test_row_shows_name_and_value(model: ParameterModel) -> None:
     assert limit.siblingAtColumn(ParameterColumn.NAME).data() == "Current Limit"
     edit(model, "motor2_current_limit", 10)
     spoken = limit.data(Qt.ItemDataRole.AccessibleTextRole)
-    assert spoken == "Motor 2 Current Limit: 3 A. Stored: 0 (off). Motor 1 differs: off."
+    assert spoken == "Motor 2 Current Limit: 3 A, was off. Motor 1 differs: off."
 
 
 def test_unread_parameter_shows_the_reason(model: ParameterModel) -> None:
@@ -112,7 +112,7 @@ def test_unread_parameter_shows_the_reason(model: ParameterModel) -> None:
     assert text(model, "serial_timeout") == "not read"
     assert of(model, "serial_timeout", Role.PROBLEM) == "No reply to 9F 07."
     assert "No reply to 9F 07." in str(
-        model.index_of("serial_timeout").data(Qt.ItemDataRole.ToolTipRole)
+        model.index_of("serial_timeout").data(Qt.ItemDataRole.AccessibleTextRole)
     )
     assert not edit(model, "serial_timeout", 9)
 

@@ -93,7 +93,6 @@ class ParameterModel(QAbstractTableModel):
         self._sources: dict[int, Callable[[str], Any]] = {  # of the data of a value, by role
             Qt.ItemDataRole.DisplayRole: self.text.value,
             Qt.ItemDataRole.EditRole: self._number,
-            Qt.ItemDataRole.ToolTipRole: self.text.tool_tip,
             Qt.ItemDataRole.AccessibleTextRole: self.text.spoken,
             Role.KEY: str,
             Role.DIRTY: self._is_dirty,
@@ -181,12 +180,6 @@ class ParameterModel(QAbstractTableModel):
     def count(self) -> int:
         """The number of settings, one for both motors."""
         return sum(bool(row.keys) for row in self.rows)
-
-    @property
-    def tasks(self) -> dict[str, str]:
-        """The titles of the tasks that have parameters, by task."""
-        tasks = {spec.task for spec in self.values.specs.values()}
-        return {task: title for task, title in self.rows.titles.items() if task in tasks}
 
     def is_editable(self, key: str) -> bool:
         """Whether a value of the table can be edited."""
@@ -362,11 +355,7 @@ class ParameterModel(QAbstractTableModel):
         return next(filter(None, map(self.values.problems.get, self.text.together(key))), None)
 
     def _reset_text(self, key: str) -> str | None:
-        keys = self.text.together(key)
-        differs = any(
-            self.values.value_of(each) not in {None, self.values.specs[each].default}
-            for each in keys
-        )
+        differs = any(map(self.values.differs_from_default, self.text.together(key)))
         return self.text.reset(key) if differs else None
 
     def _heading_data(self, index: Index, role: int) -> Any:

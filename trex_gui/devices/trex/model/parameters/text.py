@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from enum import IntEnum
 from functools import cache
-from html import escape
 
 from PySide6.QtCore import QObject
 
@@ -100,9 +99,18 @@ class ParameterText(QObject):
         text, numbers = self._physical(key, wires), _numbers(wires)
         return text if text == numbers else f"{numbers} ({text})"
 
+    def change(self, key: str) -> str:
+        """Return the value, and the stored one if it was edited: `8.1 A, was off`."""
+        value, stored = self.value(key), self.stored(key)
+        if not any(self._values.is_modified(each) for each in self.together(key)):
+            return value
+        return tr("{0}, was {1}").format(value, stored or tr("not given"))
+
     def description(self, key: str) -> str:
+        spec = self._values.specs[key]
         if len(self.together(key)) == 1:
-            return self._values.specs[key].description
+            late = tr("Takes effect when the board is switched off and on.")
+            return f"{spec.description} {late if spec.needs_power_cycle else ''}".rstrip()
         return tr(
             "How often in a second the PWM of the motor switches. Low frequencies whine and heat "
             "the motor, frequencies above the driver's rating heat the driver. Type a number or "
@@ -111,29 +119,46 @@ class ParameterText(QObject):
 
     # --- Sentences ----------------------------------------------------------------------
 
+    def limits(self, key: str) -> str:
+        """Return range and default in the units of the cells."""
+        spec = self._values.specs[key]
+        is_own = units().own_first or len(self.together(key)) > 1
+        shown = self._range(key) if is_own else spec.short_range()
+        return tr("{0} · default: {1}").format(shown, self._shown(key, self._defaults(key)))
+
+    def summary(self, key: str) -> str:
+        """Return wire value, number and weakest evidence in a few words."""
+        wires = [
+            wire for each in self.together(key) if (wire := self._values.value_of(each)) is not None
+        ]
+        numbers = [f"{self._values.specs[each].number:#04x}" for each in self.together(key)]
+        parts = (
+            tr("wire {0}").format(_numbers(wires)) if wires else "",
+            ", ".join(numbers),
+            max(self._grades(key)).mark,
+        )
+        return " · ".join(part.strip(" ()") for part in parts if part)
+
+    def _grades(self, key: str) -> list[Grade]:
+        """Return the weakest evidence for range, default and meaning."""
+        specs = [self._values.specs[each] for each in self.together(key)]
+        return [max(spec.grade(*fields) for spec in specs) for fields in _GRADED]
+
     def about(self, key: str) -> tuple[str, ...]:
         """Return wire value, range and default with their grades, a sentence each."""
         keys = self.together(key)
-        limits, default, meaning = (
-            max(self._values.specs[each].grade(*fields) for each in keys) for fields in _GRADED
-        )
+        limits, default, meaning = self._grades(key)
         wires = [wire for each in keys if (wire := self._values.value_of(each)) is not None]
         sentences = (
-            tr("Wire value: {0}.").format(self._wire_text(key, wires)) if wires else "",
+            tr("Wire value: {0}.").format(self.with_wire(key, wires)) if wires else "",
             tr("No source says what the wire values mean{0}.").format(meaning.mark)
             if meaning
             else "",
             tr("Range: {0}{1}.").format(self._range(key), limits.mark),
             self._also_accepted(keys),
             tr("Default: {0}{1}.").format(self.with_wire(key, self._defaults(key)), default.mark),
-            tr("Takes effect when the board is switched off and on.")
-            if self._values.specs[key].needs_power_cycle
-            else "",
             *(self._values.specs[each].doubt for each in keys),
             *(self._evidence.get(grade, "") for grade in sorted({limits, default, meaning})),
-            tr("The board rejects any value that it does not support.")
-            if max(limits, default)
-            else tr("The vendor's documents or staff confirm range and default."),
         )
         return tuple(filter(None, sentences))
 
@@ -150,10 +175,6 @@ class ParameterText(QObject):
             return self._guide, tr("User's guide of the board")
         return f"{self._guide}/{section}", tr("User's guide, section {0}").format(section)
 
-    def _wire_text(self, key: str, wires: Sequence[int]) -> str:
-        """Return the wire value, with the physical one if the cell does not show that."""
-        return self.with_wire(key, wires) if units().own_first else _numbers(wires)
-
     def _range(self, key: str) -> str:
         if len(self.together(key)) > 1:
             return frequency_range(self.frequencies)
@@ -166,11 +187,7 @@ class ParameterText(QObject):
         """Return what is special about the present value, a sentence each."""
         keys = self.together(key)
         active = [self._values.active.get(each) for each in keys]
-        sentences = [
-            self._stored(key),
-            self._other_motor(key),
-            *(self._values.problems.get(each, "") for each in keys),
-        ]
+        sentences = [self._values.problems.get(each, "") for each in keys]
         if (wire := active[0]) is not None:
             sentences.append(tr("Still active: {0}.").format(self._shown(key, [wire])))
         return tuple(filter(None, sentences))
@@ -187,27 +204,15 @@ class ParameterText(QObject):
         return tr("Reset to default: {0}").format(self.with_wire(key, self._defaults(key)))
 
     def stored(self, key: str) -> str:
-        """Return the stored value; empty if it was not read."""
+        """Return the stored value as a cell shows it; empty if it was not read."""
         wires = [self._values.stored.get(each) for each in self.together(key)]
         known = [wire for wire in wires if wire is not None]
-        return self.with_wire(key, known) if len(known) == len(wires) else ""
-
-    def _stored(self, key: str) -> str:
-        """Return the stored value if it was edited, as a sentence."""
-        if not any(self._values.is_modified(each) for each in self.together(key)):
-            return ""
-        return tr("Stored: {0}.").format(self.stored(key) or tr("nothing"))
+        return self._shown(key, known) if len(known) == len(wires) else ""
 
     def spoken(self, key: str) -> str:
         """Return the value with its name and its edit, as a screen reader says it."""
-        text = tr("{0}: {1}.").format(self.title(key), self.value(key))
-        return " ".join((text, *self.notes(key)))
-
-    def tool_tip(self, key: str) -> str:
-        """Return the value with what is special about it as rich text, which tool tips wrap."""
-        lines = [self.value(key), *self.notes(key), self.description(key)]
-        title = f"<p><b>{escape(self.title(key))}</b></p>"
-        return title + "".join(f"<p>{escape(line)}</p>" for line in lines)
+        text = tr("{0}: {1}.").format(self.title(key), self.change(key))
+        return " ".join(filter(None, (text, self._other_motor(key), *self.notes(key))))
 
 
 # --- PWM frequency ----------------------------------------------------------------------

@@ -84,12 +84,20 @@ class ParameterValues:
         return tuple(filter(self.is_modified, self.specs))
 
     @property
+    def not_default(self) -> tuple[str, ...]:
+        return tuple(filter(self.differs_from_default, self.specs))
+
+    @property
     def waiting_for_power(self) -> tuple[str, ...]:
         """Names of the parameters whose stored value becomes active with the next power cycle."""
         return tuple(spec.name for spec in self.specs.values() if spec.key in self.active)
 
     def is_modified(self, key: str) -> bool:
         return key in self.edited or key in self.removed
+
+    def differs_from_default(self, key: str) -> bool:
+        """Return whether the value is known and not the default."""
+        return self.value_of(key) not in {None, self.specs[key].default}
 
     def is_doubtful(self, key: str, wire: int) -> bool:
         """Whether only a board can tell if it takes this value, and none has yet."""

@@ -3,10 +3,22 @@
 from collections.abc import Callable
 from typing import cast
 
-from PySide6.QtCore import QAbstractItemModel, QEvent, QModelIndex, QObject, QPoint, QRect, Qt, Slot
+from PySide6.QtCore import (
+    QAbstractItemModel,
+    QEvent,
+    QModelIndex,
+    QObject,
+    QPoint,
+    QRect,
+    QSize,
+    Qt,
+    Signal,
+    Slot,
+)
 from PySide6.QtGui import (
     QAction,
     QContextMenuEvent,
+    QFont,
     QGuiApplication,
     QIcon,
     QKeyEvent,
@@ -19,7 +31,6 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QDialog,
     QMenu,
     QStyle,
     QStyleOptionViewItem,
@@ -27,34 +38,25 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.parameters.parameters import Index, ParameterModel, Role
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn
-from trex_gui.devices.trex.protocol.device_table import HIGHEST_WIRE
 from trex_gui.devices.trex.protocol.parameters import motor_name
 from trex_gui.devices.trex.views.count_editor import UnitDelegate, UnitSpinBox
 from trex_gui.devices.trex.views.pages.parameters.editors import Editor, FrequencyEditor, editor_for
 from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.icons import icon
-from trex_gui.ui.theme.theme import follow_theme, theme
-from trex_gui.ui.translations import error_sentence
+from trex_gui.ui.theme.theme import follow_theme, set_look, theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ENTER
-from trex_gui.ui.widgets.labels import Note
 
 _PRESS = ENTER | {Qt.Key.Key_Space, Qt.Key.Key_Select}
 _CLICKS = {QEvent.Type.MouseButtonRelease, QEvent.Type.MouseButtonDblClick}
-_NAME, _VALUE = (22, 44), 30  # characters: least and most of the names, and the longest value
+_NAME, _VALUE = (20, 44), 30  # characters: least and most of the names, and the longest value
 _PINNED = "parameters/pinned"
-_WIDTHS = {  # where widths that the user has chosen are saved; the last column stretches
-    ParameterColumn.NAME: "parameters/name_width",
-    ParameterColumn.MOTOR1: "parameters/value_width",
-}
-_WIDEST = 2000  # pixels
 _ICON = 16
-_WIRE_DIALOG_WIDTH = 480  # pixels
+_SIGNS = {"warning": "warning", "edited": "dirty", "power": "icon"}  # and their colours
 _UNTOUCHED = "untouched"
 
 
@@ -65,9 +67,9 @@ class ParameterDelegate(UnitDelegate):
     something is typed or chosen, or with Enter.
     """
 
-    def __init__(self, model: ParameterModel, parent: QWidget) -> None:
-        super().__init__(parent)
-        self._model = model
+    def __init__(self, model: ParameterModel, view: "ParameterView") -> None:
+        super().__init__(view)
+        self._model, self._view = model, view
 
     def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: Index) -> QWidget:
         del option
@@ -148,47 +150,53 @@ class ParameterDelegate(UnitDelegate):
 
     def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
         super().initStyleOption(option, index)
+        option.state &= ~QStyle.StateFlag.State_Selected  # `paint` shows it
         if index.data(Role.GROUP) is not None:
             option.state |= QStyle.StateFlag.State_Enabled
-            option.backgroundBrush = option.palette.brush(QPalette.ColorRole.Button)
-            _embolden(option)
+            _write(option, "muted", bold=True)
         elif index.column() != ParameterColumn.NAME:
-            self._show_state(option, index)
+            if index.data(Role.DIRTY):
+                _write(option, "dirty", bold=True)
+            elif index.data(Qt.ItemDataRole.EditRole) is None:
+                _write(option, "muted")
 
-    def _show_state(self, option: QStyleOptionViewItem, index: Index) -> None:
-        """Embolden an edited value; show the most important state as an icon."""
-        dirty = bool(index.data(Role.DIRTY))
-        if dirty:
-            _embolden(option)
-        if index.data(Qt.ItemDataRole.EditRole) is None:
-            _mute(option)
-        if index.data(Role.PROBLEM):
-            name = "warning"
-        elif dirty:
-            name = "edited"
-        elif index.data(Role.WAITING) is not None:
-            name = "power"
-        else:
-            return
-        option.icon = icon(name)
-        option.features |= QStyleOptionViewItem.ViewItemFeature.HasDecoration
+    def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
+        return super().sizeHint(option, index) + QSize(_ICON + 2, 0)
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
-        """Paint the icon that resets a value, and a frame around the current one."""
+        """Paint the current row, a sign before a value, and the icon that resets it."""
+        cell, is_value = QRect(option.rect), index.column() != ParameterColumn.NAME
+        if index.data(Role.GROUP) is not None:
+            painter.setPen(theme().color("hairline"))
+            painter.drawLine(cell.topLeft(), cell.topRight())
+        else:
+            option.rect = cell.adjusted(_ICON + 2, 0, 0, 0)
+            if index.row() == self._view.currentIndex().row():
+                painter.fillRect(cell, theme().color("selected"))
         super().paint(painter, option, index)
-        if index.column() == ParameterColumn.NAME:
+        option.rect = cell
+        if not is_value:
             return
+        if sign := self._sign(index):
+            place = QRect(cell.left() + 2, cell.top(), _ICON, cell.height())
+            icon(sign, _SIGNS[sign]).paint(painter, place)
         place = self._reset_place(option, index)
         if not place.isEmpty():
-            mode = QIcon.Mode.Normal
-            if not option.state & QStyle.StateFlag.State_Enabled:
-                mode = QIcon.Mode.Disabled
-            elif option.state & QStyle.StateFlag.State_Selected:
-                mode = QIcon.Mode.Selected
+            is_enabled = option.state & QStyle.StateFlag.State_Enabled
+            mode = QIcon.Mode.Normal if is_enabled else QIcon.Mode.Disabled
             icon("default").paint(painter, place, Qt.AlignmentFlag.AlignCenter, mode)
-        if option.state & QStyle.StateFlag.State_HasFocus:
-            painter.setPen(QPen(option.palette.color(QPalette.ColorRole.HighlightedText), 2))
-            painter.drawRect(option.rect.adjusted(2, 2, -2, -2))
+        if option.state & QStyle.StateFlag.State_Selected:
+            width = 2 if option.state & QStyle.StateFlag.State_HasFocus else 1
+            painter.setPen(QPen(theme().color("accent"), width))
+            painter.drawRect(cell.adjusted(1, 1, -1, -1))
+
+    def _sign(self, index: Index) -> str:
+        """Return the sign of the most important state of a value; empty for none."""
+        if index.data(Role.PROBLEM) or self._view.has_finding(str(index.data(Role.KEY))):
+            return "warning"
+        if index.data(Role.DIRTY):
+            return "edited"
+        return "power" if index.data(Role.WAITING) is not None else ""
 
     def _reset_place(self, option: QStyleOptionViewItem, index: Index) -> QRect:
         """Return where the icon is that resets a value; empty without one, or room for it."""
@@ -199,23 +207,22 @@ class ParameterDelegate(UnitDelegate):
         return place if self.sizeHint(option, index).width() < cell.width() - 2 * _ICON else QRect()
 
 
-def _embolden(option: QStyleOptionViewItem) -> None:
-    font = option.font
-    font.setBold(True)
-    option.font = font
-
-
-def _mute(option: QStyleOptionViewItem) -> None:
-    """Grey a text; disabled ones keep their colour."""
+def _write(option: QStyleOptionViewItem, color: str, *, bold: bool = False) -> None:
+    """Write a text in a colour of the theme; disabled text keeps its own."""
     palette = QPalette(option.palette)
-    muted = theme().color("muted")
     for group in (QPalette.ColorGroup.Active, QPalette.ColorGroup.Inactive):
-        palette.setColor(group, QPalette.ColorRole.Text, muted)
+        palette.setColor(group, QPalette.ColorRole.Text, theme().color(color))
     option.palette = palette
+    if bold:
+        font = option.font
+        font.setWeight(QFont.Weight.DemiBold)
+        option.font = font
 
 
 class ParameterView(QTableView):
     """The values are its cells: the name of a row leads to the first of them."""
+
+    wire_wanted = Signal()  # the user wants to try a wire value of the current parameter
 
     def __init__(self, rows: ParameterFilter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -223,11 +230,12 @@ class ParameterView(QTableView):
         self._model = rows.parameters
         # Parameter and text of a lost editor, and whether it showed wire values
         self._unfinished: tuple[str, str, bool] | None = None
-        self._fitted: dict[ParameterColumn, int] = {}  # widths that no user has changed since
         self._model.pin(filter(None, Preferences().text(_PINNED).split(",")))
         ui.flat_table(self, "parametersView", tr("Parameters"))
         self.setModel(rows)
         self.setItemDelegate(ParameterDelegate(self._model, self))
+        self.setAlternatingRowColors(False)
+        set_look(self, "card")
         behavior, triggers = QAbstractItemView.SelectionBehavior, QAbstractItemView.EditTrigger
         self.setSelectionBehavior(behavior.SelectItems)
         typed = triggers.EditKeyPressed | triggers.AnyKeyPressed
@@ -235,11 +243,6 @@ class ParameterView(QTableView):
         self.setWordWrap(False)
         self.horizontalHeader().setStretchLastSection(True)
         self._set_up_menu()
-        for column, key in _WIDTHS.items():
-            if width := Preferences().integer(key, 0, 0, _WIDEST):
-                self.setColumnWidth(column, width)
-                self._fitted[column] = 0
-        self.horizontalHeader().sectionResized.connect(self._on_column_resized)
         follow_theme(self, "columns", self._fit_columns)
         rows.modelAboutToBeReset.connect(self._keep_typed)
 
@@ -251,21 +254,8 @@ class ParameterView(QTableView):
         room, character = self.viewport().width(), self.fontMetrics().averageCharWidth()
         least, most = (each * character for each in _NAME)
         name = min(max(room - 2 * _VALUE * character, least), most)
-        self._fit_column(ParameterColumn.NAME, name)
-        self._fit_column(ParameterColumn.MOTOR1, (room - name) // 2)
-
-    def _fit_column(self, column: ParameterColumn, width: int) -> None:
-        """Give a column this width, unless the user has given it another one."""
-        present = self.columnWidth(column)
-        if self._fitted.get(column, present) == present:
-            self._fitted[column] = max(width, self.horizontalHeader().minimumSectionSize())
-            self.setColumnWidth(column, self._fitted[column])
-
-    @Slot(int, int, int)
-    def _on_column_resized(self, index: int, _before: int, width: int) -> None:
-        column = ParameterColumn(index)
-        if column in _WIDTHS and 0 < width <= _WIDEST and width != self._fitted.get(column):
-            Preferences().set(_WIDTHS[column], width)
+        self.setColumnWidth(ParameterColumn.NAME, name)
+        self.setColumnWidth(ParameterColumn.MOTOR1, (room - name) // 2)
 
     def arrange(self) -> None:
         """Span headings, and values of the whole board; resume what was being typed."""
@@ -292,6 +282,9 @@ class ParameterView(QTableView):
         if isinstance(editor, UnitSpinBox) and editor.own_first == unfinished[2]:
             editor.lineEdit().selectAll()
             editor.lineEdit().insert(unfinished[1])
+
+    def has_finding(self, key: str) -> bool:
+        return not self._rows.found.isdisjoint(self._model.text.together(key))
 
     @property
     def current_key(self) -> str:
@@ -328,16 +321,19 @@ class ParameterView(QTableView):
     def _set_up_menu(self) -> None:
         model, copy = self._model, QKeySequence.StandardKey.Copy
         self._edit = self._action("editParameter", self._begin_edit, tr("Edit"))
-        self._try = self._action("tryParameter", self._ask_for_wire, tr("Try another &wire value…"))
+        text = tr("Try another &wire value…")
+        self._try = self._action("tryParameter", lambda _key: self.wire_wanted.emit(), text)
         keys, leave_out = "Ctrl+Backspace", tr("Leave out of the file")
         self._reset = self._action("resetParameter", model.reset, icon="default", shortcut=keys)
-        self._restore = self._action("restoreParameter", model.restore)
+        self._restore = self._action(
+            "restoreParameter", model.restore, tr("Und&o edit"), icon="undo"
+        )
         self._leave_out = self._action("leaveOutParameter", model.leave_out, leave_out)
         self._to_other_motor = self._action("copyToOtherMotor", model.copy_to_other_motor)
         self._pin = self._action("pinParameter", self._toggle_pin, tr("Pi&n to the top"))
         self._copy = self._action("copyParameter", self._copy_line, icon="copy", shortcut=copy)
-        self._try.setIconText(tr("Other &value…"))
         self._pin.setIconText(tr("Pi&n"))
+        self._restore.setIconText(self._restore.text())
         self._reset.setIconText(tr("Defa&ult"))
         self._menu = QMenu(self)
         self._menu.setObjectName("parameterMenu")
@@ -352,7 +348,7 @@ class ParameterView(QTableView):
     @property
     def tools(self) -> tuple[QAction, ...]:
         """What is offered as buttons beside the table, too."""
-        return self._reset, self._pin, self._try
+        return self._reset, self._pin, self._restore
 
     def _action(
         self,
@@ -396,14 +392,12 @@ class ParameterView(QTableView):
             each.setVisible(bool(key))
         if not key:
             return
-        stored, can_edit = model.text.stored(key), self.isEnabled()
+        can_edit = self.isEnabled()
         self._edit.setEnabled(can_edit and model.is_editable(key))
         self._try.setVisible(model.open_key(key) is not None)
         self._try.setEnabled(can_edit)
         self._reset.setText(model.text.reset(key))
         self._reset.setEnabled(can_edit and self.currentIndex().data(Role.RESET) is not None)
-        restore = tr("Restore stored value")
-        self._restore.setText(tr("{0}: {1}").format(restore, stored) if stored else restore)
         self._restore.setEnabled(can_edit and bool(self.currentIndex().data(Role.DIRTY)))
         self._leave_out.setVisible(model.values.can_leave_out(key))
         other_motor = model.values.other_motor_of(key)
@@ -418,10 +412,6 @@ class ParameterView(QTableView):
         lines = self._lines(key)
         self._copy.setText(tr("Copy as “{0}”").format(", ".join(lines)))
         self._copy.setEnabled(bool(lines))
-
-    def _ask_for_wire(self, key: str) -> None:
-        if (open_key := self._model.open_key(key)) is not None:
-            WireDialog(self._model, open_key, self).show()
 
     def _toggle_pin(self, key: str) -> None:
         self._model.pin(self._model.rows.with_toggled(key))
@@ -443,49 +433,3 @@ def _value_at(index: QModelIndex) -> QModelIndex:
     """Return the value that a name stands for; any other cell itself."""
     is_name = index.column() == ParameterColumn.NAME and index.data(Role.KEY) is not None
     return index.siblingAtColumn(ParameterColumn.MOTOR1) if is_name else index
-
-
-class WireDialog(QDialog):
-    """Makes any wire value of one parameter an edit, which the review asks about."""
-
-    def __init__(self, model: ParameterModel, key: str, parent: QWidget) -> None:
-        super().__init__(parent)
-        self.setObjectName("wireDialog")
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self._model, self._key = model, key
-        spec = model.values.specs[key]
-        self.setWindowTitle(spec.name)
-        text = tr(
-            "{0} is {1}{2}. No document confirms this limit. You can try any wire value from "
-            "0 to {3}. The board decides: it may reject the value, or store another "
-            "one, and the program shows which. A value that the board stores is remembered for "
-            "its firmware."
-        )
-        text = text.format(spec.name, spec.range_text(), spec.limits_mark, HIGHEST_WIRE)
-        note = ui.label(self, "wireNote", text, wrap=True)
-        self._value = ui.spin_box(self, "wireField", tr("Wire value"), 0, HIGHEST_WIRE)
-        self._value.setValue(model.values.value_of(key) or 0)
-        self._trouble = ui.named(Note(2, self), "wireTrouble")
-        self._accept = ui.button(
-            self, "tryWireButton", tr("&Try this value"), default=True, on_click=self._on_click
-        )
-        cancel = ui.button(self, "cancelWireButton", tr("Cancel"), on_click=self.close)
-        before = ui.label(self, text=tr("&Wire value:"), buddy=self._value)
-        value, buttons = ui.row(before, self._value, 1), ui.row(1, self._accept, cancel)
-        ui.column(note, value, self._trouble, buttons, into=self)
-        if (layout := self.layout()) is not None:
-            self.resize(_WIRE_DIALOG_WIDTH, layout.totalHeightForWidth(_WIRE_DIALOG_WIDTH))
-        model.modelReset.connect(self._on_board_changed)
-
-    @Slot()
-    def _on_board_changed(self) -> None:
-        self._accept.setEnabled(self._model.values.can_edit(self._key))
-
-    @Slot()
-    def _on_click(self) -> None:
-        try:
-            self._model.edit(self._key, self._value.value(), forced=True)
-        except BadRequest as error:
-            self._trouble.show_note(error_sentence(error), alarming=True)
-        else:
-            self.close()

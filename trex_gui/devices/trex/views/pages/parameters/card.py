@@ -1,0 +1,204 @@
+"""The selected parameter: its value, what it does, and what is known of it."""
+
+from html import escape
+
+from PySide6.QtCore import Qt, Slot
+from PySide6.QtGui import QAction, QResizeEvent
+from PySide6.QtWidgets import QBoxLayout, QPushButton, QWidget
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
+from trex_gui.devices.trex.model.linter import SettingsLinter
+from trex_gui.devices.trex.model.parameters.text import ParameterText
+from trex_gui.devices.trex.model.settings.draft import SettingsDraft
+from trex_gui.devices.trex.protocol.device_table import HIGHEST_WIRE
+from trex_gui.devices.trex.settings.rules import LintFinding
+from trex_gui.devices.trex.views.findings_list import FindingsList
+from trex_gui.devices.trex.views.note_field import NoteField
+from trex_gui.devices.trex.views.pages.parameters.parameter_pictures import ParameterPicture
+from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
+from trex_gui.ui.preferences import Preferences
+from trex_gui.ui.theme.theme import CARD_PADDING, follow_theme, set_look, set_text_color, theme
+from trex_gui.ui.translations import error_sentence
+from trex_gui.ui.units import units
+from trex_gui.ui.widgets.builders import (
+    Card,
+    button,
+    check_box,
+    column,
+    label,
+    named,
+    plain,
+    row,
+    spin_box,
+)
+from trex_gui.ui.widgets.labels import ElidedLabel, LinkLabel, Muted
+from trex_gui.ui.widgets.scroll_box import ScrollBox
+
+_WIDTH = 33  # least, in average characters
+_BOTH_MOTORS = "parameters/both_motors"
+
+
+class ParameterCard(Card):
+    """The card of the current parameter of a table."""
+
+    def __init__(
+        self, draft: SettingsDraft, linter: SettingsLinter, view: ParameterView, parent: QWidget
+    ) -> None:
+        super().__init__("", parent)
+        named(self, "aboutParameters", accessible=tr("Selected parameter"))
+        self._model, self._view, self._can_edit = draft.parameters, view, True
+        facts = named(QWidget(self), "parameterFacts")
+        box = ScrollBox(facts, self)
+        self._heading = label(facts, "parameterTitle", wrap=True, size="heading")
+        self._value = label(facts, "parameterValue", wrap=True, bold=True)
+        self._picture = ParameterPicture(facts)
+        self._picture.setAccessibleName(self.accessibleName())
+        self._notes = label(facts, "parameterNotes", wrap=True, bold=True)
+        self._help = label(facts, "parameterHelp", wrap=True, selectable=True)
+        self._limits = named(Muted("", facts), "parameterLimits")
+        self._fold = button(facts, "parameterDetailsButton", tr("Detail&s"), checkable=True)
+        set_look(self._fold, "link")
+        self._summary = ElidedLabel("", facts)
+        set_text_color(self._summary, "muted")
+        self._details = LinkLabel("parameterDetails", facts)
+        by_mouse = Qt.TextInteractionFlag.TextSelectableByMouse
+        self._details.setTextInteractionFlags(self._details.textInteractionFlags() | by_mouse)
+        self._details.setOpenExternalLinks(True)
+        self._wire = self._wire_row(facts)
+        self._note = NoteField(draft.notes, "noteEdit", facts)
+        note = label(facts, text=tr("Note"), size="caption")
+        self._findings = FindingsList("parameter", self._value, facts)
+        tip = tr("Make each change to one motor to the other, too, in one step")
+        text, both = tr("&Both motors as one"), Preferences().flag(_BOTH_MOTORS, default=False)
+        self._both = check_box(self, "bothMotors", text, tip=tip, checked=both)
+        self._model.both_motors = both
+        default, pin, undo = self._buttons = [_push_button(each, self) for each in view.tools]
+        fold = row(self._fold, (self._summary, 1), spacing=4)
+        column(
+            column(self._heading, self._value, spacing=2),
+            *(
+                self._picture,
+                self._notes,
+                self._findings,
+                self._help,
+                self._limits,
+                fold,
+                self._details,
+            ),
+            *(self._wire, column(note, self._note, spacing=2), 1),
+            into=facts,
+            margins=0,
+        )
+        self._tools = row(row(default, pin), undo, 1)
+        column((box, 1), self._both, self._tools, into=self)
+
+        def fit() -> None:
+            texts = _WIDTH * self.fontMetrics().averageCharWidth()
+            self.setMinimumWidth(max(texts, self._both.sizeHint().width() + 2 * CARD_PADDING + 2))
+            self.show_current()
+
+        self._findings.follow(linter, self._concerns)
+        self._both.toggled.connect(self._on_both_toggled)
+        self._fold.toggled.connect(self.show_current)
+        view.wire_wanted.connect(self._on_wire_wanted)
+        self._model.dataChanged.connect(self.show_current)
+        units().changed.connect(self.show_current)
+        follow_theme(self, "card", fit)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Put the buttons one below the other where they would be cut."""
+        super().resizeEvent(event)
+        needed = sum(each.sizeHint().width() + self._tools.spacing() for each in self._buttons)
+        fits = needed <= self.contentsRect().width()
+        direction = QBoxLayout.Direction
+        self._tools.setDirection(direction.LeftToRight if fits else direction.TopToBottom)
+
+    def _wire_row(self, parent: QWidget) -> QWidget:
+        """Create the field for wire values beyond limits that are only inferred."""
+        made = named(QWidget(parent), "parameterWire")
+        text = tr("No document confirms this limit. The board decides about other values.")
+        note = label(made, "wireNote", text, wrap=True)
+        self._wire_value = spin_box(made, "wireField", tr("Wire value"), 0, HIGHEST_WIRE)
+        accept = button(made, "tryWireButton", tr("&Try this value"), on_click=self._on_try)
+        column(note, row((self._wire_value, 1), accept), into=made, margins=0)
+        return made
+
+    def _concerns(self, finding: LintFinding) -> bool:
+        key = self._view.current_key
+        return bool(key) and not set(finding.keys).isdisjoint(self._model.text.together(key))
+
+    def set_can_edit(self, can_edit: bool) -> None:
+        self._can_edit = can_edit
+        self._findings.set_can_accept(can_edit)
+        self.show_current()
+
+    @Slot()
+    def show_current(self) -> None:
+        key, text = self._view.current_key, self._model.text
+        self._picture.show_parameter(key, self._model.values)
+        is_open = bool(key) and self._fold.isChecked()
+        self._fold.setVisible(bool(key))
+        self._details.setVisible(is_open)
+        self._wire.setVisible(is_open and self._model.open_key(key) is not None)
+        self._wire.setEnabled(self._can_edit)
+        is_edited = bool(key) and any(map(self._model.values.is_modified, text.together(key)))
+        set_text_color(self._value, "dirty" if is_edited else "window_text")
+        shown = {self._heading: text.title, self._value: text.change, self._help: text.description}
+        shown[self._limits] = text.limits
+        for each, words in shown.items():
+            each.setText(words(key) if key else "")
+        self._summary.setText(f"{'▾' if is_open else '▸'} {text.summary(key)}" if key else "")
+        notes = " ".join(text.notes(key)) if key else ""
+        self._notes.setText(notes)
+        self._notes.setVisible(bool(notes))
+        self._details.setText(_details(text, key) if key else "")
+        for each in (self._help, self._details):
+            each.setAccessibleName("" if key else self.accessibleName())
+        self._note.show_note_on(*((text.together(key)[0], text.title(key)) if key else ("", "")))
+        self._findings.refresh()
+        self._both.setEnabled(bool(key) and self._model.values.other_motor_of(key) is not None)
+        self._view.update_actions()
+
+    @Slot(bool)
+    def _on_both_toggled(self, both: bool) -> None:
+        self._model.both_motors = both
+        Preferences().set(_BOTH_MOTORS, both)
+
+    @Slot()
+    def _on_wire_wanted(self) -> None:
+        self._fold.setChecked(True)
+        self._wire_value.setValue(self._model.values.value_of(self._view.current_key) or 0)
+        self._wire_value.setFocus()
+
+    @Slot()
+    def _on_try(self) -> None:
+        key = self._model.open_key(self._view.current_key)
+        try:
+            if key is not None:
+                self._model.edit(key, self._wire_value.value(), forced=True)
+        except BadRequest as error:
+            self._model.rejected.emit(error_sentence(error))
+
+
+def _details(text: ParameterText, key: str) -> str:
+    """Return names, evidence and the address of the guide as rich text."""
+    address, title = map(escape, text.guide(key))
+    names = "<br>".join(f"<code>{each}</code>" for each in text.together(key))
+    link = f'<a href="{address}" style="color:{theme().color("link").name()}">{title}</a>'
+    return f"<p>{names}</p><p>{'<br>'.join(map(escape, text.about(key)))}</p><p>{link}</p>"
+
+
+def _push_button(action: QAction, parent: QWidget) -> QPushButton:
+    """Create a button that triggers an action, and has its short text and its state."""
+    made = button(parent, f"{action.objectName()}Button", on_click=action.trigger)
+
+    def update() -> None:
+        made.setText(action.iconText())
+        made.setToolTip(plain(action.text().replace("&", "")))
+        made.setEnabled(action.isEnabled())
+        made.setVisible(action.isVisible())
+
+    action.changed.connect(update)
+    update()
+    return made

@@ -1,0 +1,221 @@
+"""Small drawings of what a parameter does, from its present value; only of what is known."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from itertools import pairwise
+
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QPaintEvent, QPen
+from PySide6.QtWidgets import QWidget
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
+from trex_gui.devices.trex.model.parameters.values import ParameterValues
+from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.protocol.parameters import (
+    FULL_SPEED_S,
+    MotorParameter,
+    ParameterKey,
+    ParameterSpec,
+    motor_name,
+    pwm_keys,
+)
+from trex_gui.ui.theme.theme import follow_theme, theme
+from trex_gui.ui.widgets.painted import Painted, Painter
+
+Points = tuple[tuple[float, float], ...]  # from 0 to 1, rightwards and upwards
+
+_LINES = 7  # height in lines of text
+_MARGIN = 10  # pixels
+_SOLID, _DASHED = Qt.PenStyle.SolidLine, Qt.PenStyle.DashLine
+_DOTTED = Qt.PenStyle.DotLine
+_RC_LOSS_S = 0.5  # seconds until a required channel counts as lost
+_COLOURS = {"motor1": "motor1", "motor2": "motor2", "aux": "auxiliary"}
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    points: Points
+    color: str = ""  # of the theme; empty: that of the parameter
+    style: Qt.PenStyle = _SOLID
+
+
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """A drawing, and the sentence that says the same."""
+
+    text: str
+    caption: str
+    lines: tuple[Line, ...]
+    area: tuple[float, float, float] | None = None  # left, right and height
+    place: tuple[float, float] = (0.5, 0.85)  # of the middle below the caption
+
+
+def picture_of(key: str, values: ParameterValues) -> Picture | None:
+    """Return the drawing of a parameter; `None`: its effect or its value is not known."""
+    kind = key.partition("_")[2] if motor_name(key) else key
+    wire, draw = values.value_of(key), _PICTURES.get(kind)
+    return None if draw is None or wire is None else draw(values.specs[key], wire, values)
+
+
+def _window(seconds: float, *steps: float) -> float:
+    """Return the first of these durations that has space beside `seconds`."""
+    return next((step for step in steps if step >= 1.2 * seconds), steps[-1])
+
+
+def _ramp(spec: ParameterSpec, wire: int, _values: ParameterValues) -> Picture:
+    seconds, value = FULL_SPEED_S / wire if wire else 0, spec.text(wire)
+    top = 0.1 + 0.7 * seconds / _window(seconds, 0.6, 3, 16)
+    end: Points = (0.9, 0.8), (0.9, 0), (1, 0)
+    command = Line(((0.1, 0), (0.1, 0.8), *end), "muted", _DASHED)
+    text = tr("Speed after an accelerate command: {0}. It slows down at once.").format(value)
+    return Picture(text, value, (command, Line(((0, 0), (0.1, 0), (top, 0.8), *end))))
+
+
+def _reversal(spec: ParameterSpec, wire: int, values: ParameterValues) -> Picture:
+    seconds, value = wire * spec.scale / 1000, spec.text(wire)
+    window = _window(2 * seconds, 0.2, 0.6, 3)
+    begin, end = 0.2, 0.2 + 0.8 * seconds / window
+    output: Points = (0, 0.8), (begin, 0.8), (begin, 0.4), (end, 0.4)
+    rate = values.value_of(spec.key.replace(MotorParameter.BRAKE_DURATION, "acceleration"))
+    if rate is not None:
+        ramp = 0.8 * FULL_SPEED_S / rate / window if rate else 0
+        reached = min(1, (1 - end) / ramp) if ramp else 1  # of the ramp, at the right edge
+        output += (end + ramp * reached, 0.4 - 0.4 * reached), (1, 0.4 - 0.4 * reached)
+    text = tr("Reversal by an accelerate command: {0}, then the ramp.").format(value)
+    lines = Line(((0, 0.4), (1, 0.4)), "outline", _DOTTED), Line(output)
+    return Picture(text, value, lines, (begin, end, 0.8))
+
+
+def _limit(spec: ParameterSpec, wire: int, _values: ParameterValues) -> Picture:
+    limit, value = 0.8 * wire / spec.maximum if wire else 1, spec.text(wire)
+    demand: Points = (0, 0.02), (0.2, 0.04), (0.3, 0.8), (0.5, 0.42), (0.65, 0.34), (1, 0.34)
+    shown: list[tuple[float, float]] = []
+    for (x1, y1), (x2, y2) in pairwise(demand):
+        shown.append((x1, min(y1, limit)))
+        if (y1 - limit) * (y2 - limit) < 0:
+            shown.append((x1 + (x2 - x1) * (limit - y1) / (y2 - y1), limit))
+    lines = Line(demand, "muted", _DASHED), Line((*shown, (1, min(0.34, limit))))
+    text = tr("Current of a motor that starts, limit: {0}").format(value)
+    if not wire:
+        return Picture(text, value, lines)
+    edge = Line(((0, limit), (1, limit)), "limit")
+    return Picture(text, value, (edge, *lines), place=(0.08, limit + 0.03))
+
+
+def _wave(spec: ParameterSpec, _wire: int, values: ParameterValues) -> Picture | None:
+    prescaler, maximum = map(values.value_of, pwm_keys(spec.key))
+    if prescaler is None or maximum is None:
+        return None
+    try:
+        hertz = device_table().pwm.frequency(prescaler, maximum)
+    except BadRequest:
+        return None
+    window = _window(3 / hertz, 0.0005, 0.002, 0.01, 0.05)
+    edges = [number / hertz / window / 2 for number in range(int(2 * hertz * window) + 1)]
+    levels = [0.7 * (number % 2) for number in range(len(edges) + 1)]
+    points = [(x, y) for x, *ends in zip(edges, levels, levels[1:], strict=False) for y in ends]
+    text = tr("{0:.0f} Hz, {1:g} ms of it").format(hertz, 1000 * window)
+    return Picture(text, text, (Line((*points, (1, levels[-1]))),))
+
+
+def _stop(
+    spec: ParameterSpec, wire: int, values: ParameterValues, after: float | None = None
+) -> Picture:
+    """Draw signals that end, and motors that stop; `after`: seconds, `None`: the value."""
+    value, begin = spec.text(wire), 0.3
+    seconds = wire * spec.scale if after is None else after
+    end = begin + 0.55 * seconds / _window(seconds, 0.5, 1.5, 5, 15)
+    is_known = after is not None or bool(values.value_of(ParameterKey.UART_ERROR_SHUTDOWN))
+    motors = Line(((end, 0.8), (end, 0.2), (1, 0.2)), "", _SOLID if is_known else _DASHED)
+    text = tr("{0}: the motors stop.") if is_known else tr("{0}: the motors may not stop.")
+    if not wire:
+        text, motors = tr("{0}: the motors keep running."), Line(((end, 0.8), (1, 0.8)))
+    signals = (Line(((x / 20, 0), (x / 20, 0.12)), "muted") for x in range(1, 6))
+    edge = Line(((begin, 0), (begin, 0.8)), "danger", _DOTTED)
+    lines = *signals, edge, Line(((0, 0.8), (end, 0.8))), motors
+    return Picture(text.format(value), value, lines)
+
+
+def _brake(spec: ParameterSpec, wire: int, _values: ParameterValues) -> Picture:
+    value, speed = spec.text(wire), Line(((0, 0.8), (0.35, 0), (0.65, 0), (1, 0.8)))
+    text = tr("Speed over the stick, brake in the deadband: {0}").format(value)
+    return Picture(text, value, (speed,), (0.35, 0.65, 0.8 * wire / spec.maximum))
+
+
+def _curve(
+    spec: ParameterSpec, wire: int, _values: ParameterValues, output: Callable[[float], float]
+) -> Picture:
+    """Draw the output over the input of the selected channels, and of the others dashed."""
+    inputs, value = [number / 20 - 1 for number in range(41)], spec.text(wire)
+    lines = [Line(((0.1, 0), (0.9, 0.8)), "muted", _DASHED)]
+    if wire:
+        lines.append(Line(tuple((0.5 + 0.4 * x, 0.4 + 0.4 * output(x)) for x in inputs)))
+    return Picture(f"{spec.name}: {value}", value, tuple(lines))
+
+
+_PICTURES: dict[str, Callable[[ParameterSpec, int, ParameterValues], Picture | None]] = {
+    MotorParameter.ACCELERATION: _ramp,
+    ParameterKey.AUX_ACCELERATION: _ramp,
+    MotorParameter.BRAKE_DURATION: _reversal,
+    MotorParameter.CURRENT_LIMIT: _limit,
+    MotorParameter.DEADBAND_BRAKE_PWM: _brake,
+    MotorParameter.PWM_MAXIMUM: _wave,
+    ParameterKey.SERIAL_TIMEOUT: _stop,
+    ParameterKey.UART_ERROR_SHUTDOWN: partial(_stop, after=0),
+    ParameterKey.REQUIRED_CHANNELS: partial(_stop, after=_RC_LOSS_S),
+    ParameterKey.IGNORED_CHANNELS: partial(_curve, output=lambda _: 0),
+    ParameterKey.REVERSED_CHANNELS: partial(_curve, output=lambda x: -x),
+    ParameterKey.PARABOLIC_CHANNELS: partial(_curve, output=lambda x: x * abs(x)),
+}
+
+
+class ParameterPicture(Painted):
+    """The drawing of one parameter; hidden where there is none."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("parameterPicture")
+        self.picture: Picture | None = None
+        self._color = "bar"
+        follow_theme(self, "height", self._fit)
+
+    def _fit(self) -> None:
+        self.setFixedHeight(_LINES * self.fontMetrics().lineSpacing())
+
+    def spoken_name(self) -> str:
+        return self.picture.text if self.picture else ""
+
+    def show_parameter(self, key: str, values: ParameterValues) -> None:
+        self.picture = picture_of(key, values) if key else None
+        self._color = _COLOURS.get(key.partition("_")[0], "bar")
+        self.setVisible(self.picture is not None)
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        del event
+        if (picture := self.picture) is None:
+            return
+        inside = QRectF(self.rect()).adjusted(_MARGIN, _MARGIN, -_MARGIN, -_MARGIN)
+
+        def point(x: float, y: float) -> QPointF:
+            return inside.bottomLeft() + QPointF(x * inside.width(), -y * inside.height())
+
+        with Painter(self) as painter:
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(theme().color("track"))
+            painter.drawRoundedRect(self.rect(), 8, 8)
+            if picture.area:
+                left, right, height = picture.area
+                painter.setBrush(theme().color("deadband"))
+                painter.drawRect(QRectF(point(left, height), point(right, 0)))
+            for line in picture.lines:
+                painter.setPen(QPen(theme().color(line.color or self._color), 2, line.style))
+                painter.drawPolyline([point(*each) for each in line.points])
+            painter.setPen(theme().color("muted"))
+            metrics, place = painter.fontMetrics(), point(*picture.place)
+            width, height = metrics.horizontalAdvance(picture.caption), metrics.height()
+            left = max(place.x() - width / 2, inside.left())
+            box = QRectF(left, place.y() - height, width + 2, height)
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, picture.caption)
