@@ -5,7 +5,7 @@ from pathlib import Path
 
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QComboBox, QTabBar, QTableView
+from PySide6.QtWidgets import QComboBox, QTabBar
 
 from tests.support.pages.settings import HistoryDialog, ReviewDialog
 from tests.support.program import trex
@@ -255,9 +255,8 @@ def test_calibrations_have_notes_on_page_and_in_editor(
     files.edit_file(path)
     window.wait(lambda: files.editors)
     editor = WidgetDriver(files.editors[0], window.qtbot)
-    view = editor.find(QTableView, "calibrationsView")
-    view.setCurrentIndex(view.model().index(1, 1))
-    field = editor.find(NoteField, "calibrationNoteEdit")
+    editor.button("channel2Strip").setChecked(True)
+    field = editor.find(NoteField, "channelNoteEdit")
     assert field.toPlainText() == "by hand"
     field.setPlainText("by hand, twice")
     assert "# Note on rc_channel_2: by hand, twice\n" in files.editors[0].document.text

@@ -12,7 +12,7 @@ from tests.support.keyboard import check_keyboard
 from tests.support.pages.parameters import ParametersPage
 from tests.support.pages.settings import ReviewDialog, SimulatedPower, findings_of
 from tests.support.virtual_devices import VirtualSimulator
-from tests.support.window import LEFT, WidgetDriver, WindowDriver
+from tests.support.window import LEFT, WindowDriver
 from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.model.settings.comparison_table import ComparisonColumn
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey

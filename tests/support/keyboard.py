@@ -4,6 +4,7 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from itertools import pairwise
+from typing import TypeGuard
 
 from PySide6.QtCore import QLocale, QPoint, QRect, Qt
 from PySide6.QtGui import QKeySequence
@@ -22,7 +23,6 @@ from PySide6.QtWidgets import (
     QMainWindow,
     QMenu,
     QPlainTextEdit,
-    QRadioButton,
     QScrollArea,
     QScrollBar,
     QSplitter,
@@ -248,6 +248,12 @@ def _out_of_reach(window: QWidget) -> Iterator[str]:
             yield f"takes the focus and no key: {path_of(each)}"
 
 
+def _is_choice(widget: QWidget) -> TypeGuard[QAbstractButton]:
+    return isinstance(widget, QAbstractButton) and (
+        widget.autoExclusive() or widget.group() is not None
+    )
+
+
 def _is_inside(widget: QWidget) -> bool:
     """Return whether a widget is a part of one that has its keys, or has a menu entry."""
     parent = widget.parentWidget()
@@ -256,7 +262,7 @@ def _is_inside(widget: QWidget) -> bool:
         or widget.focusProxy() is not None
         or isinstance(widget, QScrollBar | QHeaderView)
         or isinstance(parent, QAbstractSpinBox | QComboBox | QLineEdit | QTabBar)
-        or (isinstance(widget, QRadioButton) and not widget.isChecked())  # arrows go there
+        or (_is_choice(widget) and not widget.isChecked())  # arrows go there
         or (isinstance(parent, QToolBar) and _is_in_menu(widget))
     )
 

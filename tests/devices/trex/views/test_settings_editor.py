@@ -4,16 +4,16 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QTextCursor
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDialog, QMessageBox, QTableView
+from PySide6.QtWidgets import QApplication, QDialog, QMessageBox, QTabBar
 from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
 from tests.support.colours import contrast
 from tests.support.keyboard import check_keyboard
-from tests.support.pages.settings import SettingsEditorWindow, answer_questions, findings_of
+from tests.support.pages.settings import SettingsEditorWindow, answer_questions
 from tests.support.window import WidgetDriver
 from trex_gui.core.files import load
 from trex_gui.core.resource_files import resource
@@ -40,7 +40,7 @@ TEXT = (
     "motor_mode: 0   # two motors\r\n"
     "rc_channel_2: {minimum: 2600, neutral: 3700, maximum: 4900, deadband: 60}\r\n"
 )
-PARAMETERS, CALIBRATIONS, FINDINGS, TEXT_PAGE = range(4)
+PARAMETERS, CALIBRATIONS, TEXT_PAGE = range(3)
 
 
 class EditorDriver(SettingsEditorWindow):
@@ -76,28 +76,16 @@ class EditorDriver(SettingsEditorWindow):
         self.trigger("Save")
         self.wait_for_files()
 
-    def findings(self, where: str = "editor") -> list[str]:
-        return findings_of(self, where)
-
-    def select_calibration(self, row: int, column: int = 1) -> QTableView:
+    def select_channel(self, channel: int, source: InputSource = InputSource.RC) -> None:
         self.tabs.setCurrentIndex(CALIBRATIONS)
-        view = self.find(QTableView, "calibrationsView")
-        view.setCurrentIndex(view.model().index(row, column))
-        return view
+        self.find(QTabBar, "sourceTabs").setCurrentIndex(list(InputSource).index(source))
+        self.click(f"channel{channel}Strip")
 
-    def type_count(self, row: int, column: int, text: str) -> CountEditor:
-        """Type into a cell of the calibrations and press Return."""
-        view = self.select_calibration(row, column)
-        cells = WidgetDriver(view, self.qtbot)
-        self.wait(lambda: not cells.find_all(CountEditor))
-        view.edit(view.currentIndex())
-        box = cells.find(CountEditor, "countEditor")
-        box.selectAll()
-        QTest.keyClick(box, Qt.Key.Key_Delete)
-        QTest.keyClicks(box, text)
-        QTest.keyClick(box, Qt.Key.Key_Return)
-        QCoreApplication.sendPostedEvents(view.itemDelegate())  # it takes Return a moment later
-        return box
+    def type_minimum(self, text: str) -> None:
+        field = self.find(CountEditor, "minimumEdit")
+        field.selectAll()
+        QTest.keyClicks(field, text)
+        QTest.keyClick(field, Qt.Key.Key_Return)
 
     def compare_dialog(self) -> WidgetDriver:
         return WidgetDriver(self.find(QDialog, "compareDialog"), self.qtbot)
@@ -215,25 +203,12 @@ def test_typing_is_undone_to_the_byte(open_text: Open) -> None:
         editor.editor.close_at_once()
 
 
-def test_finding_shows_its_line_or_is_accepted(open_text: Open) -> None:
+def test_finding_shows_its_line(open_text: Open) -> None:
     editor = open_text("product: TReX\n\n\nmotor_mode: 9\n")
-    editor.tabs.setCurrentIndex(FINDINGS)
-    assert editor.button("editorLine0").text() == "Show line 4"
-    editor.click("editorLine0")
-    assert editor.tabs.currentIndex() == TEXT_PAGE
-    assert editor.text_page.textCursor().blockNumber() == 3
-    editor.editor.close_at_once()
-
-    editor = open_text("product: TReX\nrequired_channels: 1\nignored_channels: 1\n")
-    editor.tabs.setCurrentIndex(FINDINGS)
-    rows = editor.findings()
-    row = next(n for n, words in enumerate(rows) if "required and ignored" in words)
-    assert editor.button(f"editorLine{row}").text() == "Show line 2"
-    assert editor.tabs.tabText(FINDINGS) == f"Findings ({len(rows)})"
     check_keyboard(editor.root)
-    editor.click(f"editorAccept{row}")
-    assert editor.value_of("required_channels") == 0
-    editor.wait(lambda: len(editor.findings()) == len(rows) - 1)
+    assert editor.button("textLine0").text() == "Show line 4"
+    editor.click("textLine0")
+    assert editor.text_page.textCursor().blockNumber() == 3
 
 
 # --- Calibrations -----------------------------------------------------------------------
@@ -241,30 +216,31 @@ def test_finding_shows_its_line_or_is_accepted(open_text: Open) -> None:
 
 def test_calibrations_are_typed_added_and_left_out(editor: EditorDriver) -> None:
     calibrations = editor.document.draft.calibrations
-    editor.type_count(1, 1, "1040.4")
+    editor.select_channel(2)
+    editor.type_minimum("1040.4")
     expected = Calibration(2601, 3700, 4900, 60)
     assert calibrations.shown(CalibrationKey.RC_CHANNEL_2) == expected
     editor.trigger("Undo")
     assert editor.document.text == TEXT
-    box = editor.type_count(1, 1, "fast")
-    assert box.isVisible()
-    assert "not a valid value" in editor.text("calibrationsNote")
-    QTest.keyClick(box, Qt.Key.Key_Escape)
-    editor.type_count(1, 1, "1900")
-    assert "minimum 4750 is above neutral 3700" in editor.text("calibrationsNote")
+    editor.type_minimum("1900")
+    assert "cannot be above neutral" in editor.text("calibrationNote")
     assert editor.document.text == TEXT
+    check_keyboard(editor.root)
 
-    assert editor.select_calibration(7).currentIndex().data() == "not given"
+    editor.select_channel(3, InputSource.ANALOG)
+    assert not editor.is_enabled("minimumEdit")
     editor.click("addCalibrationButton")
     added = calibrations.shown(CalibrationKey.ANALOG_CHANNEL_3)
     assert added == DEFAULT_CALIBRATION[InputSource.ANALOG]
-    editor.select_calibration(1)
+    editor.select_channel(2)
     editor.click("leaveOutCalibrationButton")
     assert calibrations.shown(CalibrationKey.RC_CHANNEL_2) is None
     assert "# rc_channel_2" in editor.document.text
     editor.trigger("Undo")
     editor.trigger("Undo")
     assert editor.document.text == TEXT
+    editor.click("reversedBox")
+    assert editor.value_of("reversed_channels") == 2
 
 
 # --- Saving and closing -----------------------------------------------------------------

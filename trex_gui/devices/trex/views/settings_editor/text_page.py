@@ -134,8 +134,9 @@ class TextPage(QWidget):
     def _on_changed(self) -> None:
         document = self._document
         self.editor.setReadOnly(document.readable)
-        for widget in (self._check, self._repair, self._findings_area):
+        for widget in (self._check, self._repair):
             widget.setVisible(not document.readable)
+        self._findings_area.setVisible(bool(document.findings))
         if document.text != self._shown:
             self._shown = document.text
             place = self.editor.verticalScrollBar().value()
@@ -147,8 +148,7 @@ class TextPage(QWidget):
                 signs[found.line] = found.severity.value
         places = self._editor_lines(signs)
         self.editor.mark({places[line]: sign for line, sign in signs.items()})
-        if not document.readable:
-            self._findings.show_findings(document.findings, text="")
+        self._findings.show_findings(document.findings, text="")
         self._notice.setText(self._notice_text())
 
     def _notice_text(self) -> str:

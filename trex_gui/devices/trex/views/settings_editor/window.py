@@ -20,10 +20,9 @@ from trex_gui.devices.trex.views.changes.files import (
     show_comparison,
     show_conversion,
 )
-from trex_gui.devices.trex.views.findings_list import FindingsList, Remark
 from trex_gui.devices.trex.views.motor_controls import ActionBar
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
-from trex_gui.devices.trex.views.settings_editor.calibration_page import CalibrationEditor
+from trex_gui.devices.trex.views.settings_editor.channels_page import DocumentChannels
 from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
 from trex_gui.devices.trex.views.settings_editor.text_page import TextPage
 from trex_gui.ui.devices.undo import undo_titles
@@ -68,11 +67,12 @@ class SettingsEditor(QMainWindow):
         self.tabs = named(QTabWidget(self), "editorTabs", accessible=tr("Pages"))
         self.tabs.setDocumentMode(True)
         parameters = ParameterTable(document.draft, self._linter, self)
-        self._findings = FindingsList("editor", parameters, self, is_wide=True)
         self._text = TextPage(document, self)
-        self.tabs.addTab(_with_margins(parameters), tr("Parameters"))
-        self.tabs.addTab(CalibrationEditor(document.draft, self), tr("Calibrations"))
-        self._findings_index = self.tabs.addTab(_with_margins(ScrollBox(self._findings)), "")
+        frame = QWidget(self)
+        column(parameters, into=frame, margins=16)
+        self.tabs.addTab(frame, tr("Parameters"))
+        channels = DocumentChannels(document.draft, self._linter, self)
+        self.tabs.addTab(ScrollBox(channels, self), tr("Channels"))
         self._text_index = self.tabs.addTab(self._text, tr("Text"))
         bar = ActionBar(device, "editorStopButton", self)
         row(bar.stop, 1, into=bar)
@@ -88,7 +88,6 @@ class SettingsEditor(QMainWindow):
         self.saver.saved.connect(self._on_saved)
         self.saver.failed.connect(self._on_not_saved)
         document.changed.connect(self._on_document_changed)
-        self._linter.changed.connect(self._on_document_changed)
         text, undo = self._text.editor, document.draft.undo
         board = device.link_changed, device.state_changed
         for changed in (undo.indexChanged, text.undoAvailable, text.redoAvailable, *board):
@@ -97,8 +96,6 @@ class SettingsEditor(QMainWindow):
         self._text.repaired.connect(self._on_repaired)
         document.draft.parameters.rejected.connect(self._banner.show_problem)
         document.draft.parameters.rounded.connect(self._banner.show_news)
-        self._findings.line_chosen.connect(self._on_line_chosen)
-        self._findings.accepted.connect(self._linter.accept)
         self._on_document_changed()
         if not document.readable:
             self.tabs.setCurrentIndex(self._text_index)
@@ -263,14 +260,7 @@ class SettingsEditor(QMainWindow):
         document = self.document
         self.setWindowTitle(tr("{0}[*] – TReX settings file").format(document.name))
         self.setWindowModified(document.modified)
-        findings = self._linter.findings if document.readable else ()
-        found: list[Remark] = [*document.findings, *findings]
-        nothing = tr("No errors, warnings or suggestions.")
-        self._findings.show_findings(found or [nothing], text=document.text if findings else "")
-        count = len(found)
-        title = tr("Findings ({0})").format(count) if count else tr("Findings")
-        self.tabs.setTabText(self._findings_index, title)
-        for index in range(self._findings_index):
+        for index in range(self._text_index):
             self.tabs.setTabEnabled(index, document.readable)
         self._update_actions()
 
@@ -310,11 +300,6 @@ class SettingsEditor(QMainWindow):
             parts.append(tr("Correct the rest in the text."))
         self._banner.show_news(" ".join(parts))
 
-    @Slot(int)
-    def _on_line_chosen(self, line: int) -> None:
-        self.tabs.setCurrentIndex(self._text_index)
-        self._text.show_line(line)
-
     def answer(self) -> SaveAnswer:
         """Ask what to do with unsaved changes, before the window is closed."""
         if self.document.modified:
@@ -336,9 +321,3 @@ class SettingsEditor(QMainWindow):
     def _on_closing(self) -> None:
         save_geometry(self, "editor")
         self.closed.emit()
-
-
-def _with_margins(page: QWidget) -> QWidget:
-    frame = QWidget()
-    column(page, into=frame)
-    return frame

@@ -203,7 +203,8 @@ class ChannelStrips(QWidget):
 
     chosen = Signal()  # another channel
 
-    def __init__(self, device: Device, parent: QWidget) -> None:
+    def __init__(self, device: Device | None, parent: QWidget) -> None:
+        """Create strips of a board, or without one of a file, which have nothing live."""
         super().__init__(parent)
         named(self, "channelStrips", accessible=tr("Channels"))
         self._device = device
@@ -214,9 +215,10 @@ class ChannelStrips(QWidget):
         for channel, strip in self.of.items():
             strip.toggled.connect(partial(self._on_toggled, channel))
         column(*((strip, 1) for strip in self.of.values()), into=self, margins=0, spacing=8)
-        device.telemetry.frame_due.connect(self._on_frame_due)
-        device.telemetry.text_due.connect(self._on_text_due)
-        units().changed.connect(self._on_text_due)
+        if device is not None:
+            device.telemetry.frame_due.connect(self._on_frame_due)
+            device.telemetry.text_due.connect(self._on_text_due)
+            units().changed.connect(self._on_text_due)
 
     def _on_toggled(self, channel: int, is_chosen: bool) -> None:
         if is_chosen:
@@ -241,6 +243,8 @@ class ChannelStrips(QWidget):
     @Slot()
     @only_when_visible
     def _on_frame_due(self) -> None:
+        if self._device is None:
+            return
         telemetry, inputs = self._device.telemetry, self._device.telemetry.inputs
         if telemetry.raw is None or telemetry.latest - self._drawn_until < _INTERVAL:
             return
@@ -255,6 +259,8 @@ class ChannelStrips(QWidget):
     @Slot()
     @only_when_visible
     def _on_text_due(self) -> None:
+        if self._device is None:
+            return
         telemetry, source = self._device.telemetry, self._device.calibrations.source
         if telemetry.raw is None and self._drawn_until > -math.inf:
             self._clear()
