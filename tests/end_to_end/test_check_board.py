@@ -3,11 +3,12 @@
 from functools import partial
 
 import pytest
-from PySide6.QtWidgets import QComboBox, QTabWidget
+from PySide6.QtWidgets import QComboBox
 
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
-from trex_gui.devices.trex.views.check_board import _STEPS, CheckBoardDialog
+from trex_gui.devices.trex.views.check_board import _STEPS
+from trex_gui.devices.trex.views.steps import Steps
 from trex_gui.ui.devices.connection import ConnectionState
 
 
@@ -17,7 +18,7 @@ def _no_other_ports(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def driver_of(window: WindowDriver) -> WidgetDriver:
-    dialog = window.find(CheckBoardDialog, "checkBoardDialog")
+    dialog = window.find(Steps, "checkDialog")
     assert dialog.isVisible()
     return WidgetDriver(dialog, window.qtbot)
 
@@ -44,10 +45,8 @@ def test_jumpers_bring_back_lost_serial_settings(
     window.wait_for_text("bannerText", "No TReX responds")
     window.click("bannerCheckBoard")
     dialog = driver_of(window)
-    tabs = dialog.find(QTabWidget, "checkTabs")
-    assert tabs.currentIndex() == 0
-    tabs.setCurrentIndex(1)
-    assert not dialog.is_enabled("handShakeBack")
+    assert not dialog.is_enabled("checkBackButton")
+    dialog.click("checkNextButton")
 
     changes = (
         ("power off", "jumper mode serial", "jumper mix on", "jumper so-ground on"),
@@ -65,21 +64,19 @@ def test_jumpers_bring_back_lost_serial_settings(
         assert (jumpers["mix"], jumpers["so_ground"]) == step.jumpers[:2]
         if step.title == "SO–G off":
             dialog.click("checkConnectButton")
-            dialog.wait_for_text("checkResult", "is in its boot loader")
+            dialog.wait_for_text("checkNote", "is in its boot loader")
             assert window.has("bannerReconnect")
         if number < len(_STEPS) - 1:
-            dialog.click("handShakeNext")
-    assert not dialog.is_enabled("handShakeNext")
-    dialog.click("checkConnectButton")
+            dialog.click("checkNextButton")
+    dialog.click("checkNextButton")
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
-    assert dialog.text("checkResult") == "Connected to TReX 1.2."
-    assert not dialog.is_enabled("checkConnectButton")
+    assert dialog.text("checkNote") == "Connected to TReX 1.2."
+    assert not dialog.is_enabled("checkNextButton")
     assert board.show()["active_uart"]["crc"] is False
 
     dialog.root.close()
     window.trigger("check_board")
-    assert tabs.currentIndex() == 1
-    assert dialog.text("handShakeToDo") == _STEPS[0].to_do, "from the beginning"
+    assert dialog.has("checkLedsPage"), "from the beginning"
     dialog.root.close()
     window.trigger("find")
     window.click("findCheckButton")

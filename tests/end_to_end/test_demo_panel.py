@@ -92,10 +92,10 @@ def test_stick_sliders_set_channel_inputs(window: WindowDriver, panel: DemoPanel
 
     window.trigger("learn")
     learning = WidgetDriver(window.dialog("learnDialog").root, window.qtbot)
-    learning.wait_for_text("learnHead", "Release every stick")
+    learning.wait_for_text("learnNote", "Release every stick")
     assert trex(window.program).controller.demo_board.automatic == frozenset()
     learning.click("learnNextButton")
-    learning.wait_for_text("learnHead", "Push every stick")
+    learning.wait_for_text("learnNote", "Push every stick")
 
 
 def test_motors_draw_current_and_keep_running_when_unplugged(

@@ -85,7 +85,7 @@ FOCUSED = {
     "numberDialog": "newNumberField",
     "applyToBoardsDialog": "closeBoardsButton",  # nothing can be written in this test
     # The first control: the primary button is disabled at the board of this test.
-    "checkBoardDialog": "qt_tabwidget_tabbar",
+    "checkDialog": "checkNextButton",
 }
 """What has the focus in each dialog when it opens."""
 

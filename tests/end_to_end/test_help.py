@@ -72,7 +72,7 @@ def test_f1_opens_help_on_the_window_in_front(
         assert press_f1(window, dialog) == HELP_TOPICS[name]
         dialog.close()
     window.trigger("check_board")
-    assert press_f1(window, window.find(QDialog, "checkBoardDialog")) == "lost_settings.md"
+    assert press_f1(window, window.find(QDialog, "checkDialog")) == "lost_settings.md"
 
 
 def test_every_dialog_has_a_topic() -> None:

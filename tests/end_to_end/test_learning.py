@@ -19,14 +19,14 @@ from tests.support.window import WindowDriver
 from trex_gui.devices.trex.model.calibration_moves import Handle
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
-from trex_gui.devices.trex.views.learning.dialog import LearnDialog
 from trex_gui.devices.trex.views.pages.channels.page import ChannelsPage
+from trex_gui.devices.trex.views.steps import Steps
 
 
 @pytest.fixture
 def learning(connected_window: WindowDriver, quick_simulator: SimulatedDevice) -> LearningDialog:
     window = connected_window
-    dialog = window.find(LearnDialog, "learnDialog")
+    dialog = window.find(Steps, "learnDialog")
     return LearningDialog(dialog, window.device, quick_simulator, window.qtbot)
 
 
@@ -69,7 +69,7 @@ def test_all_channels_are_learned_and_tested(
     assert [learning.problem(channel) for channel in CHANNELS] == [""] * 5
     learning.assert_nothing_changed()
 
-    learning.click("learnUseButton")
+    learning.click("learnNextButton")
     assert not learning.dialog.isVisible()
     connected_window.click("writeButton")
     # The test follows by itself.
@@ -86,7 +86,7 @@ def test_all_channels_are_learned_and_tested(
     for channel in CHANNELS:
         learning.wait_for_text(f"learnTest{channel}", "Good.")
     learning.wait_for_head("Everything is as it should be")
-    learning.click("learnCancelButton")
+    learning.click("learnCloseButton")
     assert not learning.dialog.isVisible()
 
 
@@ -101,10 +101,10 @@ def test_safe_start_ends_at_the_learned_rest_positions(
     assert show()["safe_start"] is True
     start_in(learning, "serial")
     learning.go_to_review(1, 2, 3)
-    learning.click("learnUseButton")
+    learning.click("learnNextButton")
     connected_window.click("writeButton")
     learning.wait_for_text("learnSafeStart", "would release the motors")
-    learning.click("learnCancelButton")
+    learning.click("learnCloseButton")
 
     learning.transmitter.put(1, 0.5)
     start_in(learning, "rc")
@@ -135,7 +135,7 @@ def test_reviewed_values_are_kept_when_learning_is_reopened(
     for name, request in requests.items():
         request()
         learning.hold()
-        assert learning.can_click("learnUseButton"), name
+        assert learning.can_click("learnNextButton"), name
     learning.assert_nothing_changed()
 
 

@@ -127,7 +127,7 @@ def test_windows_of_trex_fit(screen: QRect, window: WindowDriver, tmp_path: Path
         "learn": "learnDialog",
         "test_sticks": "learnDialog",
         "find": "findDialog",
-        "check_board": "checkBoardDialog",
+        "check_board": "checkDialog",
         "preferences": "preferencesDialog",
     }.items():
         window.trigger(key)

@@ -16,8 +16,8 @@ from tests.support.transmitter import Stick
 from trex_gui.devices.trex.model.calibration_moves import Handle
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
-from trex_gui.devices.trex.views.learning.dialog import LearnDialog
 from trex_gui.devices.trex.views.pages.channels.page import ChannelsPage
+from trex_gui.devices.trex.views.steps import Steps
 from trex_gui.ui.frame.find_dialog import FindDialog
 from trex_gui.ui.plotting.panel import TracePanel
 
@@ -109,7 +109,7 @@ def _end_calibrating(scene: Scene) -> None:
 
 
 def _learning_dialog(scene: Scene) -> LearningDialog:
-    dialog = scene.window.find(LearnDialog, "learnDialog")
+    dialog = scene.window.find(Steps, "learnDialog")
     return LearningDialog(dialog, scene.window.device, scene.board, scene.window.qtbot)
 
 

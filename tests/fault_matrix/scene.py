@@ -35,7 +35,7 @@ Stored = dict[str, int | Calibration]
 Target = tuple[str, int]
 """Direction and speed."""
 
-LABELS = ("bannerText", "questionText", "statusLabel", "motorStateLabel", "learnHead", "reviewHead")
+LABELS = ("bannerText", "questionText", "statusLabel", "motorStateLabel", "learnNote", "reviewHead")
 """Where messages are shown."""
 
 

@@ -16,7 +16,6 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.ui.widgets.accessible import Spoken
-from trex_gui.ui.widgets.step_strip import StepStrip
 
 _OFTEN_SILENT = {"bannerText"}
 """Empty most of the time, and can take the focus at any time."""
@@ -98,8 +97,6 @@ def unspoken(root: QWidget) -> list[str]:
             for kind in (QAccessible.Text.Name, QAccessible.Text.Description)
         )
         match widget:
-            case StepStrip():  # its name is the step of now
-                continue
             case QLabel() if plain_text(widget) not in f"{name} {description}":
                 found.append(f"its name hides its text: {path_of(widget)}")
             # On Linux the name of a combo box is its text.

@@ -16,7 +16,8 @@ from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.views.bars import ChannelBar
-from trex_gui.devices.trex.views.learning.dialog import LearnDialog
+from trex_gui.devices.trex.views.learning.flow import LearnFlow
+from trex_gui.devices.trex.views.steps import Steps
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.theme import theme
 
@@ -33,10 +34,12 @@ class LearningDialog(WidgetDriver):
     """
 
     def __init__(
-        self, dialog: LearnDialog, device: Device, simulator: SimulatedDevice, qtbot: QtBot
+        self, dialog: Steps, device: Device, simulator: SimulatedDevice, qtbot: QtBot
     ) -> None:
         super().__init__(dialog, qtbot)
         self.dialog = dialog
+        assert isinstance(dialog.flow, LearnFlow)
+        self.flow = dialog.flow
         self.device = device
         self.simulator = simulator
         self.transmitter = Transmitter(simulator, {})
@@ -46,7 +49,7 @@ class LearningDialog(WidgetDriver):
 
     @property
     def head(self) -> str:
-        return self.text("learnHead")
+        return self.text("learnNote")
 
     def problem(self, channel: int) -> str:
         return self.text(f"learnProblem{channel}")
@@ -98,7 +101,7 @@ class LearningDialog(WidgetDriver):
     # --- Wait and click -----------------------------------------------------------------
 
     def wait_for_head(self, part: str) -> None:
-        self.wait_for_text("learnHead", part)
+        self.wait_for_text("learnNote", part)
 
     def click(self, name: str) -> None:
         """Click a button once it can be clicked."""
@@ -145,7 +148,7 @@ class LearningDialog(WidgetDriver):
     # --- Go from step to step -----------------------------------------------------------
 
     def start_learning(self, *channels: int) -> None:
-        self.dialog.learn(channels)
+        self.flow.learn(channels)
         self.wait_for_head("Release every stick")
 
     def sample_rest(self) -> None:
@@ -154,7 +157,7 @@ class LearningDialog(WidgetDriver):
 
     def finish_travel(self) -> None:
         self.click("learnNextButton")
-        self.wait(self.button("learnUseButton").isVisible)
+        self.wait(lambda: self.has("learnReviewPage"))
 
     def go_to_travel(self, *channels: int) -> None:
         self.start_learning(*channels)
@@ -166,7 +169,7 @@ class LearningDialog(WidgetDriver):
         self.finish_travel()
 
     def start_test(self, *channels: int) -> None:
-        self.dialog.test(channels)
+        self.flow.test(channels)
         self.wait_for_head("Push every stick")
 
     def apply(self) -> None:
@@ -186,7 +189,7 @@ def learning_dialog(
     device = Device()
     device.connect_to(ConnectionSettings(simulator.url, line or LineSettings()))
     qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED, timeout=TIMEOUT_MS)
-    dialog = LearnDialog(Learning(device, device))
+    dialog = Steps(device, LearnFlow(Learning(device, device)))
     qtbot.addWidget(dialog)
     try:
         yield LearningDialog(dialog, device, simulator, qtbot)

@@ -40,7 +40,7 @@ def test_rest_position_of_a_held_stick_can_be_corrected(learning: LearningDialog
     learning.click("learnUseRest1")
     assert learning.problem(1) == ""
     assert not learning.has("learnUseRest1")
-    learning.click("learnUseButton")
+    learning.click("learnNextButton")
     learning.apply()
     learning.assert_learned(1)
 
@@ -78,7 +78,7 @@ def test_ends_are_marked_when_they_are_reached(learning: LearningDialog) -> None
 
 def test_buttons_say_what_they_do_in_each_step(learning: LearningDialog) -> None:
     learning.use({1: Stick(), 2: Stick(connected=False)})
-    again, take = learning.button("learnAgainButton"), learning.button("learnUseButton")
+    again, take = learning.button("learnAgainButton"), learning.button("learnNextButton")
     learning.start_learning(1, 2)
     assert not again.isVisible()
     bars = learning.find_all(QProgressBar)
@@ -88,7 +88,7 @@ def test_buttons_say_what_they_do_in_each_step(learning: LearningDialog) -> None
     learning.wait_for_head("Not every channel is at rest")
     assert again.text() == "Sample &again"
     learning.sample_rest()
-    assert again.text() == "&Forget these ends"
+    assert again.text() == "Start this step &again"
     assert "rest positions are kept" in again.toolTip()
 
     learning.push(1, -1)
@@ -191,7 +191,7 @@ def test_every_step_fits_a_low_screen(learning: LearningDialog) -> None:
     learning.push(1, -1)
     learning.finish_travel()
     assert_fits("review")
-    learning.click("learnCancelButton")
+    learning.click("learnCloseButton")
     learning.start_test(*CHANNELS)
     assert_fits("test")
     learning.dialog.resize(900, 480)
@@ -216,11 +216,11 @@ def test_unplugging_ends_learning_and_test_and_changes_nothing(learning: Learnin
         step(1)
         learning.simulator.do("line unplug")
         learning.wait_for_head(f"The connection to the board was lost. {outcome}")
-        assert not learning.can_click("learnUseButton"), step
+        assert not learning.can_click("learnNextButton"), step
         assert not learning.can_click("learnNextButton"), step
         learning.click("learnAgainButton")
         learning.wait_for_head("Connect to a board first")
-        learning.click("learnCancelButton")
+        learning.click("learnCloseButton")
         assert not learning.dialog.isVisible()
         learning.assert_nothing_changed()
 
@@ -233,7 +233,7 @@ def test_learning_can_be_cancelled_in_each_step(learning: LearningDialog) -> Non
     learning.use({1: Stick()})
     assert not learning.dialog.isModal()
     cases: tuple[tuple[Callable[[int], None], Callable[[], object]], ...] = (
-        (learning.start_learning, lambda: learning.click("learnCancelButton")),
+        (learning.start_learning, lambda: learning.click("learnCloseButton")),
         (learning.go_to_travel, learning.dialog.close),
         (learning.go_to_review, learning.press_escape),
     )

@@ -1,26 +1,23 @@
 """Dialog for a board that does not respond: what its LEDs mean, and its serial settings."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 
 from PySide6.QtCore import Qt, Signal, Slot
-from PySide6.QtWidgets import QTabWidget, QWidget
+from PySide6.QtWidgets import QPushButton, QWidget
 
 from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.views.jumper_sketch import JumperPlaces, JumperSketch
-from trex_gui.devices.trex.views.start_texts import ttl_wiring
+from trex_gui.devices.trex.views.board.jumpers import JumperPicture
+from trex_gui.devices.trex.views.steps import Flow, Page, Shown
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.frame.wiring_sketch import WiringSketch
+from trex_gui.ui.frame.wiring_sketch import Wires, WiringSketch
 from trex_gui.ui.notifier import ConnectWith
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import ReusedDialog, keep_room
-from trex_gui.ui.widgets.labels import Muted, Note
+from trex_gui.ui.widgets.labels import Muted
 from trex_gui.ui.widgets.leds import Leds
-from trex_gui.ui.widgets.placement import resize_with_font
-from trex_gui.ui.widgets.scroll_box import ScrollBox
-from trex_gui.ui.widgets.step_strip import StepStrip
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,13 +86,12 @@ _SIGHTS = (
 """Ref: the reference's table of LED patterns (guide 4.e, manual pages 10-11, forum 1769, 5011)."""
 
 
-class SightsPage(QWidget):
-    """The LED patterns of a board."""
+class SightsPage(Page):
+    """The LED patterns of a board, and how it is connected."""
 
-    def __init__(self, parent: QWidget) -> None:
-        super().__init__(parent)
-        self.setObjectName("checkLedsPage")
-        rows = ui.grid(margins=0, spacing=(16, 8), stretch=[(1, 1)])
+    def __init__(self, wiring: Wires) -> None:
+        super().__init__("checkLedsPage", tr("What the LEDs show"))
+        rows = ui.grid(self, margins=0, spacing=(16, 8), stretch=[(1, 1)])
         for number, sight in enumerate(_SIGHTS):
             leds = Leds(self)
             leds.show_patterns(sight.leds, ("", ""), (tr(sight.shown),) * 2)
@@ -106,7 +102,10 @@ class SightsPage(QWidget):
             rows.addLayout(ui.column(leds, shown, 1, margins=0, spacing=0), number, 0)
             rows.addLayout(about, number, 1)
         rows.setRowStretch(len(_SIGHTS), 1)
-        ui.column(rows, into=self, margins=12)
+        jumpers = JumperPicture(self.side)
+        jumpers.show_jumpers(remarks={"mode": tr("on is fine, too")})
+        sketch = WiringSketch(wiring, "checkWiring", self.side)
+        ui.column(sketch, jumpers, 1, into=self.side, margins=0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,7 +114,7 @@ class _Step:
 
     title: str
     to_do: str
-    jumpers: tuple[bool, bool, str]  # whether mix and SO–G are on, and which one to move now
+    jumpers: tuple[bool, bool, *tuple[str, ...]]  # mix, SO–G on, and those to move now
     leds: tuple[str, str]
     shown: str
     received: str
@@ -127,7 +126,7 @@ _STEPS = (
         tr_noop(
             "Switch the board off. Remove the mode jumper. Put the mix and SO–G jumpers on.",
         ),
-        (True, True, "mode"),
+        (True, True, "mode", "mix", "so_ground"),
         ("off", "off"),
         tr_noop("Both are off."),
         tr_noop("Nothing: the board has no power."),
@@ -135,7 +134,7 @@ _STEPS = (
     _Step(
         tr_noop("Switch on"),
         tr_noop("Switch the board on."),
-        (True, True, ""),
+        (True, True),
         ("alternate 1/s", "alternate 1/s"),
         tr_noop("Red and green alternate, about once a second."),
         tr_noop("Nothing: the SO–G jumper holds its line to ground."),
@@ -165,7 +164,7 @@ _STEPS = (
             "Switch the board off and on, with all three jumpers removed. Then connect at 19200 "
             "baud, without parity and CRC.",
         ),
-        (False, False, ""),
+        (False, False),
         ("on", "off"),
         tr_noop("Five flashes, then red stays on."),
         tr_noop("The TReX responds at the factory settings."),
@@ -174,128 +173,112 @@ _STEPS = (
 """Ref: forum threads 1769 and 4631. Inferred: which settings are restored."""
 
 
-class HandShakePage(QWidget):
-    """One step at a time; the last one ends with a connection."""
+class HandShakePage(Page):
+    """Draws jumpers and LEDs of a step, and says what the board sends then."""
 
-    def __init__(self, parent: QWidget) -> None:
-        super().__init__(parent)
-        self.setObjectName("handShakePage")
-        self._at = 0
+    def __init__(self) -> None:
+        super().__init__("handShakePage", tr("Jumpers and LEDs"))
+        self._picture = JumperPicture(self, scale=1.5)
+        self._to_do = ui.label(self.side, "handShakeToDo", wrap=True, size="heading")
+        self._leds = ui.label(self.side, "handShakeLeds", wrap=True)
+        self._received = ui.label(self.side, "handShakeReceived", wrap=True)
         text = tr(
-            "Search with Find first: it finds a board at any of its settings. If that fails, "
-            "these steps from Pololu's support forum restore the serial settings of the factory "
-            "(inferred). One user saw the LEDs alternate for three seconds only, and nothing was "
-            "restored: then begin again. Compare the other settings with your last snapshot "
-            "afterwards (Ctrl+H)."
+            "Restores the serial settings of the factory (inferred). If the LEDs alternate for "
+            "three seconds only, begin again."
         )
-        intro = Muted(text, self)
-        self._strip = StepStrip(self)
-        self._step = _StepView(self)
-        button = partial(ui.button, self, default=False)
-        self._back = button("handShakeBack", tr("&Back"), on_click=partial(self._go, -1))
-        self._next = button("handShakeNext", tr("&Next"), on_click=partial(self._go, 1))
-        for each in (self._back, self._next):
-            keep_room(each)
-        step, buttons = ScrollBox(self._step, self), ui.row(1, self._back, self._next)
-        ui.column(intro, self._strip, (step, 1), buttons, into=self, margins=12, spacing=10)
-        self.begin()
-
-    def begin(self) -> None:
-        self._at = 0
-        self._go(0)
-
-    def _go(self, steps: int) -> None:
-        self._at += steps
-        self._strip.show_steps([tr(step.title) for step in _STEPS], self._at)
-        self._step.show_step(_STEPS[self._at])
-        self._back.setEnabled(self._at > 0)
-        self._next.setEnabled(self._at < len(_STEPS) - 1)
-
-
-class _StepView(QWidget):
-    """What to do in a step, and what shows that it was done."""
-
-    def __init__(self, parent: QWidget) -> None:
-        super().__init__(parent)
-        self.setObjectName("handShakeStep")
-        self._sketch = JumperSketch(self)
-        self._to_do = ui.label(self, "handShakeToDo", wrap=True, bold=True)
-        self._leds = Leds(self)
-        self._shown = ui.label(self, "handShakeLeds", wrap=True)
-        self._received = ui.label(self, "handShakeReceived", wrap=True)
         titles = (tr("What the LEDs show"), tr("What this computer receives"))
-        leds, received = (Muted(title, self) for title in titles)
-        shown = ui.row(self._leds, (self._shown, 1))
-        items = self._to_do, leds, shown, received, self._received, 1
-        about = ui.column(*items, margins=0, spacing=8)
-        top = Qt.AlignmentFlag.AlignTop
-        ui.row((self._sketch, 0, top), (about, 1), into=self, margins=0, spacing=20)
+        leds, received = (Muted(title, self.side) for title in titles)
+        ui.column((self._picture, 0, Qt.AlignmentFlag.AlignCenter), into=self, margins=0)
+        items = self._to_do, leds, self._leds, received, self._received, Muted(text, self.side)
+        ui.column(*items, into=self.side, margins=0)
 
     def show_step(self, step: _Step) -> None:
-        self._sketch.show_boards(JumperPlaces(tr("Jumpers"), "", *step.jumpers))
+        mix, so_ground, *moved = step.jumpers
+        self._picture.show_jumpers(mix=mix, so_ground=so_ground, moved=moved, leds=step.leds)
         self._to_do.setText(tr(step.to_do))
-        self._leds.show_patterns(step.leds, ("", ""), (tr(step.shown),) * 2)
-        self._shown.setText(tr(step.shown))
+        self._leds.setText(tr(step.shown))
         self._received.setText(tr(step.received))
 
 
-class CheckBoardDialog(ReusedDialog):
-    """Not modal: it is read beside the board, and Stop stays in reach."""
+class CheckBoardFlow(Flow):
+    """What a board that does not respond shows, then the steps for lost serial settings."""
 
     connect_requested = Signal(object)  # a `ConnectWith`
     find_requested = Signal()
 
-    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("checkBoardDialog")
-        self.setWindowTitle(tr("Board does not respond"))
-        resize_with_font(self, 860, 560)
+    name = "check"
+
+    def __init__(self, device: Device, wiring: Wires) -> None:
+        super().__init__()
         self._device = device
-        title = tr("Ways to a board that responds")
-        tabs = ui.named(QTabWidget(self), "checkTabs", accessible=title)
-        tabs.setDocumentMode(True)  # else its background is brighter than muted text bears
-        self._steps = HandShakePage(tabs)
-        wires = QWidget(tabs)
-        caption = Muted(tr("Mode may also be on: the board responds in every mode."), wires)
-        sketch = WiringSketch(ttl_wiring(), "checkWiring", wires)
-        ui.column((sketch, 1), caption, into=wires, margins=12)
-        tabs.addTab(ScrollBox(SightsPage(tabs), tabs), tr("&What the board shows"))
-        tabs.addTab(self._steps, tr("&Lost serial settings"))
-        tabs.addTab(wires, tr("W&iring"))
-        self._result = ui.named(Note(2, self), "checkResult")
-        button = partial(ui.button, self)
-        self._find = button("checkFindButton", tr("&Find now"), icon="find", default=True)
-        self._connect = button(
-            "checkConnectButton",
-            tr("&Connect at factory settings"),
-            icon="connect",
-            default=False,
-            tip=tr("19200 baud, without parity and CRC, whatever the device number"),
-            on_click=lambda: self.connect_requested.emit(ConnectWith(ConnectionSettings(""))),
-        )
-        close = button("checkCloseButton", tr("Close"), default=False, on_click=self.close)
-        buttons = ui.row(self._find, self._connect, 1, close)
-        ui.column((tabs, 1), self._result, buttons, into=self)
-        self._find.clicked.connect(self.find_requested)
+        self._at = 0
+        self._pages = SightsPage(wiring), HandShakePage()
+        self._result = "", False
         device.link_changed.connect(self._on_link_changed)
         device.request_failed.connect(self._on_failed)
 
-    def open_dialog(self) -> None:
-        if not self.isVisible():
-            self._steps.begin()
-            self._result.show_note("")
-        self._on_link_changed()
-        self.show_in_front()
+    @property
+    def title(self) -> str:
+        return tr("Board does not respond")
+
+    def add_buttons(self, parent: QWidget) -> Sequence[QPushButton]:
+        button = partial(ui.button, parent, default=False)
+        self._find = button("checkFindButton", tr("&Find now"), icon="find")
+        tip = tr("19200 baud, without parity and CRC, whatever the device number")
+        text = tr("&Connect at factory settings")
+        self._connect = button("checkConnectButton", text, tip=tip, on_click=self._connect_now)
+        self._find.clicked.connect(self.find_requested)
+        return self._find, self._connect
+
+    def shown(self) -> Shown:
+        sights, hand_shake = self._pages
+        is_free = self._device.link is ConnectionState.DISCONNECTED
+        is_last = self._at == len(_STEPS)
+        for button in (self._find, self._connect):
+            button.setEnabled(is_free)
+        self._connect.setVisible(not is_last)
+        if self._at:
+            hand_shake.show_step(_STEPS[self._at - 1])
+        note, is_alarming = self._result
+        return Shown(
+            [tr("LEDs"), *(tr(step.title) for step in _STEPS)],
+            self._at,
+            hand_shake if self._at else sights,
+            note=note,
+            is_alarming=is_alarming,
+            next=self._connect.text() if is_last else tr("&Next"),
+            may_go_on=is_free or not is_last,
+            may_go_back=self._at > 0,
+        )
+
+    def open(self) -> None:
+        self.opened.emit(True)
+
+    def back(self) -> None:
+        self._at -= 1
+        self.changed.emit()
+
+    def next(self) -> None:
+        if self._at == len(_STEPS):
+            self._connect_now()
+        else:
+            self._at += 1
+            self.changed.emit()
+
+    def leave(self, *, closed: bool) -> None:
+        if closed:
+            self._at, self._result = 0, ("", False)
+
+    def _connect_now(self) -> None:
+        self.connect_requested.emit(ConnectWith(ConnectionSettings("")))
 
     @Slot()
     def _on_link_changed(self) -> None:
-        is_free = self._device.link is ConnectionState.DISCONNECTED
-        for button in (self._find, self._connect):
-            button.setEnabled(is_free)
-        if not is_free:
-            self._result.show_note(self._device.status)
+        if self._device.link is not ConnectionState.DISCONNECTED:
+            self._result = self._device.status, False
+            self.changed.emit()
 
     @Slot(str)
     def _on_failed(self, reason: str) -> None:
-        if self.isVisible():
-            self._result.show_note(reason, alarming=True)
+        self._result = reason, True
+        self.changed.emit()

@@ -32,7 +32,7 @@ TOPICS = {  # by object names
     "textFindings": _FINDINGS,
     "applyToBoardsDialog": "connecting.md#several-boards-on-one-line",
     "benchDialog": "currents.md#bench-test",
-    "checkBoardDialog": "lost_settings.md",
+    "checkDialog": "lost_settings.md",
     "compareDialog": "settings.md#settings-files",
     "convertDialog": "settings.md#settings-files",
     "gamepadDialog": "driving.md#gamepad",

@@ -15,7 +15,8 @@ from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.views.changes.review import Review
-from trex_gui.devices.trex.views.review.power_cycle import PowerCycleDialog
+from trex_gui.devices.trex.views.review.power_cycle import PowerCycleFlow
+from trex_gui.devices.trex.views.steps import Steps
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.notifier import Answer
 from trex_gui.ui.translations import error_sentence
@@ -33,7 +34,8 @@ class SettingsCommands(QObject):
         self._device = device
         self._question = frame.question
         self.review = Review(device, linter, boards, frame)
-        self.power = PowerCycleDialog(device, frame)
+        self.power = PowerCycleFlow(device)
+        Steps(device, self.power, frame)
 
         device.applied.connect(self._on_applied)
         device.applied.connect(frame.question.reconsider)

@@ -7,13 +7,14 @@ from PySide6.QtCore import QObject
 from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.boards import BoardList
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.views.bench.dialog import BenchDialog
 from trex_gui.devices.trex.views.changes.boards import ApplyToSeveral
 from trex_gui.devices.trex.views.changes.review import Review
-from trex_gui.devices.trex.views.check_board import CheckBoardDialog
+from trex_gui.devices.trex.views.check_board import CheckBoardFlow
 from trex_gui.devices.trex.views.history_dialog import HistoryDialog
-from trex_gui.devices.trex.views.learning.dialog import LearnDialog
-from trex_gui.devices.trex.views.setup.dialog import SetupDialog
+from trex_gui.devices.trex.views.setup.flow import SetupFlow
+from trex_gui.devices.trex.views.steps import Steps
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.notifier import Remedy
 
@@ -25,14 +26,14 @@ class Tools(QObject):
         self,
         device: Device,
         boards: BoardList,
-        learn: LearnDialog,
+        learning: Learning,
         review: Review,
         frame: MainWindow,
     ) -> None:
         super().__init__(frame)
         self._device = device
         self._boards = boards
-        self._learn = learn
+        self._learning = learning
         self._review = review
         self._frame = frame
 
@@ -49,19 +50,20 @@ class Tools(QObject):
         return dialog
 
     @cached_property
-    def setup(self) -> SetupDialog:
-        dialog = SetupDialog(self._device, self._learn.learning, self._frame)
-        dialog.learn_requested.connect(self._learn.learn)
-        dialog.apply_requested.connect(self._review.review)
-        return dialog
+    def setup(self) -> SetupFlow:
+        flow = SetupFlow(self._device, self._learning)
+        flow.apply_requested.connect(self._review.review)
+        Steps(self._device, flow, self._frame)
+        return flow
 
     @cached_property
     def apply_to_boards(self) -> ApplyToSeveral:
         return ApplyToSeveral(self._boards, self._device, self._frame)
 
     @cached_property
-    def check_board(self) -> CheckBoardDialog:
-        dialog = CheckBoardDialog(self._device, self._frame)
-        dialog.find_requested.connect(lambda: self._frame.apply_remedy(Remedy.FIND))
-        dialog.connect_requested.connect(self._frame.apply_remedy)
-        return dialog
+    def check_board(self) -> CheckBoardFlow:
+        flow = CheckBoardFlow(self._device)
+        flow.find_requested.connect(lambda: self._frame.apply_remedy(Remedy.FIND))
+        flow.connect_requested.connect(self._frame.apply_remedy)
+        Steps(self._device, flow, self._frame)
+        return flow

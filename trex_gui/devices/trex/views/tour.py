@@ -56,12 +56,12 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
     yield partial(tour.press, "learnNextButton")
     yield partial(tour.is_visible, "learnReviewPage")
     yield from tour.look_at("learnDialog", "learn-review")
-    yield partial(tour.press, "learnCancelButton")
+    yield partial(tour.press, "learnCloseButton")
     yield partial(tour.choose, "test_sticksAction")
     yield partial(is_reached, "learnTestPage")
     yield from hold(1850)
     yield from tour.look_at("learnDialog", "learn-test")
-    yield partial(tour.press, "learnCancelButton")
+    yield partial(tour.press, "learnCloseButton")
     yield partial(tour.choose, "setupAction")
     for step in SETUP_STEPS:
         yield from tour.look_at("setupDialog", f"setup-{step}")
@@ -71,8 +71,8 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
     yield controller.leave
     yield lambda: controller.link is ConnectionState.DISCONNECTED
     yield partial(tour.choose, "check_boardAction")
-    yield from tour.look_at("checkBoardDialog", "check-leds")
-    yield partial(tour.choose_tab, "checkTabs", 1)
-    yield partial(tour.press, "handShakeNext")
-    yield from tour.look_at("checkBoardDialog", "check-jumpers")
+    yield from tour.look_at("checkDialog", "check-leds")
+    for _ in range(2):
+        yield partial(tour.press, "checkNextButton")
+    yield from tour.look_at("checkDialog", "check-jumpers")
     yield partial(tour.press, "checkCloseButton")

@@ -20,7 +20,7 @@ from trex_gui.devices.trex.views.board.page import BoardPage
 from trex_gui.devices.trex.views.boards import BoardPanel
 from trex_gui.devices.trex.views.demo_panel import DemoPanel
 from trex_gui.devices.trex.views.help import GUIDE, TOPICS, message_help
-from trex_gui.devices.trex.views.learning.dialog import LearnDialog
+from trex_gui.devices.trex.views.learning.flow import LearnFlow
 from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
 from trex_gui.devices.trex.views.motor_controls import ControlBar, arm
 from trex_gui.devices.trex.views.pages.channels.page import ChannelsPage
@@ -32,6 +32,7 @@ from trex_gui.devices.trex.views.recordings import Recordings
 from trex_gui.devices.trex.views.settings_commands import SettingsCommands
 from trex_gui.devices.trex.views.settings_files import SettingsFiles
 from trex_gui.devices.trex.views.start_texts import start_texts
+from trex_gui.devices.trex.views.steps import Steps
 from trex_gui.devices.trex.views.traffic_comparison import compare_traffic
 from trex_gui.ui.devices.undo import undo_titles
 from trex_gui.ui.frame.main_window import MainWindow
@@ -104,8 +105,9 @@ class TrexWorkspace(Workspace):
         self._settings = settings = SettingsCommands(device, self._linter, boards, frame)
         self._close_prompt = ClosePrompt(device, files, settings.review, frame)
         RestorePrompt(device, files, frame.question)
-        learning = Learning(device, self)
-        self._learn = LearnDialog(learning, frame)
+        self._learning = learning = Learning(device, self)
+        self._learn = LearnFlow(learning)
+        Steps(device, self._learn, frame)
         self._plot: PlotWindow | None = None
         learning.begun.connect(controller.demo_board.centre_sticks)
 
@@ -117,7 +119,7 @@ class TrexWorkspace(Workspace):
         self.recordings.used.connect(partial(frame.files.recent.note, self.key, "recording"))
         self.recordings.settings_wanted.connect(self.files.open_editor)
         settings.parameter_wanted.connect(self._show_parameter)
-        for reviewed in (bar.apply_requested, learning.edited):
+        for reviewed in (bar.apply_requested, self._learn.apply_requested):
             reviewed.connect(settings.review.review)
         learning.stored.connect(settings.review.close_if_verified)  # the test of the sticks follows
         controller.demo_board.rejected.connect(self.notifier.error)
@@ -198,7 +200,7 @@ class TrexWorkspace(Workspace):
         from trex_gui.devices.trex.views.tools import Tools  # noqa: PLC0415 - rarely needed
 
         review = self._settings.review
-        return Tools(self._device, self._boards, self._learn, review, self._frame)
+        return Tools(self._device, self._boards, self._learning, review, self._frame)
 
     @Slot()
     def _apply_to_boards(self) -> None:
@@ -206,7 +208,7 @@ class TrexWorkspace(Workspace):
 
     @Slot()
     def _set_up(self) -> None:
-        self._tools.setup.open_setup()
+        self._tools.setup.open()
 
     def _open_bench(self) -> None:
         self._tools.bench.show_in_front()
@@ -215,7 +217,7 @@ class TrexWorkspace(Workspace):
         self._tools.history.open_history()
 
     def _check_board(self) -> None:
-        self._tools.check_board.open_dialog()
+        self._tools.check_board.open()
 
     @Slot(object)
     def _show_parameter(self, key: object) -> None:

@@ -199,13 +199,13 @@ class Learning(QObject):
             channel.choice = replace(channel.choice, **changes)
         self.changed.emit()
 
-    def use_values(self) -> None:
-        """Edit the settings as chosen, in one undo step.
+    def use_values(self) -> bool:
+        """Edit the settings as chosen, in one undo step; return whether an edit is pending.
 
-        If all of it is stored already, nothing is pending, and `stored` is emitted at once.
+        If all of it is stored already, `stored` is emitted at once.
         """
         if not self.can_use_values:
-            return
+            return False
         choices = {c.number: c.choice for c in self.channels if c.can_be_used and c.choice}
         is_pending = self.pending.edit(choices, tr("Learn channels"))
         self._go(LearningStep.ENDED)
@@ -213,6 +213,7 @@ class Learning(QObject):
             self.edited.emit()
         else:
             self._report_stored(tuple(choices), tr("These values are stored already."))
+        return is_pending
 
     def cancel(self) -> None:
         """End it in any step; the board and the edits stay unchanged."""

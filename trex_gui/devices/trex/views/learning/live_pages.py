@@ -3,8 +3,7 @@
 from collections.abc import Sequence
 from enum import Enum
 
-from PySide6.QtCore import QMargins, QSize, Qt, Slot
-from PySide6.QtGui import QResizeEvent
+from PySide6.QtCore import Qt, Slot
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from trex_gui.core.translation import Number, tr
@@ -17,15 +16,13 @@ from trex_gui.devices.trex.model.learning.stick_tests import StickTest, StickTes
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.descriptions import CHANNEL_ROLES
 from trex_gui.devices.trex.views.bars import ChannelBar, OutputBar
+from trex_gui.devices.trex.views.steps import Page
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import keep_room
 from trex_gui.ui.widgets.labels import Muted, Note, Sign
 
 _GAP = 12
-_MARGINS = QMargins(0, 0, 8, 0)
-_BAR_GROWS = 0.5  # of its least width, before text gets a place beside a bar
-_TEXT_WIDTH = 26
-_TEST_TEXT_WIDTH = 20  # characters of the text beside a bar before it wraps
+_TEXT_WIDTH = 20  # characters of the text beside a bar before it wraps
 
 
 def _channel_label(channel: int, parent: QWidget) -> QLabel:
@@ -34,114 +31,57 @@ def _channel_label(channel: int, parent: QWidget) -> QLabel:
     return ui.label(parent, text=text, rich=True)
 
 
-def _text_label(parent: QWidget, name: str, characters: int) -> QLabel:
-    label = ui.label(parent, name, wrap=True)
-    label.setMinimumWidth(characters * label.fontMetrics().averageCharWidth())
-    return label
-
-
 class ChannelRow:
-    """One channel: its name and live bar, signs and text beside or below it, then a problem."""
+    """One channel: its name and live bar, below the bar signs and text, or a problem."""
 
     text_name = ""
 
-    def __init__(self, learning: Learning, channel: LearnedChannel, page: QWidget) -> None:
+    def __init__(
+        self, learning: Learning, channel: LearnedChannel, page: QWidget, grid: QGridLayout
+    ) -> None:
         self.learning = learning
         self.channel = channel
-        self.page = page
-        self._narrow = False
         number = channel.number
-        self._name = _channel_label(number, page)
         self.bar = ChannelBar(page)
         self.bar.setAccessibleName(tr("Raw input of channel {0}").format(number))
         self.bar.set_connected(True)
         self.bar.set_source(channel.source)
-        self._beside = QWidget(page)
-        self.text = _text_label(self._beside, f"{self.text_name}{number}", _TEXT_WIDTH)
-        self.problem = ui.named(Note(1, page), f"learnProblem{number}")
-
-        row = ui.row(*self.make_signs(self._beside), into=self._beside, margins=0)
-        row.addSpacing(4)
-        row.addWidget(self.text, 1)
+        self.text = ui.label(page, f"{self.text_name}{number}", wrap=True)
+        self._problem = ui.named(Note(1, page), f"learnProblem{number}")
+        signs = self.make_signs(page)
+        self._below = ui.row(*signs, (self.text, 1), (self._problem, 1), margins=0, spacing=4)
+        row = grid.rowCount()
+        grid.addWidget(_channel_label(number, page), row, 0)
+        grid.addWidget(self.bar, row, 1)
+        # Qt works out a height too low for text that wraps across a column without a width.
+        grid.addLayout(self._below, row + 1, 1)
 
     def make_signs(self, parent: QWidget) -> Sequence[QWidget]:
         raise NotImplementedError
 
-    def put_into(self, grid: QGridLayout, row: int, *, narrow: bool) -> None:
-        """Fill three rows of a grid: name, bar and text; the text if `narrow`; a problem."""
-        for widget in (self._name, self.bar, self._beside, self.problem):
-            grid.removeWidget(widget)
-        self._narrow = narrow
-        self._align()
-        grid.addWidget(self._name, row, 0)
-        grid.addWidget(self.bar, row, 1)
-        grid.addWidget(self._beside, row + narrow, 1 if narrow else 2)
-        # Qt works out a height too low for text that wraps across a column without a width.
-        grid.addWidget(self.problem, row + 2, 1, 1, 1 if narrow else 2)
-
-    def least_width(self, *, narrow: bool) -> int:
-        """Return the width in pixels, without the gaps between name, bar and text."""
-        bar, text = (widget.minimumSizeHint().width() for widget in (self.bar, self._beside))
-        both = max(bar, text) if narrow else bar + round(_BAR_GROWS * bar) + text
-        return self._name.minimumSizeHint().width() + both
-
-    def least_height(self) -> int:
-        """Return the height with the text below the bar, and a problem of three lines."""
-        lines = 3 * self.problem.fontMetrics().lineSpacing()
-        return self.bar.minimumSizeHint().height() + self._beside.minimumSizeHint().height() + lines
-
     def refresh(self) -> None:
         self.bar.set_raw(self.channel.raw)
-        self._align()
+        self._below.setContentsMargins(self.bar.inset, 0, 0, 0)
 
-    def _align(self) -> None:
-        """Align the problem and the text with the track of the bar."""
-        inset = self.bar.inset
-        self.problem.setContentsMargins(inset, 0, 0, 0)
-        self._beside.setContentsMargins(inset if self._narrow else 0, 0, 0, 0)
+    def show_problem(self, problem: str) -> None:
+        """Show a problem instead of the text, if there is any."""
+        self._problem.show_note(problem, alarming=bool(problem))
+        self._problem.setVisible(bool(problem))
+        self.text.setVisible(not problem)
 
 
-class ChannelRows(QWidget):
-    """A page with a row for each channel that is learned."""
+class ChannelRows(Page):
+    """Has a row for each channel that is learned."""
 
     def __init__(self, learning: Learning, name: str, row: type[ChannelRow]) -> None:
-        super().__init__()
-        self.setObjectName(name)
-        self._rows = [row(learning, channel, self) for channel in learning.channels]
-        self._narrow = False
-        self._grid = ui.grid(spacing=(_GAP, 2))
-        ui.column(self._grid, 1, into=self).setContentsMargins(_MARGINS)
+        super().__init__(name)
+        grid = ui.grid(spacing=(_GAP, 2), stretch=[(1, 1)])
+        self._rows = [row(learning, channel, self, grid) for channel in learning.channels]
+        ui.column(grid, 1, into=self, margins=0)
 
         for changed in (learning.changed, learning.measured):
             changed.connect(self._on_changed)
-        self._arrange()
         self._on_changed()
-
-    def minimumSizeHint(self) -> QSize:
-        """As wide as it has to be with the text below the bars."""
-        return QSize(self._least_width(narrow=True), super().minimumSizeHint().height())
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        narrow = self.width() < self._least_width(narrow=False)
-        if narrow != self._narrow:
-            self._narrow = narrow
-            self._arrange()
-
-    @property
-    def least_seen(self) -> int:
-        """How many pixels of the page have to be visible: a whole row."""
-        return max(row.least_height() for row in self._rows)
-
-    def _least_width(self, *, narrow: bool) -> int:
-        widest = max(row.least_width(narrow=narrow) for row in self._rows)
-        return widest + (_GAP if narrow else 2 * _GAP) + _MARGINS.left() + _MARGINS.right()
-
-    def _arrange(self) -> None:
-        self._grid.setColumnStretch(1, 3)
-        self._grid.setColumnStretch(2, 0 if self._narrow else 2)
-        for number, row in enumerate(self._rows):
-            row.put_into(self._grid, 3 * number, narrow=self._narrow)
 
     @Slot()
     def _on_changed(self) -> None:
@@ -161,7 +101,7 @@ class RestRow(ChannelRow):
     def refresh(self) -> None:
         super().refresh()
         problems = self.channel.rest_problems
-        self.problem.show_note(problems_text(problems), alarming=bool(problems))
+        self.show_problem(problems_text(problems))
         if problems:
             self._sign.show_sign("warning", "warning")
         elif self.learning.has_sampled and self.channel.is_at_rest:
@@ -235,13 +175,12 @@ class TravelRow(ChannelRow):
             sign.setVisible(travel is not None)
         if travel is None:
             self.text.setText(tr("Left out: its rest position is not known."))
-            self.problem.show_note("")
+            self.show_problem("")
             return
         self._show_ends(travel)
         self.text.setText(self._text(travel))
-        silent = self.channel.is_silent
-        problem = problem_text(no_signal(travel.source)) if silent else ""
-        self.problem.show_note(problem, alarming=silent)
+        is_silent = self.channel.is_silent
+        self.show_problem(problem_text(no_signal(travel.source)) if is_silent else "")
 
     def _show_ends(self, travel: Travel) -> None:
         reached = {way: travel.reached(way) for way in Way}
@@ -283,23 +222,20 @@ class TravelRow(ChannelRow):
         return tr("No end reached yet.")
 
 
-class TestPage(QWidget):
+class TestPage(Page):
     """A row for each channel that is tested; below them, what safe-start would do."""
 
     __test__ = False
 
     def __init__(self, learning: Learning, tests: StickTests) -> None:
-        super().__init__()
-        self.setObjectName("learnTestPage")
+        super().__init__("learnTestPage")
         self._tests = tests
         self._rows: list[tuple[StickTest, OutputBar, Sign, QLabel]] = []
-        self._safe_sign = Sign(self)
-        self._safe_start = ui.named(Note(2, self), "learnSafeStart")
+        self._safe_sign = Sign(self.side)
+        self._safe_start = ui.named(Note(3, self.side), "learnSafeStart")
         explanation = tr(
-            "Calculated from the values in the board, for each channel by itself. From the "
-            "manual: full output at and beyond the ends, 0 in the deadband, and what "
-            "safe-start waits for. Assumed: up to 8 of 127 counts as neutral; the switching "
-            "points of switches."
+            "Calculated from the values in the board, for each channel by itself. Assumed: up to "
+            "8 of 127 counts as neutral; the switching points of switches."
         )
 
         grid = ui.grid(spacing=(_GAP, _GAP), stretch=[(1, 3), (3, 3)])
@@ -308,23 +244,18 @@ class TestPage(QWidget):
             bar = OutputBar(self)
             bar.setAccessibleName(tr("Output of channel {0}").format(number))
             bar.set_connected(True)
-            sign, text = Sign(self), _text_label(self, f"learnTest{number}", _TEST_TEXT_WIDTH)
+            sign, text = Sign(self), ui.label(self, f"learnTest{number}", wrap=True)
+            text.setMinimumWidth(_TEXT_WIDTH * text.fontMetrics().averageCharWidth())
             for column, widget in enumerate((_channel_label(number, self), bar, sign, text)):
                 grid.addWidget(widget, row, column)
             self._rows.append((test, bar, sign, text))
         safe_start = ui.row((self._safe_sign, 0, Qt.AlignmentFlag.AlignTop), (self._safe_start, 1))
-        items = grid, 1, safe_start, Muted(explanation, self)
-        ui.column(*items, into=self).setContentsMargins(_MARGINS)
+        ui.column(grid, 1, into=self, margins=0)
+        ui.column(safe_start, Muted(explanation, self.side), into=self.side, margins=0)
 
         for changed in (learning.changed, learning.measured):
             changed.connect(self._on_changed)
         self._on_changed()
-
-    @property
-    def least_seen(self) -> int:
-        """How many pixels of the page have to be visible: a whole row."""
-        text = 3 * self.fontMetrics().lineSpacing()
-        return max([text, *(bar.minimumSizeHint().height() for _, bar, _, _ in self._rows)])
 
     @Slot()
     def _on_changed(self) -> None:

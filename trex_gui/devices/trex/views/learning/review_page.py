@@ -4,8 +4,8 @@ from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QSignalBlocker, QSize, Qt, Slot
-from PySide6.QtGui import QIcon, QResizeEvent
-from PySide6.QtWidgets import QBoxLayout, QTabBar, QWidget
+from PySide6.QtGui import QIcon
+from PySide6.QtWidgets import QTabBar, QWidget
 
 from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import tr
@@ -19,13 +19,13 @@ from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.descriptions import CHANNEL_ROLES
 from trex_gui.devices.trex.views.count_editor import CountEditor
 from trex_gui.devices.trex.views.pages.channels.curve_plot import CurvePlot
+from trex_gui.devices.trex.views.steps import Page
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.units import units
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import LegendKey, Muted, Note
 
-_GAP, _MARGIN = 16, 8
 _FORM_CHARACTERS = 17
 _CURVE_CHARACTERS, _CURVE_LINES = 40, 13
 
@@ -33,8 +33,8 @@ _CURVE_CHARACTERS, _CURVE_LINES = 40, 13
 class ChannelForm(QWidget):
     """One channel: whether to use its values, the values, the old ones and the reasons."""
 
-    def __init__(self, learning: Learning, channel: LearnedChannel) -> None:
-        super().__init__()
+    def __init__(self, learning: Learning, channel: LearnedChannel, parent: QWidget) -> None:
+        super().__init__(parent)
         self._learning = learning
         self.channel = channel
         number = channel.number
@@ -200,28 +200,26 @@ class CurvePane(QWidget):
         self._live.setText(text.format(channel.source.text(channel.raw), ", ".join(outputs)))
 
 
-class ReviewPage(QWidget):
-    """One channel at a time: its numbers, and beside or below them its curve."""
+class ReviewPage(Page):
+    """One channel at a time: its curve, and beside it its numbers."""
 
     def __init__(self, learning: Learning) -> None:
-        super().__init__()
-        self.setObjectName("learnReviewPage")
+        super().__init__("learnReviewPage")
         self._learning = learning
 
         self._tabs = ui.named(QTabBar(self), "learnChannelTabs", accessible=tr("Channels"))
         self._tabs.setExpanding(False)
-        self._forms = [ChannelForm(learning, channel) for channel in learning.channels]
+        self._tabs.setUsesScrollButtons(False)
+        self._forms = [ChannelForm(learning, channel, self.side) for channel in learning.channels]
         for channel in learning.channels:
-            self._tabs.addTab(tr("Channel {0}").format(channel.number))
+            self._tabs.addTab(tr("CH{0}").format(channel.number))
         self._curve = CurvePane(learning)
         source = learning.preconditions.source
         why = tr(WHY_THESE_VALUES).format(source.text(deadband_floor(source)))
-        self._common = ui.named(Muted(why, self), "learnCommonReasons")
-        self._earlier = ui.named(Note(0, self), "learnEarlierEdits")
-
-        self._body = ui.row((ui.column(*self._forms), 2), (self._curve, 3), spacing=_GAP)
-        items = self._tabs, (self._body, 1), self._common, self._earlier
-        ui.column(*items, into=self, margins=(0, 0, _MARGIN, 0))
+        self._common = ui.named(Muted(why, self.side), "learnCommonReasons")
+        self._earlier = ui.named(Note(0, self.side), "learnEarlierEdits")
+        ui.column(self._tabs, (self._curve, 1), into=self, margins=0)
+        ui.column(*self._forms, self._common, self._earlier, into=self.side, margins=0)
 
         self._tabs.currentChanged.connect(self._on_changed)
         self._tabs.setVisible(len(self._forms) > 1)
@@ -237,20 +235,6 @@ class ReviewPage(QWidget):
     @property
     def _form(self) -> ChannelForm:
         return self._forms[max(0, self._tabs.currentIndex())]
-
-    def minimumSizeHint(self) -> QSize:
-        """As wide as numbers or curve need, whichever needs more."""
-        return QSize(max(self._widths()) + _MARGIN, super().minimumSizeHint().height())
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        wide = self.width() - _MARGIN >= sum(self._widths()) + _GAP
-        direction = QBoxLayout.Direction
-        self._body.setDirection(direction.LeftToRight if wide else direction.TopToBottom)
-
-    def _widths(self) -> tuple[int, int]:
-        form = max(form.minimumSizeHint().width() for form in self._forms)
-        return form, self._curve.minimumSizeHint().width()
 
     @Slot()
     def _on_changed(self) -> None:

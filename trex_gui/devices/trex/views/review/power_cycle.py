@@ -1,54 +1,37 @@
 """The steps of a power cycle: a panel of the review, and a dialog of its own."""
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtWidgets import QFrame, QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.power_cycle import PowerCycle, PowerCycleStage
-from trex_gui.devices.trex.views.motor_controls import ActionBar
+from trex_gui.devices.trex.views.steps import Flow, Page, Shown
 from trex_gui.ui.theme.theme import set_look
-from trex_gui.ui.widgets.behaviour import ReusedDialog
-from trex_gui.ui.widgets.builders import button, column, grid, label, named, row, set_bold
-from trex_gui.ui.widgets.labels import Note, Sign
-from trex_gui.ui.widgets.placement import resize_with_font
+from trex_gui.ui.widgets.behaviour import keep_room
+from trex_gui.ui.widgets.builders import button, column, named
+from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.step_strip import StepStrip
 
 _STEPS_DONE = {PowerCycleStage.ON_WANTED: 1, PowerCycleStage.BACK: 3}
 
 
-class PowerCyclePanel(QFrame):
-    """Shows the next step, what was detected, and what is active afterwards."""
+class PowerCyclePage(Page):
+    """Says what to do next, what was detected, and what is active afterwards."""
 
-    def __init__(self, cycle: PowerCycle, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("powerCyclePanel")
-        set_look(self, "card")
+    def __init__(self, cycle: PowerCycle) -> None:
+        super().__init__("powerCyclePage")
         self._cycle = cycle
         self._waiting: tuple[str, ...] = ()
-
         self._title = named(Note(1, self), "powerCycleTitle")
-        self._result = named(Note(2, self), "powerCycleResult")
+        self._result = named(Note(3, self), "powerCycleResult")
         text = tr("I have &switched it off and on")
         self._confirm = button(self, "powerCycleDone", text, on_click=cycle.confirm)
-
-        layout = grid(self, margins=(12, 8, 12, 8), stretch=[(1, 1)])
-        layout.addWidget(self._title, 0, 0, 1, 3)
-        texts = (
-            tr("Switch the board off for at least one second."),
-            "",
-            tr("The program reads the settings again."),
-        )
-        self._steps = [
-            (Sign(self), label(self, f"powerCycleStep{number}", text, wrap=True))
-            for number, text in enumerate(texts, 1)
-        ]
-        for number, (sign, step) in enumerate(self._steps, 1):
-            layout.addWidget(sign, number, 0, Qt.AlignmentFlag.AlignTop)
-            layout.addWidget(step, number, 1, 1, 2)
-        layout.addWidget(self._result, 4, 0, 1, 2)
-        layout.addWidget(self._confirm, 4, 2, Qt.AlignmentFlag.AlignBottom)
-        layout.setRowStretch(5, 1)
-
+        keep_room(self._confirm)
+        confirm = self._confirm, 0, Qt.AlignmentFlag.AlignRight
+        column(self._title, self._result, 1, confirm, into=self, margins=0, spacing=8)
         cycle.changed.connect(self._on_changed)
         self._on_changed()
 
@@ -58,16 +41,6 @@ class PowerCyclePanel(QFrame):
         if stage is PowerCycleStage.OFF_WANTED:
             self._waiting = self._cycle.still_waiting
         self._title.show_note(self._title_text())
-        done = _STEPS_DONE.get(stage, 0)
-        for number, (sign, step) in enumerate(self._steps):
-            name = "ok" if number < done else "run" if number == done else ""
-            sign.show_sign("" if stage is PowerCycleStage.NONE else name)
-            set_bold(step, number == done)
-        expected, text = self._cycle.expected, tr("Switch it on again.")
-        if expected is not None:
-            text = tr("Switch it on again. The program then reconnects at {0}.")
-            text = text.format(expected.line.text())
-        self._steps[1][1].setText(text)
         text, alarming = self._result_text()
         self._result.show_note(text, alarming=alarming)
         is_long = stage is PowerCycleStage.OFF_WANTED and self._cycle.takes_long
@@ -91,14 +64,20 @@ class PowerCyclePanel(QFrame):
                     "power off for a full second."
                 ), False
             case PowerCycleStage.OFF_WANTED, False:
-                return tr("Waiting for the board to stop responding …"), False
+                return tr(
+                    "Switch the board off for at least one second. Waiting for the board to stop "
+                    "responding …"
+                ), False
             case PowerCycleStage.ON_WANTED, True:
                 return tr(
                     "The board is still not responding. Check its power and the cable. If both "
                     "are fine, disconnect and press “Find…”, which tries every setting."
                 ), True
             case PowerCycleStage.ON_WANTED, False:
-                text = tr("The board has stopped responding. Waiting for it to respond again …")
+                text = tr("Switch it on again. Waiting for it to respond again …")
+                if (expected := self._cycle.expected) is not None:
+                    reconnects = tr("The program then reconnects at {0}.")
+                    text = f"{text} {reconnects.format(expected.line.text())}"
                 return text, False
             case PowerCycleStage.LOST, _:
                 return tr(
@@ -118,27 +97,49 @@ class PowerCyclePanel(QFrame):
         return "", False
 
 
-class PowerCycleDialog(ReusedDialog):
-    """Not modal, with a stop button of its own."""
+def _steps(cycle: PowerCycle) -> tuple[Sequence[str], int]:
+    """Return the titles of the steps, and how many are done."""
+    titles = tr("Switch off"), tr("Switch on"), tr("Read again")
+    return titles, _STEPS_DONE.get(cycle.stage, 0)
 
-    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
+
+class PowerCyclePanel(QFrame):
+    """Steps of a power cycle inside of another dialog."""
+
+    def __init__(self, cycle: PowerCycle, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName("powerCycleDialog")
-        self.setWindowTitle(tr("Switch the board off and on"))
-        resize_with_font(self, 560, 240)
+        self.setObjectName("powerCyclePanel")
+        set_look(self, "card")
+        strip = StepStrip(self)
+        column(strip, (PowerCyclePage(cycle), 1), into=self, margins=(12, 8, 12, 8))
+        cycle.changed.connect(lambda: strip.show_steps(*_steps(cycle)))
+        strip.show_steps(*_steps(cycle))
+
+
+class PowerCycleFlow(Flow):
+    name = "powerCycle"
+    size = 620, 340
+
+    def __init__(self, device: Device) -> None:
+        super().__init__()
         self._device = device
         self._cycle = PowerCycle(device, self)
+        self._page = PowerCyclePage(self._cycle)
+        self._cycle.changed.connect(self.changed)
 
-        panel = PowerCyclePanel(self._cycle, self)
-        bar = ActionBar(device, "powerCycleStopButton", self)
-        text = tr("Close")
-        close = button(self, "powerCycleCloseButton", text, default=True, on_click=self.close)
-        row(bar.stop, 1, close, into=bar)
-        column((panel, 1), bar, into=self)
-        self.finished.connect(self._cycle.end)
+    @property
+    def title(self) -> str:
+        return tr("Switch the board off and on")
+
+    def shown(self) -> Shown:
+        return Shown(*_steps(self._cycle), self._page, closes=True)
+
+    def leave(self, *, closed: bool) -> None:
+        if closed:
+            self._cycle.end()
 
     def guide(self) -> None:
         """Begin a power cycle and show its steps, if a board is connected."""
         if self._device.is_connected:  # not while the window closes
             self._cycle.begin()
-            self.show_in_front()
+            self.opened.emit(True)

@@ -3,11 +3,11 @@
 from functools import partial
 from itertools import chain
 
-from PySide6.QtCore import Signal, Slot
+from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QButtonGroup, QWidget
+from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import recent_fault_text
 from trex_gui.devices.trex.model.learning.learning import Learning
@@ -15,60 +15,77 @@ from trex_gui.devices.trex.model.setup.pulses import STRONGER
 from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup
 from trex_gui.devices.trex.model.setup.wiring import Driver, Movement, Rewiring, Side, Wiring
 from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.views import robot_view
 from trex_gui.devices.trex.views.bars import ChannelBar
 from trex_gui.devices.trex.views.motor_controls import ArmButton, TimeoutNotice
-from trex_gui.ui.theme.theme import set_look
+from trex_gui.devices.trex.views.robot_view import RobotView
+from trex_gui.devices.trex.views.steps import Page
+from trex_gui.ui.theme.theme import set_look, set_text_color
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import HoldButton, keep_room, only_when_visible
 from trex_gui.ui.widgets.labels import Muted, Note
 
+_MOVEMENTS: dict[tuple[robot_view.Side, bool], Movement] = {
+    ("left", True): Movement.LEFT_FORWARD,
+    ("left", False): Movement.LEFT_BACKWARD,
+    ("right", True): Movement.RIGHT_FORWARD,
+    ("right", False): Movement.RIGHT_BACKWARD,
+}
+_SEEN = {
+    Movement.LEFT_FORWARD: tr_noop("Left wheel, forward"),
+    Movement.LEFT_BACKWARD: tr_noop("Left wheel, backward"),
+    Movement.RIGHT_FORWARD: tr_noop("Right wheel, forward"),
+    Movement.RIGHT_BACKWARD: tr_noop("Right wheel, backward"),
+    Movement.NOTHING: tr_noop("Nothing"),
+}
 
-class SticksPage(QWidget):
-    """Leads to learning; or, with learned channels, asks for the directions of the sticks."""
 
-    learn_requested = Signal()
+class SetupPage(Page):
+    """Page of the assistant, which follows the state of the set-up."""
 
-    def __init__(
-        self, device: Device, setup: RobotSetup, learning: Learning, parent: QWidget
-    ) -> None:
-        super().__init__(parent)
+    def refresh(self) -> None:
+        raise NotImplementedError
+
+
+class SticksPage(SetupPage):
+    """Begins learning; or, with learned channels, asks for the directions of the sticks."""
+
+    def __init__(self, device: Device, setup: RobotSetup, learning: Learning) -> None:
+        super().__init__("setupSticksPage", tr("The board learns your sticks"))
         self._device = device
         self._setup = setup
         self._learning = learning
         self._unclear: tuple[int, ...] = ()
-        text = tr(
-            "The board has to know the middle and the ends of each stick. Learning measures them "
-            "in about two minutes, in a separate window, and ends with a review. The motors stay "
-            "off meanwhile. Learn before you go on: the next step, which motor is which, needs the "
-            "directions of the sticks."
+        side = self.side
+        text = tr("About two minutes; the motors stay off. The next step needs the directions.")
+        button = partial(ui.button, side, default=False)
+        self._learn = button(
+            "setupLearnButton",
+            tr("&Learn channels…"),
+            icon="calibrate",
+            on_click=self._begin_learning,
         )
-        learn_text = ui.label(self, text=text, wrap=True)
-        button = partial(ui.button, self, default=False)
-        self._learn = button("setupLearnButton", tr("&Learn channels…"), icon="calibrate")
-        self._blocker = ui.named(Note(1, self), "setupLearnBlocker")
-        text = tr(
-            "Already learned? Then show which way the sticks go: push, hold and click. In serial "
-            "mode they move no motor."
-        )
-        pushed_text = ui.label(self, text=text, wrap=True)
+        self._blocker = ui.named(Note(1, side), "setupLearnBlocker")
+        pushed = ui.label(side, text=tr("Already learned? Push, hold and click:"), wrap=True)
         self._forward = button(
             "setupForwardButton", on_click=lambda: self._note((2,) if self._is_one else (1, 2))
         )
-        text = tr("The stick is fully &right now")
-        self._right = button("setupRightButton", text, on_click=lambda: self._note((1,)))
+        text_right = tr("The stick is fully &right now")
+        self._right = button("setupRightButton", text_right, on_click=lambda: self._note((1,)))
         self._wiring = Muted(parent=self)
         self._bars = {channel: self._make_bar(channel) for channel in (1, 2)}
         self._known = {
-            channel: ui.named(Note(1, self), f"setupStick{channel}Note") for channel in self._bars
+            channel: ui.named(Note(2, self), f"setupStick{channel}Note") for channel in self._bars
         }
-        learn_row = ui.row(self._learn, (self._blocker, 1), 1)
-        pushing = ui.row(self._forward, self._right, 1)
-        above = learn_text, learn_row, pushed_text, pushing, self._wiring
-        channels = chain.from_iterable(zip(self._known.values(), self._bars.values(), strict=True))
-        ui.column(*above, *channels, 1, into=self, margins=0, spacing=10)
-
-        self._learn.clicked.connect(self.learn_requested)
+        channels = chain.from_iterable(zip(self._bars.values(), self._known.values(), strict=True))
+        ui.column(*channels, 1, self._wiring, into=self, margins=0, spacing=10)
+        items = self._learn, Muted(text, side), self._blocker, pushed, self._forward, self._right
+        ui.column(*items, into=side, margins=0)
         device.telemetry.frame_due.connect(self._show_inputs)
+
+    @Slot()
+    def _begin_learning(self) -> None:
+        self._learning.begin()
 
     def _make_bar(self, channel: int) -> ChannelBar:
         accessible = tr("Raw input of channel {0}").format(channel)
@@ -139,90 +156,122 @@ class SticksPage(QWidget):
         return text
 
 
-class _MotorBox(ui.Card):
-    """A button to hold for one motor, and what it moved."""
+class WiringPage(SetupPage):
+    """Nothing on it moves while motors are armed: texts have their space, buttons are disabled."""
 
-    def __init__(self, setup: RobotSetup, motor: int, parent: QWidget) -> None:
-        super().__init__(tr("Motor {0}").format(motor), parent)
-        self._setup = setup
-        self._motor = motor
-        tip = tr("Short, weak pulses while you hold it with the mouse or the space bar")
-        hold = HoldButton(tr("Hold to pulse motor {0}").format(motor), self)
-        self._hold = ui.named(hold, f"setupHold{motor}", tip=tip)
-        self._hold.setMinimumHeight(2 * self.fontMetrics().height() + 4)
-        ui.set_bold(self._hold)
-        set_look(self._hold, "primary")
-        question = ui.label(self, text=tr("What turned, and which way?"))
-        texts = {
-            Movement.LEFT_FORWARD: tr("Left wheel, forward"),
-            Movement.RIGHT_FORWARD: tr("Right wheel, forward"),
-            Movement.LEFT_BACKWARD: tr("Left wheel, backward"),
-            Movement.RIGHT_BACKWARD: tr("Right wheel, backward"),
-            Movement.NOTHING: tr("Nothing"),
-        }
-        self._answers = {}
-        self._group = QButtonGroup(self)
-        for movement, text in texts.items():
-            name = f"setupMotor{motor}{movement.name.title().replace('_', '')}"
-            answer = ui.radio_button(self, name, text)
-            answer.setAccessibleName(f"{self.title()}: {text}")
-            answer.clicked.connect(partial(setup.note_movement, motor, movement))
-            self._group.addButton(answer)
-            self._answers[movement] = answer
-        ui.column(self._hold, question, *self._answers.values(), into=self, spacing=4)
-
-        self._hold.hold_started.connect(self._on_hold_started)
-        self._hold.hold_ended.connect(setup.pulses.release)
-
-    @Slot()
-    def _on_hold_started(self) -> None:
-        stronger = self._setup.movements.get(self._motor) is Movement.NOTHING
-        self._setup.pulses.start(self._motor, stronger=stronger)
-
-    def show_state(self, *, can_hold: bool) -> None:
-        pulses = self._setup.pulses
-        self._hold.setEnabled(pulses.motor in {0, self._motor} and can_hold)
-        seen = self._setup.movements.get(self._motor)
-        self._group.setExclusive(False)
-        for movement, answer in self._answers.items():
-            answer.setChecked(movement is seen)
-        self._group.setExclusive(True)
-
-
-class WiringPage(QWidget):
-    """Nothing on it moves while motors are armed: texts have their room, buttons are disabled."""
-
-    def __init__(self, device: Device, setup: RobotSetup, parent: QWidget) -> None:
-        super().__init__(parent)
-        self.setObjectName("setupWiringPage")
+    def __init__(self, device: Device, setup: RobotSetup) -> None:
+        super().__init__("setupWiringPage", tr("Hold a button, then click what moved"))
         self._device = device
         self._setup = setup
-        text = tr("The wheels are &off the ground, and nothing can get caught in them")
-        self._free = ui.check_box(self, "setupWheelsFree", text)
-        self._run_place = QWidget(self)  # disables the button, which enables itself
+        self._asked = 1  # the motor whose movement a click answers
+        side = self.side
+        self._question = ui.named(QLabel(self), "setupQuestion")
+        ui.set_bold(self._question)
+        self._robot = RobotView(self, asks=True)
+        self._robot.wheel_clicked.connect(self._on_wheel_clicked)
+        wheels = self._robot.findChildren(QPushButton)
+        for wheel in sorted(wheels, key=lambda wheel: "Backward" in wheel.objectName()):
+            wheel.setToolTip(wheel.accessibleName())
+            wheel.raise_()  # Tab goes across
+        text = tr("Nothing &moved")
+        self._nothing = ui.button(
+            self,
+            "setupNothingMoved",
+            text,
+            checkable=True,
+            default=False,
+            on_click=lambda: self._note(Movement.NOTHING),
+        )
+        middle = Qt.AlignmentFlag.AlignHCenter
+        items = (self._question, 0, middle), (self._robot, 1), (self._nothing, 0, middle)
+        ui.column(*items, into=self, margins=0)
+
+        text = tr("The wheels are &off the ground")
+        self._free = ui.check_box(side, "setupWheelsFree", text)
+        self._run_place = QWidget(side)  # disables the button, which enables itself
         run = ArmButton(device, "setupRunButton", self._run_place)
         run.setAutoDefault(False)
         self._run_place.setEnabled(False)
         ui.row(run, into=self._run_place, margins=0)
-        self._note = ui.named(Note(2, self), "setupPulseNote")
-        self._boxes = [_MotorBox(setup, motor, self) for motor in (1, 2)]
-        self._result = ui.named(Note(4, self), "setupWiringNote")
+        self._note_label = ui.named(Note(3, side), "setupPulseNote")
+        self._holds: dict[int, HoldButton] = {}
+        self._answers: dict[int, QPushButton] = {}
+        for motor in (1, 2):
+            self._holds[motor] = self._make_hold(motor)
+            self._answers[motor] = self._make_answer(motor)
+        self._result = ui.named(Note(3, side), "setupWiringNote")
         text = tr("Wir&es swapped – test again")
         tip = tr("Forget both answers and find out again which motor is which")
         self._again = ui.button(
-            self, "setupAgainButton", text, icon="reload", default=False, tip=tip
+            side, "setupAgainButton", text, icon="reload", default=False, tip=tip
         )
         keep_room(self._again)
-        top = ui.row((self._free, 1), self._run_place)
-        boxes = ui.row(*((box, 1) for box in self._boxes))
-        result = ui.row((self._result, 1), self._again, spacing=10)
-        notice = TimeoutNotice(device, self)
-        ui.column(top, self._note, boxes, result, 1, notice, into=self, margins=0)
+        motors = chain.from_iterable(zip(self._holds.values(), self._answers.values(), strict=True))
+        notice = TimeoutNotice(device, side)
+        first = self._free, self._run_place, self._note_label, *motors
+        ui.column(*first, self._result, self._again, notice, into=side, margins=0, spacing=6)
 
         self._free.clicked.connect(setup.pulses.confirm_wheels)
         self._again.clicked.connect(setup.forget_movements)
         for changed in (setup.changed, setup.pulses.changed, device.telemetry.text_due):
             changed.connect(self.refresh)
+
+    def _make_hold(self, motor: int) -> HoldButton:
+        hold = HoldButton(tr("Hold to turn motor {0}").format(motor), self.side)
+        tip = tr("Short, weak pulses while you hold it with the mouse or the space bar")
+        ui.named(hold, f"setupHold{motor}", tip=tip)
+        hold.setMinimumHeight(2 * self.fontMetrics().height() + 4)
+        set_look(hold, f"motor{motor}")
+        ui.set_bold(hold)
+        hold.hold_started.connect(partial(self._on_hold_started, motor))
+        hold.hold_ended.connect(self._setup.pulses.release)
+        return hold
+
+    def _make_answer(self, motor: int) -> QPushButton:
+        name, tip = f"setupAnswer{motor}", tr("Click what this motor moved")
+        answer = ui.button(self.side, name, tip=tip, default=False)
+        set_look(answer, "link")
+        answer.clicked.connect(partial(self._ask, motor))
+        return answer
+
+    def _ask(self, motor: int) -> None:
+        self._asked = motor
+        self.refresh()
+
+    def _on_hold_started(self, motor: int) -> None:
+        self._asked = motor
+        stronger = self._setup.movements.get(motor) is Movement.NOTHING
+        self._setup.pulses.start(motor, stronger=stronger)
+
+    @Slot(str, bool)
+    def _on_wheel_clicked(self, side: robot_view.Side, forward: bool) -> None:
+        self._note(_MOVEMENTS[side, forward])
+
+    def _note(self, seen: Movement) -> None:
+        motor = self._asked
+        if 3 - motor not in self._setup.movements and seen is not Movement.NOTHING:
+            self._asked = 3 - motor
+        self._setup.note_movement(motor, seen)
+
+    def _show_answers(self) -> None:
+        """Show what each motor moved, and ask for the motor that was held last."""
+        movements = self._setup.movements
+        self._question.setText(tr("What did motor {0} move?").format(self._asked))
+        set_text_color(self._question, f"motor{self._asked}")
+        keys = {movement: key for key, movement in _MOVEMENTS.items()}
+        colors: dict[str, str] = {}
+        for motor, answer in self._answers.items():
+            seen = movements.get(motor)
+            text = tr(_SEEN[seen]) if seen else tr("not tried yet")
+            sign = "✓ " if seen in keys else ""
+            answer.setText(f"{sign}{tr('Motor &{0}').format(motor)}: {text}")
+            if seen in keys:
+                colors[keys[seen][0]] = f"motor{motor}"
+        self._robot.show_wheel("left", 0, colors.get("left", "outline"))
+        self._robot.show_wheel("right", 0, colors.get("right", "outline"))
+        asked = movements.get(self._asked)
+        self._robot.choose(*keys[asked]) if asked in keys else self._robot.choose(None)
+        self._nothing.setChecked(asked is Movement.NOTHING)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -237,18 +286,16 @@ class WiringPage(QWidget):
         self._free.setChecked(pulses.wheels_are_free)
         may_run = can_confirm and pulses.wheels_are_free
         self._run_place.setEnabled(may_run or self._device.motors.armed)
-        for box in self._boxes:
-            box.show_state(can_hold=not blocker)
-        text = blocker or tr(
-            "Armed. Hold a button: its motor is driven forward in short, weak pulses; the other "
-            "one stays at rest. Then say below what turned."
-        )
+        for motor, hold in self._holds.items():
+            hold.setEnabled(pulses.motor in {0, motor} and not blocker)
+        self._show_answers()
+        text = blocker or tr("Armed. The motor turns for 0.4 s at 20 % while you hold.")
         if pulses.motor:
             text = tr("Motor {0} is driven in pulses. Release the button to stop it.")
             text = text.format(pulses.motor)
         if not blocker:
             text = recent_fault_text(self._device) or text
-        self._note.show_note(text, alarming=self._device.motors.armed)
+        self._note_label.show_note(text, alarming=self._device.motors.armed)
         wiring = self._setup.wiring
         rewiring = wiring.rewiring(self._setup.driver) if wiring else None
         self._again.setVisible(bool(rewiring))
@@ -263,8 +310,8 @@ class WiringPage(QWidget):
                     "Raise it, or check the battery and the wires of this motor."
                 )
             return tr(
-                "Nothing turned: the next pulses are stronger (30 % instead of 20 %). If that does "
-                "not help, check the battery and the wires of this motor."
+                "Nothing turned: the next pulses are stronger (30 %). If that does not help, check "
+                "the battery and the wires of this motor."
             )
         if wiring is None or rewiring is None:
             if len(setup.movements) == 2:
@@ -275,13 +322,10 @@ class WiringPage(QWidget):
         if not setup.driver.uses_sticks:
             return tr("Motor 1 drives the left wheel, motor 2 the right one, both forward.")
         if not setup.knows_sticks:
-            text = tr(
-                "No wires have to be swapped. Settings make the wheels follow the sticks, but "
-                "those settings depend on the directions of the sticks, which are not known yet: "
+            return tr(
+                "No wires have to be swapped, but the directions of the sticks are not known yet: "
                 "go back to Sticks. Your answers are kept."
             )
-            swapped = tr("Motor 1 drives the right wheel, motor 2 the left one.")
-            return f"{swapped} {text}" if wiring.swapped else text
         if setup.edits:
             return tr("Settings correct this; no wires have to be swapped.")
         return tr("Nothing has to change: the wheels follow the sticks.")

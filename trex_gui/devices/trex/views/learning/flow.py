@@ -1,0 +1,333 @@
+"""Steps of learning: motors stopped, hands off, all ends, review; or a test of the sticks."""
+
+from collections.abc import Callable, Sequence
+from functools import partial
+
+from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtWidgets import QPushButton, QWidget
+
+from trex_gui.core.translation import Number, tr
+from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
+from trex_gui.devices.trex.protocol.flags import CHANNELS
+from trex_gui.devices.trex.views.learning.live_pages import (
+    ChannelRows,
+    RestRow,
+    TestPage,
+    TravelRow,
+)
+from trex_gui.devices.trex.views.robot_view import RobotView
+from trex_gui.devices.trex.views.steps import Flow, Page, Shown
+from trex_gui.ui.widgets import builders as ui
+
+# Index of a step; others are at 0, the test at 1.
+_PLACES = {LearningStep.NEUTRAL: 1, LearningStep.TRAVEL: 2, LearningStep.REVIEW: 3}
+
+
+class LearnFlow(Flow):
+    """Opening it again while it is learning only shows it: no measurement is lost."""
+
+    size = 1040, 660
+    apply_requested = Signal()  # the learned values are edits now
+
+    def __init__(
+        self, learning: Learning, parent: QObject | None = None, *, name: str = "learn"
+    ) -> None:
+        """`name` is another one inside of another task, which also opens the test by itself."""
+        super().__init__(parent)
+        self.name = name
+        self.learning = learning
+        self._page: Page | None = None
+        self._shown_for: tuple[LearningStep, object] | None = None
+        self._offers_test = False
+        self._place = 0
+        learning.changed.connect(self._on_changed)
+        learning.measured.connect(self._on_measured)
+        if name == "learn":
+            learning.stored.connect(self._on_stored)
+
+    @property
+    def title(self) -> str:
+        return tr("Test the sticks") if self._is_testing else tr("Learn channels")
+
+    @property
+    def _is_testing(self) -> bool:
+        return self.learning.is_test or self._offers_test
+
+    def learn(self, channels: Sequence[int] = CHANNELS) -> None:
+        """Learn these channels unless it is learning already; the motors are stopped first."""
+        self._open(partial(self.learning.begin, channels))
+
+    def test(self, channels: Sequence[int] = CHANNELS) -> None:
+        """Test the sticks with the stored values; the motors are stopped first."""
+        self._open(partial(self.learning.begin_test, channels))
+
+    def _open(self, begin: Callable[[], object]) -> None:
+        if not self.is_learning:
+            self._offers_test = False
+            begin()
+        self.opened.emit(True)
+
+    @property
+    def is_learning(self) -> bool:
+        """Whether measurements would be lost; a test is quickly repeated."""
+        ended = {LearningStep.ENDED, LearningStep.FAILED}
+        return not self.learning.is_test and self.learning.step not in ended
+
+    # --- Buttons ------------------------------------------------------------------------
+
+    def add_buttons(self, parent: QWidget) -> Sequence[QPushButton]:
+        button = partial(ui.button, parent, default=False)
+        self._again = button(f"{self.name}AgainButton", icon="reload", on_click=self.learning.again)
+        tip = tr("If a channel does not get a good result, learn its values again.")
+        self._learn_again = button(
+            f"{self.name}ChannelAgainButton",
+            icon="calibrate",
+            tip=tip,
+            on_click=self._on_learn_again,
+        )
+        return self._again, self._learn_again
+
+    @Slot()
+    def _on_learn_again(self) -> None:
+        tests = self.learning.tests
+        if tests is not None and tests.to_learn_again:
+            self.learning.begin(tests.to_learn_again)
+
+    def back(self) -> None:
+        self.learning.back()
+
+    def next(self) -> None:
+        if self._offers_test:
+            self.test(self.learning.numbers)
+        elif self.learning.step is not LearningStep.REVIEW:
+            self.learning.next()
+        elif self.learning.use_values():
+            self.apply_requested.emit()
+
+    def leave(self, *, closed: bool) -> None:
+        if closed:
+            self.learning.cancel()
+
+    # --- What changes -------------------------------------------------------------------
+
+    @Slot()
+    def _on_stored(self) -> None:
+        if not self.learning.motors_armed:
+            self.test(self.learning.numbers)
+            return
+        self._offers_test = True  # the user is driving: the motors run on
+        self.opened.emit(False)
+
+    @Slot()
+    def _on_measured(self) -> None:
+        live = {LearningStep.TEST, LearningStep.TRAVEL}
+        if self.learning.sampling or self.learning.step in live:
+            self.changed.emit()
+
+    @Slot()
+    def _on_changed(self) -> None:
+        if self.learning.step is LearningStep.ENDED:
+            self._shown_for = None
+            self.closed.emit()
+        else:
+            self.changed.emit()
+
+    # --- Pages --------------------------------------------------------------------------
+
+    def shown(self) -> Shown:
+        learning, step = self.learning, self.learning.step
+        learn = [tr("Hands off"), tr("All ends"), tr("Review")]
+        titles = [tr("Stop the motors"), *([tr("Test")] if self._is_testing else learn)]
+        if step is not LearningStep.FAILED:
+            self._place = _PLACES.get(step, int(step is LearningStep.TEST))
+        self.show_buttons()
+        text, may_go_on, tip = tr("&Next"), learning.can_go_on, ""
+        if self._offers_test:
+            text, may_go_on = tr("Stop the motors and &test"), True
+        elif step is LearningStep.DOUBT:
+            text = tr("The motors are stopped: co&ntinue")
+        elif step is LearningStep.REVIEW:
+            text, may_go_on = tr("&Use these values…"), learning.can_use_values
+            tip = _review_texts(learning)[1]
+        elif step in {LearningStep.TEST, LearningStep.FAILED}:
+            text = ""
+        ends = {LearningStep.TEST, LearningStep.FAILED, LearningStep.ENDED}
+        return Shown(
+            titles,
+            min(self._place, len(titles) - 1),
+            self._page_of(step),
+            note=_head_text(learning, offers_test=self._offers_test),
+            is_alarming=_is_alarming(learning),
+            next=text,
+            may_go_on=may_go_on,
+            tip=tip,
+            may_go_back=step in {LearningStep.TRAVEL, LearningStep.REVIEW},
+            closes=self._offers_test or step in {LearningStep.TEST, LearningStep.DOUBT},
+            close="" if step in ends else tr("Cancel"),
+        )
+
+    def _page_of(self, step: LearningStep) -> Page:
+        # New channels or tests need a new page, too.
+        learning = self.learning
+        subject = learning.tests if step is LearningStep.TEST else learning.channels
+        if self._page is not None and self._shown_for == (step, subject):
+            return self._page
+        if self._page is not None:
+            for widget in (self._page, self._page.side):
+                widget.hide()
+                widget.setParent(None)
+                widget.deleteLater()
+        self._shown_for = step, subject
+        self._page = page = self._make_page(step)
+        return page
+
+    def _make_page(self, step: LearningStep) -> Page:
+        learning = self.learning
+        match step:
+            case LearningStep.NEUTRAL:
+                return ChannelRows(learning, "learnRestPage", RestRow)
+            case LearningStep.TRAVEL:
+                return ChannelRows(learning, "learnTravelPage", TravelRow)
+            case LearningStep.REVIEW:
+                # pyqtgraph takes as long to load as Qt: import it only when it is needed.
+                from trex_gui.devices.trex.views.learning import review_page  # noqa: PLC0415
+
+                return review_page.ReviewPage(learning)
+            case LearningStep.TEST if learning.tests is not None:
+                return TestPage(learning, learning.tests)
+        page = Page("learnStopPage")
+        ui.column((RobotView(page), 1), into=page, margins=0)
+        return page
+
+    def show_buttons(self, *, hidden: bool = False) -> None:
+        learning, step = self.learning, self.learning.step
+        text, tip = _again_texts(step)
+        self._again.setText(text)
+        self._again.setToolTip(ui.plain(tip))
+        never = step in {LearningStep.STOPPING, LearningStep.ENDED}
+        waits = step is LearningStep.NEUTRAL and not (learning.has_sampled or learning.sampling)
+        self._again.setVisible(not (hidden or never or waits))
+        self._again.setEnabled(not learning.sampling)
+        numbers = () if learning.tests is None else learning.tests.to_learn_again
+        text = tr("&Learn channel(s) {0} again", "", len(numbers))
+        self._learn_again.setText(text.format(", ".join(map(str, numbers))))
+        is_useful = step is LearningStep.TEST and bool(numbers)
+        self._learn_again.setVisible(is_useful and not hidden)
+
+
+def _again_texts(step: LearningStep) -> tuple[str, str]:
+    """Return the text and the tip of the button that repeats a step."""
+    match step:
+        case LearningStep.NEUTRAL:
+            return tr("Sample &again"), ""
+        case LearningStep.TRAVEL:
+            return tr("Start this step &again"), tr("The rest positions are kept.")
+        case LearningStep.REVIEW:
+            return tr("&Start over"), tr("Go back to the rest positions.")
+        case LearningStep.TEST:
+            return tr("Test &again"), ""
+    return tr("Try &again"), tr("Stop the motors again and begin again.")
+
+
+def _is_alarming(learning: Learning) -> bool:
+    if learning.inputs.stalled:
+        return True
+    match learning.step:
+        case LearningStep.NEUTRAL if learning.has_sampled:
+            return not all(channel.is_at_rest for channel in learning.channels)
+        case LearningStep.TEST if learning.tests is not None:
+            return learning.tests.channels_passed and not learning.tests.passed
+    return learning.step in {LearningStep.FAILED, LearningStep.DOUBT}
+
+
+def _head_text(learning: Learning, *, offers_test: bool) -> str:
+    if offers_test:
+        return tr("The new values are in the board. Their test has to stop the motors first.")
+    if learning.inputs.stalled:
+        return tr("The board sends no measurements: the line is busy or disturbed. Waiting …")
+    match learning.step:
+        case LearningStep.STOPPING:
+            return tr("Stopping the motors. The board has to confirm the stop.")
+        case LearningStep.NEUTRAL:
+            return _rest_text(learning)
+        case LearningStep.TRAVEL:
+            return _travel_text(learning)
+        case LearningStep.REVIEW:
+            return _review_texts(learning)[0]
+        case LearningStep.TEST:
+            return f"{learning.news} {_test_text(learning)}".strip()
+    return learning.trouble
+
+
+def _rest_text(learning: Learning) -> str:
+    if learning.sampling:
+        return tr("Hands off. Sampling … {0:.1f} s").format(Number(learning.seconds_left))
+    if not learning.has_sampled:
+        return tr("Release every stick and set every switch to off. Then click Next.")
+    bad = [str(channel.number) for channel in learning.channels if not channel.is_at_rest]
+    if len(bad) == len(learning.channels):
+        return tr("No channel is at rest. Click “Sample again”.")
+    return tr(
+        "Not every channel is at rest. Click “Sample again”, or Next to go on without channel {0}."
+    ).format(", ".join(bad))
+
+
+def _travel_text(learning: Learning) -> str:
+    text = tr(
+        "Push every stick forward or right first, all the way; then the other way. "
+        "Move switches to all positions."
+    )
+    slow = [c.travel for c in learning.channels if c.travel and c.travel.is_slow]
+    if not slow:
+        return f"{text} " + tr("Hold each end for a moment, then click Next.")
+    reason = tr(
+        "Hold each end until its check mark appears, for at least {0:.1f} s: this line "
+        "({1} baud) carries only {2:.1f} measurements per second. Then click Next."
+    )
+    hold = max(travel.hold_seconds for travel in slow)
+    rate = 1 / max(travel.interval for travel in slow)
+    return f"{text} {reason.format(Number(hold), learning.baud, Number(rate))}"
+
+
+def _review_texts(learning: Learning) -> tuple[str, str]:
+    """Return the text of the head and the tip of the button that uses the values."""
+    rejected = ", ".join(str(c.number) for c in learning.included if not c.can_be_used)
+    if not any(channel.choice is not None for channel in learning.channels):
+        return (
+            tr("Nothing was learned. Go back, or start over."),
+            tr("Nothing was learned."),
+        )
+    if not learning.included:
+        return (
+            tr("No channel is selected."),
+            tr("No channel is selected."),
+        )
+    if rejected:
+        return (
+            tr(
+                "The board would reject the values of channel {0}: change them, or clear its "
+                "check box."
+            ).format(rejected),
+            tr("The board would reject the values of channel {0}.").format(rejected),
+        )
+    return (
+        tr("Check the new values. Nothing is written yet."),
+        learning.preconditions.blocker
+        or tr("Use the values of all selected channels. Nothing is written yet."),
+    )
+
+
+def _test_text(learning: Learning) -> str:
+    tests = learning.tests
+    if tests is not None and tests.heard:
+        if tests.passed:
+            return tr("Everything is as it should be.")
+        if tests.all_ignored:
+            return tr("Nothing to test: the board ignores this input (Ignored Channels).")
+        if tests.channels_passed:
+            text = tr("The channels are good. But in {0} mode the motors would not start. {1}")
+            return text.format(tests.mode, tests.safe_start_reasons)
+    return tr(
+        "Push every stick to all its ends, then release it. Move every switch to all its "
+        "positions. The motors stay off."
+    )

@@ -1,0 +1,157 @@
+"""Steps of the assistant that sets up a robot."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from functools import partial
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QPushButton, QWidget
+
+from trex_gui.core.translation import tr
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
+from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup, SetupStep
+from trex_gui.devices.trex.views.learning.flow import LearnFlow
+from trex_gui.devices.trex.views.setup.direction_pages import SetupPage, SticksPage, WiringPage
+from trex_gui.devices.trex.views.setup.pages import (
+    DriverPage,
+    JumperPage,
+    LimitsPage,
+    SummaryPage,
+    TimeoutPage,
+)
+from trex_gui.devices.trex.views.steps import Flow, Shown
+
+_MOST_NAMED = 2  # changes that are listed; of more the number is given
+
+
+class SetupFlow(Flow):
+    """Leaving it stops the motors. Learning is part of the step with the sticks."""
+
+    apply_requested = Signal()
+
+    name = "setup"
+    size = 1040, 660
+
+    def __init__(self, device: Device, learning: Learning) -> None:
+        super().__init__()
+        self._device = device
+        self._is_open = False
+        self.setup = setup = RobotSetup(device, learning, self)
+        self._learn = LearnFlow(learning, self, name="setupLearn")
+        self._titles = {
+            SetupStep.DRIVER: tr("Driver"),
+            SetupStep.JUMPERS: tr("&Jumpers"),
+            SetupStep.STICKS: tr("&Sticks"),
+            SetupStep.MOTORS: tr("M&otors"),
+            SetupStep.LIMITS: tr("&Limits"),
+            SetupStep.TIMEOUT: tr("T&imeout"),
+            SetupStep.REVIEW: tr("Write"),
+        }
+        self._makers: dict[SetupStep, Callable[[], SetupPage]] = {
+            SetupStep.DRIVER: partial(DriverPage, setup),
+            SetupStep.JUMPERS: partial(JumperPage, device, setup),
+            SetupStep.STICKS: partial(SticksPage, device, setup, learning),
+            SetupStep.MOTORS: partial(WiringPage, device, setup),
+            SetupStep.LIMITS: partial(LimitsPage, device, setup),
+            SetupStep.TIMEOUT: partial(TimeoutPage, device, setup),
+            SetupStep.REVIEW: partial(SummaryPage, device, setup, self._titles),
+        }
+        self._pages: dict[SetupStep, SetupPage] = {}  # created when first shown
+        for changed in (setup.changed, self._learn.changed, self._learn.closed):
+            changed.connect(self.changed)
+
+    @property
+    def title(self) -> str:
+        return tr("Set up my robot")
+
+    @property
+    def _learns(self) -> bool:
+        learning = self._learn.learning
+        is_learning = learning.step is not LearningStep.ENDED and not learning.is_test
+        return is_learning and self.setup.step is SetupStep.STICKS
+
+    def open(self) -> None:
+        if not self._is_open:
+            self._is_open = True
+            self.setup.begin()
+        self.opened.emit(True)
+
+    def add_buttons(self, parent: QWidget) -> Sequence[QPushButton]:
+        return self._learn.add_buttons(parent)
+
+    def back(self) -> None:
+        if self._learns and self._learn.learning.step not in {
+            LearningStep.TRAVEL,
+            LearningStep.REVIEW,
+        }:
+            self._learn.learning.cancel()
+        else:
+            (self._learn if self._learns else self.setup).back()
+
+    def skip(self) -> None:
+        self._leave_learning()
+        self.setup.skip()
+
+    def next(self) -> None:
+        if self.setup.step is SetupStep.REVIEW:
+            self.apply_requested.emit()
+        else:
+            (self._learn if self._learns else self.setup).next()
+
+    def leave(self, *, closed: bool) -> None:
+        if closed:
+            self._is_open = False
+            self._leave_learning()
+        self.setup.leave()
+
+    def _leave_learning(self) -> None:
+        if self._learns:
+            self._learn.learning.cancel()
+
+    def shown(self) -> Shown:
+        setup, step = self.setup, self.setup.step
+        names = {each: self._titles[each].replace("&", "") for each in setup.steps}
+        titles, now = list(names.values()), setup.steps.index(step)
+        undone = [names[each] for each in setup.open_steps]
+        if self._learns:
+            shown = self._learn.shown()
+            return replace(
+                shown, titles=titles, now=now, undone=undone, may_go_back=True, may_skip=True
+            )
+        self._learn.show_buttons(hidden=True)
+        if step not in self._pages:
+            self._pages[step] = self._makers[step]()
+        page = self._pages[step]
+        page.refresh()
+        is_last = step is SetupStep.REVIEW
+        can_apply = self._device.writer.can_apply and self._device.draft.pending > 0
+        return Shown(
+            titles,
+            now,
+            page,
+            note=setup.blocker or self._edits_text(),
+            is_alarming=bool(setup.blocker),
+            undone=undone,
+            next=tr("Review and &apply…") if is_last else tr("&Next"),
+            may_go_on=can_apply if is_last else not setup.blocker,
+            may_go_back=step is not SetupStep.DRIVER,
+            may_skip=step is not SetupStep.DRIVER and not is_last,
+        )
+
+    def _edits_text(self) -> str:
+        parameters, edits = self._device.parameters, self.setup.edits
+        if not edits:
+            return ""
+        if len(edits) > _MOST_NAMED:
+            return tr(
+                "Next adds %n change(s). Nothing is written before you apply them.", "", len(edits)
+            )
+        rows = []
+        for key, wire in edits.items():
+            spec, before = parameters.values.specs[key], parameters.values.value_of(key)
+            old = "" if before is None else spec.text(before)
+            change = f"{old} → {spec.text(wire)}"
+            rows.append(tr("{0}: {1}").format(spec.name, change))
+        text = tr("Next changes {0}. Nothing is written before you apply it.")
+        return text.format("; ".join(rows))

@@ -1,0 +1,234 @@
+"""One dialog for what is done step by step: set-up, learning, hand-shake, power cycle."""
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+from PySide6.QtCore import QObject, QSize, Qt, Signal, Slot
+from PySide6.QtGui import QHideEvent, QResizeEvent
+from PySide6.QtWidgets import QAbstractButton, QBoxLayout, QPushButton, QWidget
+
+from trex_gui.core.translation import tr
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.views.motor_controls import ActionBar
+from trex_gui.ui.theme.theme import set_look
+from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import ConfirmButton, ReusedDialog, keep_room
+from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.placement import resize_with_font
+from trex_gui.ui.widgets.scroll_box import ScrollBox
+from trex_gui.ui.widgets.step_strip import StepStrip
+
+_GAP = 16
+
+
+class Page(QWidget):
+    """Drawing of a step; `side` is for the card beside it."""
+
+    def __init__(self, name: str, heading: str = "") -> None:
+        super().__init__()
+        self.setObjectName(name)
+        self.heading = heading
+        self.side = QWidget(self)
+        self.side.hide()
+
+
+@dataclass(frozen=True, slots=True)
+class Shown:
+    """One step as the dialog shows it. A button without a text is hidden."""
+
+    titles: Sequence[str]  # of all steps
+    now: int  # index of the current one
+    page: Page
+    note: str = ""  # below what `page.side` shows
+    is_alarming: bool = False
+    undone: Collection[str] = ()  # titles of earlier steps that are not done
+    next: str = ""
+    may_go_on: bool = True
+    tip: str = ""  # of the button Next
+    may_go_back: bool = False
+    may_skip: bool = False
+    closes: bool = False  # Close is the primary button
+    close: str = ""
+
+
+class Flow(QObject):
+    """Steps of one task, and the actions of the buttons below them."""
+
+    changed = Signal()
+    opened = Signal(bool)  # the dialog shall be shown; whether it becomes the active window
+    closed = Signal()  # the task has ended by itself
+
+    name = ""  # starts the object names
+    size = 1040, 600  # pixels of the dialog
+
+    @property
+    def title(self) -> str:
+        raise NotImplementedError
+
+    def add_buttons(self, parent: QWidget) -> Sequence[QPushButton]:
+        """Create the buttons that this task has beside Back, Skip and Next."""
+        del parent
+        return ()
+
+    def shown(self) -> Shown:
+        raise NotImplementedError
+
+    def back(self) -> None: ...
+
+    def skip(self) -> None: ...
+
+    def next(self) -> None: ...
+
+    def leave(self, *, closed: bool) -> None:
+        """End what must not go on out of sight; without `closed` the window is minimized."""
+
+
+class _Body(QWidget):
+    """The cards of the drawing and of what to do: side by side where there is space."""
+
+    def __init__(self, name: str, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setObjectName(f"{name}Body")
+        self.drawing, self.side = ui.Card("", self), ui.Card("", self)
+        self.note = ui.named(Note(3, self), f"{name}Note")
+        self._drawing = ui.column(into=self.drawing)
+        self._side = ui.column((self.note, 1), into=self.side)
+        row = ui.row((self.drawing, 5), (self.side, 3), into=self, margins=0, spacing=_GAP)
+        self._row = row
+        self._page: Page | None = None
+
+    def show_page(self, page: Page) -> bool:
+        """Show a page and return whether it was another one before."""
+        if page is self._page:
+            return False
+        if self._drawing.indexOf(page) < 0:
+            self._drawing.addWidget(page, 1)
+            self._side.insertWidget(0, page.side)
+        if self._page is not None:
+            self._page.hide()
+            self._page.side.hide()
+        page.show()
+        page.side.show()
+        self._page = page
+        self.drawing.setTitle(page.heading)
+        return True
+
+    def show_note(self, text: str, *, alarming: bool) -> None:
+        self.note.show_note(text, alarming=alarming)
+        has_side = self._page is not None and self._page.side.layout() is not None
+        self.side.setVisible(has_side or bool(text))
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(max(self._widths()), super().minimumSizeHint().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        direction = QBoxLayout.Direction
+        is_wide = self.width() >= sum(self._widths()) + _GAP
+        self._row.setDirection(direction.LeftToRight if is_wide else direction.TopToBottom)
+
+    def _widths(self) -> tuple[int, int]:
+        side = self.side.minimumSizeHint().width() if self.side.isVisibleTo(self) else 0
+        return self.drawing.minimumSizeHint().width(), side
+
+
+class Steps(ReusedDialog):
+    """Shows the current step of a task. Leaving it ends what the task forbids out of sight."""
+
+    stays_on_stop = True  # nothing that was answered or measured is lost
+
+    def __init__(self, device: Device, flow: Flow, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.flow = flow
+        flow.setParent(self)
+        name = flow.name
+        self.setObjectName(f"{name}Dialog")
+        resize_with_font(self, *flow.size)
+        self._title = ui.label(self, size="title")
+        self._strip = StepStrip(self)
+        self._body = _Body(name, self)
+        self._scrolls = ScrollBox(self._body, self)
+        bar = self._bar = ActionBar(device, f"{name}StopButton", self)
+        button = partial(ui.button, bar, default=False)
+        extras = flow.add_buttons(bar)
+        self._close = button(f"{name}CloseButton", tr("Close"), on_click=self.close)
+        self._back = button(f"{name}BackButton", tr("&Back"), on_click=flow.back)
+        skip_tip = tr("Go on without the changes of this step")
+        self._skip = button(f"{name}SkipButton", tr("S&kip"), tip=skip_tip, on_click=flow.skip)
+        self._next = ui.button(
+            bar, f"{name}NextButton", default=True, confirms=True, on_click=flow.next
+        )
+        for each in (self._back, self._skip, self._next):  # a second click must not hit another
+            keep_room(each)
+        buttons = self._close, self._back, self._skip, self._next
+        ui.row(bar.stop, *extras, 1, *buttons, into=bar)
+        margins = (_GAP, _GAP, _GAP, 8)
+        items = self._title, self._strip, (self._scrolls, 1), bar
+        ui.column(*items, into=self, margins=margins, spacing=12)
+
+        flow.changed.connect(self._on_changed)
+        flow.opened.connect(self._on_opened)
+        flow.closed.connect(self.hide)
+        device.link_changed.connect(self._on_changed)
+
+    def setVisible(self, visible: bool) -> None:
+        if visible:
+            self._show(self.flow.shown())
+        super().setVisible(visible)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        self.flow.leave(closed=not event.spontaneous())
+
+    @Slot(bool)
+    def _on_opened(self, activates: bool) -> None:
+        if activates:
+            self.show_in_front()
+        else:
+            self.setAttribute(Qt.WidgetAttribute.WA_ShowWithoutActivating)
+            self.show()
+            self.setAttribute(Qt.WidgetAttribute.WA_ShowWithoutActivating, False)
+        self._on_changed()
+
+    @Slot()
+    def _on_changed(self) -> None:
+        if self.isVisible():
+            self._show(self.flow.shown())
+
+    def _show(self, shown: Shown) -> None:
+        self.setWindowTitle(self.flow.title)
+        self._title.setText(self.flow.title)
+        self._strip.show_steps(shown.titles, shown.now, shown.undone)
+        focused, bar = self.focusWidget(), (self._back, self._skip, self._next)
+        is_new = self._body.show_page(shown.page)
+        if is_new:
+            ui.tab_order(self._bar.stop, self._body, self._bar.stop)
+        self._body.show_note(shown.note, alarming=shown.is_alarming)
+        self._back.setVisible(shown.may_go_back)
+        self._back.setEnabled(shown.may_go_back)
+        self._skip.setVisible(shown.may_skip)
+        self._close.setText(shown.close or tr("Close"))
+        self._show_next(shown)
+        self._close.setDefault(shown.closes)
+        set_look(self._close, "primary" if shown.closes else "")
+        is_free = focused in {None, self, *bar} and not (
+            isinstance(focused, QAbstractButton) and self._is_usable(focused)
+        )
+        if is_free or (is_new and focused not in bar):
+            # While Next is disabled, Enter must not press Close.
+            wanted = (self._close,) if shown.closes else (self._next, self._skip)
+            next((each for each in wanted if self._is_usable(each)), self).setFocus()
+
+    def _show_next(self, shown: Shown) -> None:
+        is_other = shown.next != self._next.text() and self._next.isVisible()
+        self._next.setVisible(bool(shown.next))
+        self._next.setText(shown.next)
+        self._next.setToolTip(ui.plain(shown.tip))
+        self._next.setEnabled(shown.may_go_on)
+        self._next.setDefault(bool(shown.next))
+        if is_other and isinstance(self._next, ConfirmButton):
+            self._next.hold_off()
+
+    def _is_usable(self, button: QAbstractButton) -> bool:
+        return button.isVisibleTo(self) and button.isEnabled()
