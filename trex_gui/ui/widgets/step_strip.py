@@ -60,53 +60,47 @@ class StepStrip(Painted):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
-        side, color = self._side(), theme().color
+        side, color, height = self._side(), theme().color, self.height()
         names_all = self.sizeHint().width() <= self.width()
-        shown = [names_all or number == self._now for number in range(len(self._steps))]
+        last = len(self._steps) - 1
         widths = [
-            side + (self._width_of(step) if named else _GAP)
-            for step, named in zip(self._steps, shown, strict=True)
+            side + (self._width_of(step) if names_all or number == self._now else _GAP)
+            for number, step in enumerate(self._steps)
         ]
-        free = max(0, self.width() - sum(widths)) / max(1, len(widths) - 1)
-        line, left, top = min(free, 6.0 * side), 1.0, (self.height() - side) / 2
+        line = max(0.0, self.width() - sum(widths)) / max(1, last)
+        left = 1.0
         with Painter(self) as painter:
             for number, (step, width) in enumerate(zip(self._steps, widths, strict=True)):
-                self._paint_circle(painter, QRectF(left, top, side - 2, side), number)
-                if shown[number]:
-                    font = QFont(self.font())
-                    is_now = number == self._now
-                    font.setWeight(QFont.Weight.DemiBold if is_now else QFont.Weight.Normal)
-                    painter.setFont(font)
+                self._paint_circle(painter, QPointF(left + side / 2, height / 2), number)
+                is_now = number == self._now
+                if names_all or is_now:
+                    place = QRect(round(left) + side + _GAP, 0, width, height)
+                    painter.setFont(self._font(bold=is_now))
                     painter.setPen(color("window_text" if is_now else "muted"))
-                    place = QRect(round(left) + side + _GAP, 0, width, self.height())
                     painter.drawText(place, Qt.AlignmentFlag.AlignVCenter, step)
-                left += width
-                if number < len(widths) - 1:
+                left += width + line
+                if number < last:
                     painter.setPen(QPen(color("hairline"), 2))
-                    middle = self.height() / 2
-                    painter.drawLine(QPointF(left, middle), QPointF(left + line - _GAP, middle))
-                left += line
+                    start, end = QPointF(left - line, height / 2), QPointF(left - _GAP, height / 2)
+                    painter.drawLine(start, end)
 
-    def _paint_circle(self, painter: QPainter, place: QRectF, number: int) -> None:
-        color, middle = theme().color, place.center()
+    def _font(self, *, bold: bool) -> QFont:
+        font = QFont(self.font())
+        font.setWeight(QFont.Weight.DemiBold if bold else QFont.Weight.Normal)
+        return font
+
+    def _paint_circle(self, painter: QPainter, middle: QPointF, number: int) -> None:
+        color, radius = theme().color, self._side() / 2 - 1
         is_undone = self._steps[number] in self._undone
         is_filled = number == self._now or (number < self._now and not is_undone)
-        circle = QRectF(0, 0, place.width(), place.width())
-        circle.moveCenter(middle)
-        ink = color("primary_text" if is_filled else "muted")
         painter.setPen(QPen(color("primary" if is_filled else "outline"), 1.5))
         painter.setBrush(color("primary" if is_filled else "base"))
-        painter.drawEllipse(circle)
-        unit = circle.width() / 8
-        painter.setPen(QPen(ink, max(1.5, unit / 2), c=Qt.PenCapStyle.RoundCap))
+        painter.drawEllipse(middle, radius, radius)
+        painter.setPen(QPen(color("primary_text" if is_filled else "muted"), radius / 7))
         if number >= self._now:
-            font = QFont(self.font())
-            font.setWeight(QFont.Weight.DemiBold)
-            painter.setFont(font)
-            painter.drawText(circle, Qt.AlignmentFlag.AlignCenter, str(number + 1))
-        elif is_undone:
-            painter.drawLine(middle - QPointF(1.5 * unit, 0), middle + QPointF(1.5 * unit, 0))
+            painter.setFont(self._font(bold=True))
+            box = QRectF(middle.x() - radius, middle.y() - radius, 2 * radius, 2 * radius)
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, str(number + 1))
         else:
-            foot = middle + QPointF(-0.4 * unit, 1.2 * unit)
-            painter.drawLine(middle + QPointF(-1.6 * unit, 0), foot)
-            painter.drawLine(foot, middle + QPointF(1.7 * unit, -1.2 * unit))
+            tick = ((-0.4, 0.0), (0.4, 0.0)) if is_undone else ((-0.4, 0), (-0.1, 0.3), (0.4, -0.3))
+            painter.drawPolyline([middle + QPointF(x, y) * radius for x, y in tick])

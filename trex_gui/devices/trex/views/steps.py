@@ -32,6 +32,9 @@ class Page(QWidget):
         self.side = QWidget(self)
         self.side.hide()
 
+    def refresh(self) -> None:
+        """Show the newest state, before the page is shown and with each change."""
+
 
 @dataclass(frozen=True, slots=True)
 class Shown:
@@ -45,7 +48,6 @@ class Shown:
     undone: Collection[str] = ()  # titles of earlier steps that are not done
     next: str = ""
     may_go_on: bool = True
-    tip: str = ""  # of the button Next
     may_go_back: bool = False
     may_skip: bool = False
     closes: bool = False  # Close is the primary button
@@ -91,7 +93,7 @@ class _Body(QWidget):
         super().__init__(parent)
         self.setObjectName(f"{name}Body")
         self.drawing, self.side = ui.Card("", self), ui.Card("", self)
-        self.note = ui.named(Note(3, self), f"{name}Note")
+        self.note = ui.named(Note(1, self), f"{name}Note")
         self._drawing = ui.column(into=self.drawing)
         self._side = ui.column((self.note, 1), into=self.side)
         row = ui.row((self.drawing, 5), (self.side, 3), into=self, margins=0, spacing=_GAP)
@@ -150,19 +152,22 @@ class Steps(ReusedDialog):
         self._body = _Body(name, self)
         self._scrolls = ScrollBox(self._body, self)
         bar = self._bar = ActionBar(device, f"{name}StopButton", self)
-        button = partial(ui.button, bar, default=False)
         extras = flow.add_buttons(bar)
-        self._close = button(f"{name}CloseButton", tr("Close"), on_click=self.close)
+        self._close = ui.button(
+            bar, f"{name}CloseButton", tr("Close"), default=False, on_click=self.close
+        )
+        self._moves = QWidget(bar)
+        button = partial(ui.button, self._moves, default=False)
         self._back = button(f"{name}BackButton", tr("&Back"), on_click=flow.back)
         skip_tip = tr("Go on without the changes of this step")
         self._skip = button(f"{name}SkipButton", tr("S&kip"), tip=skip_tip, on_click=flow.skip)
         self._next = ui.button(
-            bar, f"{name}NextButton", default=True, confirms=True, on_click=flow.next
+            self._moves, f"{name}NextButton", default=True, confirms=True, on_click=flow.next
         )
         for each in (self._back, self._skip, self._next):  # a second click must not hit another
             keep_room(each)
-        buttons = self._close, self._back, self._skip, self._next
-        ui.row(bar.stop, *extras, 1, *buttons, into=bar)
+        ui.row(self._back, self._skip, self._next, into=self._moves, margins=0)
+        ui.row(bar.stop, *extras, 1, self._close, self._moves, into=bar)
         margins = (_GAP, _GAP, _GAP, 8)
         items = self._title, self._strip, (self._scrolls, 1), bar
         ui.column(*items, into=self, margins=margins, spacing=12)
@@ -202,6 +207,7 @@ class Steps(ReusedDialog):
         self._strip.show_steps(shown.titles, shown.now, shown.undone)
         focused, bar = self.focusWidget(), (self._back, self._skip, self._next)
         is_new = self._body.show_page(shown.page)
+        shown.page.refresh()
         if is_new:
             ui.tab_order(self._bar.stop, self._body, self._bar.stop)
         self._body.show_note(shown.note, alarming=shown.is_alarming)
@@ -210,6 +216,7 @@ class Steps(ReusedDialog):
         self._skip.setVisible(shown.may_skip)
         self._close.setText(shown.close or tr("Close"))
         self._show_next(shown)
+        self._moves.setVisible(bool(shown.next) or shown.may_go_back or shown.may_skip)
         self._close.setDefault(shown.closes)
         set_look(self._close, "primary" if shown.closes else "")
         is_free = focused in {None, self, *bar} and not (
@@ -223,8 +230,7 @@ class Steps(ReusedDialog):
     def _show_next(self, shown: Shown) -> None:
         is_other = shown.next != self._next.text() and self._next.isVisible()
         self._next.setVisible(bool(shown.next))
-        self._next.setText(shown.next)
-        self._next.setToolTip(ui.plain(shown.tip))
+        self._next.setText(shown.next or tr("&Next"))
         self._next.setEnabled(shown.may_go_on)
         self._next.setDefault(bool(shown.next))
         if is_other and isinstance(self._next, ConfirmButton):

@@ -120,8 +120,8 @@ class LedPart(BoardPart):
     def moves(self) -> bool:
         return self.pattern not in {"", "on", "off"}
 
-    def show_moment(self, seconds: float, *, second: bool = False) -> None:
-        lit = is_lit(self.pattern, seconds, second=second)
+    def show_moment(self, seconds: float) -> None:
+        lit = is_lit(self.pattern, seconds)
         if lit != self._is_lit:
             self._is_lit = lit
             self.update()

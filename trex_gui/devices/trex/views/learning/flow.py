@@ -141,14 +141,13 @@ class LearnFlow(Flow):
         if step is not LearningStep.FAILED:
             self._place = _PLACES.get(step, int(step is LearningStep.TEST))
         self.show_buttons()
-        text, may_go_on, tip = tr("&Next"), learning.can_go_on, ""
+        text, may_go_on = tr("&Next"), learning.can_go_on
         if self._offers_test:
             text, may_go_on = tr("Stop the motors and &test"), True
         elif step is LearningStep.DOUBT:
             text = tr("The motors are stopped: co&ntinue")
         elif step is LearningStep.REVIEW:
             text, may_go_on = tr("&Use these values…"), learning.can_use_values
-            tip = _review_texts(learning)[1]
         elif step in {LearningStep.TEST, LearningStep.FAILED}:
             text = ""
         ends = {LearningStep.TEST, LearningStep.FAILED, LearningStep.ENDED}
@@ -160,7 +159,6 @@ class LearnFlow(Flow):
             is_alarming=_is_alarming(learning),
             next=text,
             may_go_on=may_go_on,
-            tip=tip,
             may_go_back=step in {LearningStep.TRAVEL, LearningStep.REVIEW},
             closes=self._offers_test or step in {LearningStep.TEST, LearningStep.DOUBT},
             close="" if step in ends else tr("Cancel"),
@@ -201,9 +199,13 @@ class LearnFlow(Flow):
 
     def show_buttons(self, *, hidden: bool = False) -> None:
         learning, step = self.learning, self.learning.step
-        text, tip = _again_texts(step)
-        self._again.setText(text)
-        self._again.setToolTip(ui.plain(tip))
+        texts = {
+            LearningStep.NEUTRAL: tr("Sample &again"),
+            LearningStep.TRAVEL: tr("Start this step &again"),
+            LearningStep.REVIEW: tr("&Start over"),
+            LearningStep.TEST: tr("Test &again"),
+        }
+        self._again.setText(texts.get(step, tr("Try &again")))
         never = step in {LearningStep.STOPPING, LearningStep.ENDED}
         waits = step is LearningStep.NEUTRAL and not (learning.has_sampled or learning.sampling)
         self._again.setVisible(not (hidden or never or waits))
@@ -213,20 +215,6 @@ class LearnFlow(Flow):
         self._learn_again.setText(text.format(", ".join(map(str, numbers))))
         is_useful = step is LearningStep.TEST and bool(numbers)
         self._learn_again.setVisible(is_useful and not hidden)
-
-
-def _again_texts(step: LearningStep) -> tuple[str, str]:
-    """Return the text and the tip of the button that repeats a step."""
-    match step:
-        case LearningStep.NEUTRAL:
-            return tr("Sample &again"), ""
-        case LearningStep.TRAVEL:
-            return tr("Start this step &again"), tr("The rest positions are kept.")
-        case LearningStep.REVIEW:
-            return tr("&Start over"), tr("Go back to the rest positions.")
-        case LearningStep.TEST:
-            return tr("Test &again"), ""
-    return tr("Try &again"), tr("Stop the motors again and begin again.")
 
 
 def _is_alarming(learning: Learning) -> bool:
@@ -253,7 +241,7 @@ def _head_text(learning: Learning, *, offers_test: bool) -> str:
         case LearningStep.TRAVEL:
             return _travel_text(learning)
         case LearningStep.REVIEW:
-            return _review_texts(learning)[0]
+            return _review_text(learning)
         case LearningStep.TEST:
             return f"{learning.news} {_test_text(learning)}".strip()
     return learning.trouble
@@ -274,47 +262,33 @@ def _rest_text(learning: Learning) -> str:
 
 def _travel_text(learning: Learning) -> str:
     text = tr(
-        "Push every stick forward or right first, all the way; then the other way. "
-        "Move switches to all positions."
+        "Push every stick forward or right first, all the way; then the other way. Move switches "
+        "to all positions. Hold each end until it is ticked, then click Next."
     )
     slow = [c.travel for c in learning.channels if c.travel and c.travel.is_slow]
     if not slow:
-        return f"{text} " + tr("Hold each end for a moment, then click Next.")
+        return text
     reason = tr(
-        "Hold each end until its check mark appears, for at least {0:.1f} s: this line "
-        "({1} baud) carries only {2:.1f} measurements per second. Then click Next."
+        "This takes at least {0:.1f} s: at {1} baud only {2:.1f} measurements arrive per second."
     )
     hold = max(travel.hold_seconds for travel in slow)
     rate = 1 / max(travel.interval for travel in slow)
     return f"{text} {reason.format(Number(hold), learning.baud, Number(rate))}"
 
 
-def _review_texts(learning: Learning) -> tuple[str, str]:
-    """Return the text of the head and the tip of the button that uses the values."""
+def _review_text(learning: Learning) -> str:
     rejected = ", ".join(str(c.number) for c in learning.included if not c.can_be_used)
     if not any(channel.choice is not None for channel in learning.channels):
-        return (
-            tr("Nothing was learned. Go back, or start over."),
-            tr("Nothing was learned."),
-        )
+        return tr("Nothing was learned. Go back, or start over.")
     if not learning.included:
-        return (
-            tr("No channel is selected."),
-            tr("No channel is selected."),
-        )
+        return tr("No channel is selected.")
     if rejected:
-        return (
-            tr(
-                "The board would reject the values of channel {0}: change them, or clear its "
-                "check box."
-            ).format(rejected),
-            tr("The board would reject the values of channel {0}.").format(rejected),
+        text = tr(
+            "The board would reject the values of channel {0}: change them, or clear its check box."
         )
-    return (
-        tr("Check the new values. Nothing is written yet."),
-        learning.preconditions.blocker
-        or tr("Use the values of all selected channels. Nothing is written yet."),
-    )
+        return text.format(rejected)
+    blocker = learning.preconditions.blocker
+    return blocker or tr("Check the new values. Nothing is written yet.")
 
 
 def _test_text(learning: Learning) -> str:

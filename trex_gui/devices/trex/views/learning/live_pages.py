@@ -6,9 +6,9 @@ from enum import Enum
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
-from trex_gui.core.translation import Number, tr
+from trex_gui.core.translation import Number, tr, tr_noop
 from trex_gui.devices.trex.calibration.neutral import no_signal
-from trex_gui.devices.trex.calibration.travel import Task, Travel, Way
+from trex_gui.devices.trex.calibration.travel import Travel, Way
 from trex_gui.devices.trex.model.learning.channels import LearnedChannel
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.learning.problem_text import problem_text, problems_text
@@ -119,12 +119,12 @@ class RestRow(ChannelRow):
 
 
 class EndState(Enum):
-    """State of an end: its icon and the colour."""
+    """State of an end: its icon, the colour, and words."""
 
-    OPEN = "todo", "muted"
-    HOLD = "run", "icon"
-    DONE = "ok", "good"
-    NEEDLESS = "", "icon"  # a switch or a throttle that has shown its other end
+    OPEN = "todo", "muted", tr_noop("{0} end: not reached yet")
+    HOLD = "run", "icon", tr_noop("{0} end: hold it there")
+    DONE = "ok", "good", tr_noop("{0} end: reached")
+    NEEDLESS = "", "icon", tr_noop("{0} end: not needed")  # a switch has shown its other end
 
 
 class EndSign(QWidget):
@@ -141,18 +141,11 @@ class EndSign(QWidget):
         self.show_state(EndState.OPEN)
 
     def show_state(self, state: EndState) -> None:
-        self._sign.show_sign(*state.value)
+        icon, color, text = state.value
+        self._sign.show_sign(icon, color)
         self._label.setVisible(state is not EndState.NEEDLESS)
-        texts = {
-            EndState.OPEN: tr("{0} end: not reached yet"),
-            EndState.HOLD: tr("{0} end: hold it there"),
-            EndState.DONE: tr("{0} end: reached"),
-            EndState.NEEDLESS: tr("{0} end: not needed"),
-        }
-        text = texts[state].format(self._name)
-        if text != self.accessibleName():
-            self.setAccessibleName(text)
-            self.setToolTip(ui.plain(text))
+        self.setAccessibleName(tr(text).format(self._name))
+        self.setToolTip(ui.plain(self.accessibleName()))
 
 
 class TravelRow(ChannelRow):
@@ -200,26 +193,10 @@ class TravelRow(ChannelRow):
     def _text(self, travel: Travel) -> str:
         if travel.to_hold is not None:
             return tr("Hold it there …")
-        low, high = (travel.source.text(travel.end(way)) for way in Way)
-        passed_low = tr("The low end was not held. Push it there again and hold it for {0:.1f} s.")
-        passed_high = tr(
-            "The high end was not held. Push it there again and hold it for {0:.1f} s."
-        )
-        for way, text in ((Way.DOWN, passed_low), (Way.UP, passed_high)):
-            if travel.reached(way) and not travel.held(way):
-                return text.format(Number(travel.hold_seconds))
-        match travel.held(Way.DOWN), travel.held(Way.UP):
-            case True, True:
-                return tr("Both ends reached: {0} and {1}.").format(low, high)
-            case down, up if (down or up) and travel.task is not Task.STICK:
-                return tr("Reached: {0}.").format(low if down else high)
-            case True, False:
-                return tr("Low end reached: {0}. Now the other way.").format(low)
-            case False, True:
-                return tr("High end reached: {0}. Now the other way.").format(high)
-        if travel.task is Task.SWITCH:
-            return tr("Not moved yet. Move the switch to every position.")
-        return tr("No end reached yet.")
+        if any(travel.reached(way) and not travel.held(way) for way in Way):
+            return tr("Not held. Hold it there for {0:.1f} s.").format(Number(travel.hold_seconds))
+        held = [travel.source.text(travel.end(way)) for way in Way if travel.held(way)]
+        return tr("Reached: {0}.").format(", ".join(held)) if held else tr("No end reached yet.")
 
 
 class TestPage(Page):

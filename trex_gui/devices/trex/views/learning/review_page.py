@@ -209,7 +209,6 @@ class ReviewPage(Page):
 
         self._tabs = ui.named(QTabBar(self), "learnChannelTabs", accessible=tr("Channels"))
         self._tabs.setExpanding(False)
-        self._tabs.setUsesScrollButtons(False)
         self._forms = [ChannelForm(learning, channel, self.side) for channel in learning.channels]
         for channel in learning.channels:
             self._tabs.addTab(tr("CH{0}").format(channel.number))
@@ -254,6 +253,7 @@ class ReviewPage(Page):
             name, color, text = self._sign_of(form.channel)
             self._tabs.setTabIcon(index, icon(name, color) if name else QIcon())
             self._tabs.setTabToolTip(index, text)
+        self._tabs.setMinimumWidth(self._tabs.sizeHint().width())
 
     def _sign_of(self, channel: LearnedChannel) -> tuple[str, str, str]:
         """Return the icon, its colour and its meaning."""

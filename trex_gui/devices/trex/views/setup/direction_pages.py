@@ -22,7 +22,7 @@ from trex_gui.devices.trex.views.robot_view import RobotView
 from trex_gui.devices.trex.views.steps import Page
 from trex_gui.ui.theme.theme import set_look, set_text_color
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import HoldButton, keep_room, only_when_visible
+from trex_gui.ui.widgets.behaviour import HoldButton, only_when_visible
 from trex_gui.ui.widgets.labels import Muted, Note
 
 _MOVEMENTS: dict[tuple[robot_view.Side, bool], Movement] = {
@@ -40,14 +40,7 @@ _SEEN = {
 }
 
 
-class SetupPage(Page):
-    """Page of the assistant, which follows the state of the set-up."""
-
-    def refresh(self) -> None:
-        raise NotImplementedError
-
-
-class SticksPage(SetupPage):
+class SticksPage(Page):
     """Begins learning; or, with learned channels, asks for the directions of the sticks."""
 
     def __init__(self, device: Device, setup: RobotSetup, learning: Learning) -> None:
@@ -156,7 +149,7 @@ class SticksPage(SetupPage):
         return text
 
 
-class WiringPage(SetupPage):
+class WiringPage(Page):
     """Nothing on it moves while motors are armed: texts have their space, buttons are disabled."""
 
     def __init__(self, device: Device, setup: RobotSetup) -> None:
@@ -183,7 +176,13 @@ class WiringPage(SetupPage):
             on_click=lambda: self._note(Movement.NOTHING),
         )
         middle = Qt.AlignmentFlag.AlignHCenter
-        items = (self._question, 0, middle), (self._robot, 1), (self._nothing, 0, middle)
+        text = tr("Wir&es swapped – test again")
+        tip = tr("Forget both answers and find out again which motor is which")
+        self._again = ui.button(
+            self, "setupAgainButton", text, icon="reload", default=False, tip=tip
+        )
+        below = ui.row(1, self._nothing, self._again, 1)
+        items = (self._question, 0, middle), (self._robot, 1), below
         ui.column(*items, into=self, margins=0)
 
         text = tr("The wheels are &off the ground")
@@ -193,23 +192,17 @@ class WiringPage(SetupPage):
         run.setAutoDefault(False)
         self._run_place.setEnabled(False)
         ui.row(run, into=self._run_place, margins=0)
-        self._note_label = ui.named(Note(3, side), "setupPulseNote")
+        self._note_label = ui.named(Note(2, side), "setupPulseNote")
         self._holds: dict[int, HoldButton] = {}
         self._answers: dict[int, QPushButton] = {}
         for motor in (1, 2):
             self._holds[motor] = self._make_hold(motor)
             self._answers[motor] = self._make_answer(motor)
-        self._result = ui.named(Note(3, side), "setupWiringNote")
-        text = tr("Wir&es swapped – test again")
-        tip = tr("Forget both answers and find out again which motor is which")
-        self._again = ui.button(
-            side, "setupAgainButton", text, icon="reload", default=False, tip=tip
-        )
-        keep_room(self._again)
+        self._result = ui.named(Note(2, side), "setupWiringNote")
         motors = chain.from_iterable(zip(self._holds.values(), self._answers.values(), strict=True))
         notice = TimeoutNotice(device, side)
         first = self._free, self._run_place, self._note_label, *motors
-        ui.column(*first, self._result, self._again, notice, into=side, margins=0, spacing=6)
+        ui.column(*first, self._result, notice, into=side, margins=0, spacing=6)
 
         self._free.clicked.connect(setup.pulses.confirm_wheels)
         self._again.clicked.connect(setup.forget_movements)
@@ -289,7 +282,7 @@ class WiringPage(SetupPage):
         for motor, hold in self._holds.items():
             hold.setEnabled(pulses.motor in {0, motor} and not blocker)
         self._show_answers()
-        text = blocker or tr("Armed. The motor turns for 0.4 s at 20 % while you hold.")
+        text = blocker or tr("Armed. The motor turns in short, weak pulses while you hold.")
         if pulses.motor:
             text = tr("Motor {0} is driven in pulses. Release the button to stop it.")
             text = text.format(pulses.motor)

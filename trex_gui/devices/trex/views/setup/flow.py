@@ -12,7 +12,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
 from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup, SetupStep
 from trex_gui.devices.trex.views.learning.flow import LearnFlow
-from trex_gui.devices.trex.views.setup.direction_pages import SetupPage, SticksPage, WiringPage
+from trex_gui.devices.trex.views.setup.direction_pages import SticksPage, WiringPage
 from trex_gui.devices.trex.views.setup.pages import (
     DriverPage,
     JumperPage,
@@ -20,9 +20,7 @@ from trex_gui.devices.trex.views.setup.pages import (
     SummaryPage,
     TimeoutPage,
 )
-from trex_gui.devices.trex.views.steps import Flow, Shown
-
-_MOST_NAMED = 2  # changes that are listed; of more the number is given
+from trex_gui.devices.trex.views.steps import Flow, Page, Shown
 
 
 class SetupFlow(Flow):
@@ -48,7 +46,7 @@ class SetupFlow(Flow):
             SetupStep.TIMEOUT: tr("T&imeout"),
             SetupStep.REVIEW: tr("Write"),
         }
-        self._makers: dict[SetupStep, Callable[[], SetupPage]] = {
+        self._makers: dict[SetupStep, Callable[[], Page]] = {
             SetupStep.DRIVER: partial(DriverPage, setup),
             SetupStep.JUMPERS: partial(JumperPage, device, setup),
             SetupStep.STICKS: partial(SticksPage, device, setup, learning),
@@ -57,7 +55,7 @@ class SetupFlow(Flow):
             SetupStep.TIMEOUT: partial(TimeoutPage, device, setup),
             SetupStep.REVIEW: partial(SummaryPage, device, setup, self._titles),
         }
-        self._pages: dict[SetupStep, SetupPage] = {}  # created when first shown
+        self._pages: dict[SetupStep, Page] = {}  # created when first shown
         for changed in (setup.changed, self._learn.changed, self._learn.closed):
             changed.connect(self.changed)
 
@@ -122,14 +120,12 @@ class SetupFlow(Flow):
         self._learn.show_buttons(hidden=True)
         if step not in self._pages:
             self._pages[step] = self._makers[step]()
-        page = self._pages[step]
-        page.refresh()
         is_last = step is SetupStep.REVIEW
         can_apply = self._device.writer.can_apply and self._device.draft.pending > 0
         return Shown(
             titles,
             now,
-            page,
+            self._pages[step],
             note=setup.blocker or self._edits_text(),
             is_alarming=bool(setup.blocker),
             undone=undone,
@@ -140,18 +136,9 @@ class SetupFlow(Flow):
         )
 
     def _edits_text(self) -> str:
-        parameters, edits = self._device.parameters, self.setup.edits
+        edits = self.setup.edits
         if not edits:
             return ""
-        if len(edits) > _MOST_NAMED:
-            return tr(
-                "Next adds %n change(s). Nothing is written before you apply them.", "", len(edits)
-            )
-        rows = []
-        for key, wire in edits.items():
-            spec, before = parameters.values.specs[key], parameters.values.value_of(key)
-            old = "" if before is None else spec.text(before)
-            change = f"{old} → {spec.text(wire)}"
-            rows.append(tr("{0}: {1}").format(spec.name, change))
-        text = tr("Next changes {0}. Nothing is written before you apply it.")
-        return text.format("; ".join(rows))
+        return tr(
+            "Next adds %n change(s). Nothing is written before you apply them.", "", len(edits)
+        )

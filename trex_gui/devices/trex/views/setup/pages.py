@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from functools import partial
 
 from PySide6.QtCore import QSignalBlocker, Qt, Slot
-from PySide6.QtWidgets import QAbstractButton, QLabel, QWidget
+from PySide6.QtWidgets import QAbstractButton, QLabel
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop
@@ -16,39 +16,23 @@ from trex_gui.devices.trex.model.setup.wiring import Driver
 from trex_gui.devices.trex.protocol.descriptions import CURRENT_ACCURACY
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.protocol.parameters import FULL_SPEED_S, MotorParameter, ParameterKey
+from trex_gui.devices.trex.protocol.parameters import FULL_SPEED_S, MotorParameter
 from trex_gui.devices.trex.settings.comparison import compare
 from trex_gui.devices.trex.views.board.jumpers import JumperPicture
-from trex_gui.devices.trex.views.setup.direction_pages import SetupPage, rewiring_text
+from trex_gui.devices.trex.views.setup.direction_pages import rewiring_text
 from trex_gui.devices.trex.views.setup.pictures import (
     Choices,
-    CurvePicture,
     paint_curve,
     paint_ramp,
+    picture,
 )
+from trex_gui.devices.trex.views.steps import Page
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.labels import Muted, Note, Sign
+from trex_gui.ui.widgets.labels import Muted, Note
 
 
-class _Check(QWidget):
-    """A statement about the board with a sign."""
-
-    def __init__(self, name: str, parent: QWidget) -> None:
-        super().__init__(parent)
-        self._sign = Sign(self)
-        self._text = ui.named(Note(3, self), name)
-        top = Qt.AlignmentFlag.AlignTop
-        ui.row((self._sign, 0, top), (self._text, 1), into=self, margins=0)
-
-    def show_result(self, good: bool | None, text: str) -> None:
-        """`good`: `None` if it is not known."""
-        signs = {True: ("ok", "good"), False: ("warning", "warning"), None: ("info", "info")}
-        self._sign.show_sign(*signs[good])
-        self._text.show_note(text, alarming=good is False)
-
-
-class DriverPage(SetupPage):
+class DriverPage(Page):
     def __init__(self, setup: RobotSetup) -> None:
         super().__init__("setupDriverPage", tr("Who drives your robot?"))
         self._setup = setup
@@ -63,10 +47,8 @@ class DriverPage(SetupPage):
             Driver.COMPUTER: tr("&A computer"),
         }
         self._choices = Choices("setupDriver", texts, self, columns=3)
-        for driver, text in self._explained.items():
-            self._choices.buttons[driver].setAccessibleDescription(text)
         self._choices.chosen.connect(setup.choose_driver)
-        ui.column((self._choices, 1), into=self, margins=0)
+        ui.column(1, self._choices, 1, into=self, margins=0)
         self._text = ui.label(self.side, wrap=True)
         text = tr("Each step can be skipped. Nothing is written before you apply it at the end.")
         ui.column(self._text, Muted(text, self.side), into=self.side, margins=0)
@@ -76,7 +58,7 @@ class DriverPage(SetupPage):
         self._text.setText(self._explained[self._setup.driver])
 
 
-class JumperPage(SetupPage):
+class JumperPage(Page):
     """Draws where the jumpers have to be, and ticks those that the board reports there."""
 
     def __init__(self, device: Device, setup: RobotSetup) -> None:
@@ -84,8 +66,8 @@ class JumperPage(SetupPage):
         self._device = device
         self._setup = setup
         self._picture = JumperPicture(self, scale=1.5)
-        self._mode = _Check("setupModeCheck", self.side)
-        self._mix = _Check("setupMixCheck", self.side)
+        self._mode = ui.named(Note(3, self.side), "setupModeCheck")
+        self._mix = ui.named(Note(3, self.side), "setupMixCheck")
         text = tr("Schematic: the user's guide shows where your board has them.")
         middle = Qt.AlignmentFlag.AlignCenter
         ui.column((self._picture, 1, middle), Muted(text, self), into=self, margins=0)
@@ -99,9 +81,9 @@ class JumperPage(SetupPage):
         checks = {"mode": self._mode_result()}
         if is_mixed is not None:
             checks["mix"] = self._mix_result(is_mixed)
-            self._mix.show_result(*checks["mix"])
-        self._mode.show_result(*checks["mode"])
-        self._mix.setVisible(is_mixed is not None)
+        for key, note in (("mode", self._mode), ("mix", self._mix)):
+            good, text = checks.get(key, (None, ""))
+            note.show_note(f"✓ {text}" if good else text, alarming=good is False)
         self._picture.show_jumpers(
             mix=is_mixed,
             moved=[key for key, (good, _) in checks.items() if good is False],
@@ -141,7 +123,7 @@ class JumperPage(SetupPage):
         return False, take if seen else put
 
 
-class LimitsPage(SetupPage):
+class LimitsPage(Page):
     def __init__(self, device: Device, setup: RobotSetup) -> None:
         super().__init__("setupLimitsPage", tr("How should the motors start and stop?"))
         self._device = device
@@ -167,7 +149,7 @@ class LimitsPage(SetupPage):
         self._hint = ui.named(Note(6, self.side), "setupLimitHint")
         self._choices.chosen.connect(setup.choose_preset)
         title = ui.label(self.side, text=tr("Current &limit of each motor"), buddy=self._limit)
-        ui.column((self._choices, 1), into=self, margins=0)
+        ui.column(1, self._choices, 1, into=self, margins=0)
         ui.column(title, self._limit, self._hint, into=self.side, margins=0)
 
     def refresh(self) -> None:
@@ -193,7 +175,7 @@ class LimitsPage(SetupPage):
 
     def _show_ramps(self, preset: Preset | None) -> None:
         """Draw the ramps of a preset, or of the board, and name what it sets."""
-        parameters, button = self._device.parameters, self._choices.buttons[preset]
+        parameters = self._device.parameters
         values = parameters.values
         found = values.stored if preset is None else preset.values(parameters.model_key)
         keys = [p.of(1) for p in (MotorParameter.ACCELERATION, MotorParameter.BRAKE_DURATION)]
@@ -201,9 +183,9 @@ class LimitsPage(SetupPage):
         if ramp is None or brake is None:
             return
         texts = [values.specs[key].text(found[key]) for key in (*keys, LIMITS[0]) if key in found]
-        button.show_caption(", ".join(texts))
         seconds = FULL_SPEED_S / ramp if ramp else 0.0
-        button.paint = partial(paint_ramp, seconds, brake * values.specs[keys[1]].scale / 1000)
+        paint = partial(paint_ramp, seconds, brake * values.specs[keys[1]].scale / 1000)
+        self._choices.show_picture(preset, paint, ", ".join(texts))
 
     def _hint_text(self) -> str:
         preset = self._setup.preset
@@ -228,14 +210,13 @@ class LimitsPage(SetupPage):
         self._setup.choose_current_limit(round(amps / scale))
 
 
-class TimeoutPage(SetupPage):
+class TimeoutPage(Page):
     def __init__(self, device: Device, setup: RobotSetup) -> None:
         super().__init__("setupTimeoutPage", tr("If the cable falls out, the board stops"))
         self._device = device
         self._setup = setup
         side = self.side
-        self._picture = CurvePicture(self)
-        self._picture.setAccessibleName(tr("Speed"))
+        self._picture = ui.label(self)
         self._seconds = ui.double_spin_box(
             side,
             "setupTimeout",
@@ -247,37 +228,30 @@ class TimeoutPage(SetupPage):
             suffix=tr(" s"),
             on_change=lambda seconds: setup.choose_timeout(round(10 * seconds)),
         )
-        self._now = ui.named(Muted(parent=side), "setupTimeoutNow")
         self._short = ui.named(Note(2, side), "setupTimeoutShort")
         title = ui.label(side, text=tr("&Stop the motors after a silence of"), buddy=self._seconds)
         hint = tr(
             "Have the computer send something at least twice in that time. UART-Error Shutdown is "
             "switched on with it, as the timeout may need it (twin)."
         )
-        ui.column((self._picture, 1), into=self, margins=0)
-        items = title, self._seconds, self._now, Muted(hint, side), self._short
+        ui.column((self._picture, 1, Qt.AlignmentFlag.AlignCenter), into=self, margins=0)
+        items = title, self._seconds, Muted(hint, side), self._short
         ui.column(*items, into=side, margins=0)
 
     def refresh(self) -> None:
         seconds, settings = self._setup.timeout / 10, self._device.settings
         points = (0.0, 1.0), (1.0 + seconds, 1.0), (1.0 + seconds, 0.0), (9.0, 0.0)
         span = max(3.0, 2.0 + seconds)
-        self._picture.paint = partial(paint_curve, points, span=span, lowest=0, mark=1.0)
-        self._picture.update()
+        paint = partial(paint_curve, points, span=span, lowest=0, mark=1.0)
+        self._picture.setPixmap(picture(self, paint, (24, 12)))
         with QSignalBlocker(self._seconds):
             self._seconds.setValue(seconds)
         stop = TimeoutStop.EXPECTED if seconds else TimeoutStop.OFF
         warning = settings and timeout_warning_on(settings, seconds, stop, is_guarded=True)
         self._short.show_note(warning.text if warning else "", alarming=True)
-        parameters, key = self._device.parameters, ParameterKey.SERIAL_TIMEOUT
-        wire = parameters.values.stored.get(key)
-        text = tr("The board stores: {0}.")
-        self._now.setText(
-            "" if wire is None else text.format(parameters.values.specs[key].text(wire))
-        )
 
 
-class SummaryPage(SetupPage):
+class SummaryPage(Page):
     """What is left to do: in other steps, by Apply, and by hand."""
 
     def __init__(self, device: Device, setup: RobotSetup, titles: Mapping[SetupStep, str]) -> None:

@@ -5,14 +5,15 @@ from enum import Enum
 from functools import partial
 from typing import TypeVar
 
-from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QFont, QPainter, QPaintEvent, QPen, QPolygonF
-from PySide6.QtWidgets import QButtonGroup, QRadioButton, QSizePolicy, QWidget
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QIcon, QPainter, QPen, QPixmap
+from PySide6.QtWidgets import QButtonGroup, QSizePolicy, QToolButton, QWidget
 
 from trex_gui.devices.trex.model.setup.wiring import Driver
-from trex_gui.ui.theme.theme import follow_theme, theme
+from trex_gui.ui.theme.theme import follow_theme, set_look, theme
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.painted import Painted, Painter, never_mirror
+from trex_gui.ui.widgets.labels import Muted
+from trex_gui.ui.widgets.painted import Painter
 
 ChoiceT = TypeVar("ChoiceT", bound=Enum | None)
 Points = tuple[tuple[float, float], ...]
@@ -21,67 +22,15 @@ Paint = Callable[[QPainter, QRectF], None]
 _AFTER_S, _REVERSAL_S = 4.0, 2.0  # seconds that a curve shows, and its change of direction
 
 
-class PictureChoice(QRadioButton):
-    """A radio button that is a picture with its name, and a caption of two lines."""
-
-    def __init__(self, name: str, text: str, paint: Paint | None, parent: QWidget) -> None:
-        super().__init__(text, parent)
-        self.setObjectName(name)
-        self.setCursor(Qt.CursorShape.PointingHandCursor)
-        expanding = QSizePolicy.Policy.Expanding
-        self.setSizePolicy(expanding, expanding)
-        self.setMaximumHeight(20 * self.fontMetrics().height())
-        self.paint = paint
-        self._caption = ""
-        never_mirror(self)
-        follow_theme(self, "room", self.updateGeometry)
-
-    def show_caption(self, text: str) -> None:
-        if text != self._caption:
-            self._caption = text
-            self.setAccessibleDescription(text)
-            self.setToolTip(ui.plain(text))
-            self.update()
-
-    def hitButton(self, place: QPoint) -> bool:  # noqa: N802 - of Qt
-        return self.rect().contains(place)
-
-    def minimumSizeHint(self) -> QSize:
-        line, name = self.fontMetrics().height(), self.fontMetrics().horizontalAdvance(self.text())
-        return QSize(max(8 * line, round(1.1 * name) + 2 * line), 8 * line)
-
-    def sizeHint(self) -> QSize:
-        return QSize(self.minimumSizeHint().width(), 11 * self.fontMetrics().height())
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        del event
-        line, color = self.fontMetrics().height(), theme().color
-        is_marked = self.isChecked() or self.underMouse()
-        box = QRectF(self.rect()).adjusted(1, 1, -1, -1)
-        texts = box.adjusted(8, box.height() - 3.4 * line, -8, 0)
-        with Painter(self) as painter:
-            painter.setPen(QPen(color("accent" if self.isChecked() else "outline"), 1.5))
-            painter.setBrush(color("selected" if is_marked else "base"))
-            painter.drawRoundedRect(box, 8, 8)
-            dot = QRectF(box.left() + 8, box.top() + 8, 0.8 * line, 0.8 * line)
-            painter.setBrush(color("base"))
-            painter.drawEllipse(dot)
-            if self.isChecked():
-                painter.setPen(Qt.PenStyle.NoPen)
-                painter.setBrush(color("accent"))
-                painter.drawEllipse(dot.adjusted(*[0.2 * line] * 2, *[-0.2 * line] * 2))
-            if self.paint is not None:
-                self.paint(painter, box.adjusted(2 * line, line, -2 * line, -3.8 * line))
-            font = QFont(self.font())
-            font.setWeight(QFont.Weight.DemiBold)
-            painter.setFont(font)
-            painter.setPen(color("text" if self.isEnabled() else "muted"))
-            how = Qt.AlignmentFlag.AlignHCenter | Qt.TextFlag.TextShowMnemonic
-            painter.drawText(texts, how, self.text())
-            painter.setFont(self.font())
-            painter.setPen(color("muted"))
-            how = Qt.AlignmentFlag.AlignHCenter | Qt.TextFlag.TextWordWrap
-            painter.drawText(texts.adjusted(0, 1.2 * line, 0, 0), how, self._caption)
+def picture(widget: QWidget, paint: Paint, lines: tuple[int, int]) -> QPixmap:
+    """Return a picture as wide and high as so many lines of the widget's text."""
+    size, ratio = QSize(*lines) * widget.fontMetrics().height(), widget.devicePixelRatioF()
+    made = QPixmap(size * ratio)
+    made.setDevicePixelRatio(ratio)
+    made.fill(Qt.GlobalColor.transparent)
+    with Painter(made) as painter:
+        paint(painter, QRectF(8, 8, size.width() - 16, size.height() - 16))
+    return made
 
 
 class Choices(QWidget):
@@ -94,35 +43,40 @@ class Choices(QWidget):
     ) -> None:
         super().__init__(parent)
         self.setObjectName(name)
-        self.buttons: dict[object, PictureChoice] = {}
+        self._buttons: dict[object, QToolButton] = {}
+        self._captions: dict[object, Muted] = {}
         group, grid = QButtonGroup(self), ui.grid(self, margins=0, spacing=(12, 12))
         for number, (choice, text) in enumerate(texts.items()):
             key = "Keep" if choice is None else choice.name.title().replace("_", "")
-            paint = partial(_paint_driver, choice) if isinstance(choice, Driver) else None
-            button = PictureChoice(f"{name}{key}", text, paint, self)
+            button = ui.tool_button(self, f"{name}{key}", text)
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
+            button.setCheckable(True)
+            set_look(button, "choice")
+            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             button.clicked.connect(partial(self.chosen.emit, choice))
             group.addButton(button)
-            grid.addWidget(button, number // columns, number % columns)
-            self.buttons[choice] = button
+            caption = self._captions[choice] = Muted(parent=self)
+            caption.setAlignment(Qt.AlignmentFlag.AlignHCenter)
+            cell = ui.column(button, caption, margins=0, spacing=4)
+            grid.addLayout(cell, number // columns, number % columns)
+            self._buttons[choice] = button
+            if isinstance(choice, Driver):
+                self.show_picture(choice, partial(_paint_driver, choice), "")
 
     def show_choice(self, choice: object) -> None:
-        self.buttons[choice].setChecked(True)
+        self._buttons[choice].setChecked(True)
 
+    def show_picture(self, choice: object, paint: Paint, caption: str) -> None:
+        button = self._buttons[choice]
+        self._captions[choice].setText(caption)
+        button.setAccessibleDescription(caption)
 
-class CurvePicture(Painted):
-    """Shows `paint` alone."""
+        def show() -> None:
+            made = picture(button, paint, (10, 8 if isinstance(choice, Driver) else 6))
+            button.setIcon(QIcon(made))
+            button.setIconSize(made.deviceIndependentSize().toSize())
 
-    paint: Paint | None = None
-
-    def sizeHint(self) -> QSize:
-        line = self.fontMetrics().height()
-        return QSize(20 * line, 10 * line)
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        del event
-        with Painter(self) as painter:
-            if self.paint is not None:
-                self.paint(painter, QRectF(self.rect()).adjusted(8, 8, -8, -8))
+        follow_theme(button, "picture", show)
 
 
 def _paint_driver(driver: Driver, painter: QPainter, box: QRectF) -> None:
@@ -197,5 +151,5 @@ def paint_curve(
     painter.setClipRect(box.adjusted(-3, -3, 0, 3))
     painter.setPen(QPen(color("accent"), 2.5))
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.drawPolyline(QPolygonF([place(*point) for point in points]))
+    painter.drawPolyline([place(*point) for point in points])
     painter.restore()
