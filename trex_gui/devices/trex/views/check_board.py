@@ -11,9 +11,10 @@ from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.views.board.jumpers import JumperPicture
+from trex_gui.devices.trex.views.start_texts import ttl_wiring
 from trex_gui.devices.trex.views.steps import Flow, Page, Shown
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.frame.wiring_sketch import Wires, WiringSketch
+from trex_gui.ui.frame.wiring_sketch import WiringSketch
 from trex_gui.ui.notifier import ConnectWith
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import Muted
@@ -89,7 +90,7 @@ _SIGHTS = (
 class SightsPage(Page):
     """The LED patterns of a board, and how it is connected."""
 
-    def __init__(self, wiring: Wires) -> None:
+    def __init__(self) -> None:
         super().__init__("checkLedsPage", tr("What the LEDs show"))
         rows = ui.grid(self, margins=0, spacing=(16, 8), stretch=[(1, 1)])
         for number, sight in enumerate(_SIGHTS):
@@ -102,10 +103,9 @@ class SightsPage(Page):
             rows.addLayout(ui.column(leds, shown, 1, margins=0, spacing=0), number, 0)
             rows.addLayout(about, number, 1)
         rows.setRowStretch(len(_SIGHTS), 1)
-        jumpers = JumperPicture(self.side)
-        jumpers.show_jumpers(remarks={"mode": tr("on is fine, too")})
-        sketch = WiringSketch(wiring, "checkWiring", self.side)
-        ui.column(sketch, jumpers, 1, into=self.side, margins=0)
+        sketch = WiringSketch(ttl_wiring(), "checkWiring", self.side)
+        text = tr("Mode may also be on: the board responds in every mode.")
+        ui.column((sketch, 1), Muted(text, self.side), into=self.side, margins=0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -178,7 +178,7 @@ class HandShakePage(Page):
 
     def __init__(self) -> None:
         super().__init__("handShakePage", tr("Jumpers and LEDs"))
-        self._picture = JumperPicture(self, scale=1.5)
+        self._picture = JumperPicture(self)
         self._to_do = ui.label(self.side, "handShakeToDo", wrap=True, size="heading")
         self._leds = ui.label(self.side, "handShakeLeds", wrap=True)
         self._received = ui.label(self.side, "handShakeReceived", wrap=True)
@@ -194,7 +194,7 @@ class HandShakePage(Page):
 
     def show_step(self, step: _Step) -> None:
         mix, so_ground, *moved = step.jumpers
-        self._picture.show_jumpers(mix=mix, so_ground=so_ground, moved=moved, leds=step.leds)
+        self._picture.show_jumpers(mix, so_ground=so_ground, moved=moved, leds=step.leds)
         self._to_do.setText(tr(step.to_do))
         self._leds.setText(tr(step.shown))
         self._received.setText(tr(step.received))
@@ -208,11 +208,11 @@ class CheckBoardFlow(Flow):
 
     name = "check"
 
-    def __init__(self, device: Device, wiring: Wires) -> None:
+    def __init__(self, device: Device) -> None:
         super().__init__()
         self._device = device
         self._at = 0
-        self._pages = SightsPage(wiring), HandShakePage()
+        self._pages = SightsPage(), HandShakePage()
         self._result = "", False
         device.link_changed.connect(self._on_link_changed)
         device.request_failed.connect(self._on_failed)

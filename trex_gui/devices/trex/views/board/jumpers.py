@@ -2,96 +2,96 @@
 
 from collections.abc import Collection, Mapping
 
-from PySide6.QtCore import QRectF, Slot
-from PySide6.QtGui import QAccessible, QHideEvent, QPaintEvent, QPen, QShowEvent
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtCore import QPointF, QRectF, QSize, Slot
+from PySide6.QtGui import QHideEvent, QPaintEvent, QPen, QShowEvent
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.views.board.parts import JumperPart
 from trex_gui.ui.runtime import new_timer
-from trex_gui.ui.theme.theme import follow_theme, scaled_font, theme
+from trex_gui.ui.theme.theme import scaled_font, theme
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.circuit import Jumper, jumpers_size, paint_body, paint_jumpers
 from trex_gui.ui.widgets.leds import Leds
 from trex_gui.ui.widgets.painted import Painted, Painter, wants_motion
 
 _PULSE_MS = 600
+_SCALE = 1.4  # size of its texts, relative to others
+_LEFT, _ABOVE = 1.8, 3.2  # lines of text beside and above the jumpers
 
 
 class JumperPicture(Painted):
     """Names the position of each jumper; a frame pulses round those to be moved."""
 
-    def __init__(self, parent: QWidget | None = None, *, scale: float = 1.0) -> None:
-        """`scale`: size of the font, relative to that of the application."""
+    def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("jumperPicture")
-        self.setAccessibleName(tr("Jumpers"))
-        self._scale = scale
+        self._jumpers: dict[str, Jumper] = {}
         self._moved: Collection[str] = ()
         self._is_bright = True
-        self._timer = new_timer(self, _PULSE_MS, self._on_pulse)
-        names = {"mode": tr("Mode jumper"), "mix": tr("Mix jumper"), "so_ground": tr("SO–G jumper")}
-        self._jumpers = {
-            key: JumperPart(key, name, self.update, self) for key, name in names.items()
-        }
-        for part in self._jumpers.values():  # here it leads nowhere
-            part.spoken_role = QAccessible.Role.Graphic
-            part.setEnabled(False)
         self._leds = Leds(self)
-        jumpers = self._jumpers.values()
-        ui.column(self._leds, *jumpers, into=self, margins=(24, 20, 12, 20), spacing=4)
-        follow_theme(self, "room", self._take_room)
+        self._timer = new_timer(self, _PULSE_MS, self._on_pulse)
+        ui.column(self._leds, 1, into=self, margins=(32, 20, 24, 20))
 
     def show_jumpers(
         self,
-        mode: str = "",
-        mix: bool | None = None,
+        mix: bool | None,
         *,
         so_ground: bool = False,
         moved: Collection[str] = (),
         leds: tuple[str, str] | None = None,
         remarks: Mapping[str, str] | None = None,
     ) -> None:
-        """Show where the jumpers shall be, and the patterns of the LEDs then.
+        """Show where the jumpers shall be, without the mode jumper, and the LEDs then.
 
-        `mode` is RC, Analog or empty; `mix` is `None` if it does not matter. `moved` and `remarks`
-        (what is known of a jumper) have the keys `mode`, `mix` and `so_ground`.
+        `mix` is `None` if it does not matter. `moved` and `remarks` (what is known of a jumper)
+        have the keys `mode`, `mix` and `so_ground`.
         """
-        mix_name = tr("Mix: on") if mix else tr("Mix: either") if mix is None else tr("Mix: off")
         names = {
-            "mode": (bool(mode), tr("Mode: {0}").format(mode) if mode else tr("Mode: off")),
-            "mix": (mix, mix_name),
-            "so_ground": (so_ground, tr("SO–G: on") if so_ground else tr("SO–G: off")),
+            "mode": (tr("Mode: off"), False),
+            "mix": (tr("Mix: on") if mix else tr("Mix: off"), bool(mix)),
+            "so_ground": (tr("SO–G: on") if so_ground else tr("SO–G: off"), so_ground),
         }
-        self._moved = moved
-        for key, (is_on, name) in names.items():
-            to_do = (tr("put it on") if is_on else tr("remove it")) if key in moved else ""
-            lines = filter(None, (name, (remarks or {}).get(key, to_do)))
-            self._jumpers[key].show_jumper(is_on, *lines)
+        if mix is None:
+            del names["mix"]
+        self._moved, self._jumpers = moved, {}
+        for key, (name, is_on) in names.items():
+            to_do = tr("put it on") if is_on else tr("remove it")
+            remark = (remarks or {}).get(key, to_do if key in moved else "")
+            self._jumpers[key] = (f"{name}  {remark}" if remark else name), is_on
+        self.setAccessibleName(", ".join(text for text, _ in self._jumpers.values()))
         self._leds.setVisible(leds is not None)
         if leds is not None:
             self._leds.show_patterns(leds, ("", ""), ("", ""))
-        self._take_room()
-
-    def _take_room(self) -> None:
-        self.setFont(scaled_font(QApplication.font(), self._scale))
-        advance, line = self.fontMetrics().horizontalAdvance, self.fontMetrics().height()
-        for part in self._jumpers.values():
-            widest = max(map(advance, part.lines), default=0)
-            part.setMinimumSize(round(1.1 * widest) + 5 * line, round((2 + self._scale / 2) * line))
+        self.updateGeometry()
         self.update()
+
+    def minimumSizeHint(self) -> QSize:
+        font = scaled_font(self.font(), _SCALE)
+        size, line = jumpers_size(font, [*self._jumpers.values()]), _SCALE * self._line()
+        return QSize(round(size.width() + 2 * _LEFT * line), round(size.height() + 4 * line))
+
+    def sizeHint(self) -> QSize:
+        return self.minimumSizeHint()
+
+    def _line(self) -> int:
+        return self.fontMetrics().height()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
-        color, body = theme().color, QRectF(self.rect()).adjusted(1, 1, -1, -1)
+        line, color = _SCALE * self._line(), theme().color
+        at = QPointF(_LEFT * line, _ABOVE * line)
+        step = jumpers_size(self.font(), [("", True)]).height() * _SCALE
         with Painter(self) as painter:
-            painter.setPen(QPen(color("board_edge"), 2))
-            painter.setBrush(color("board"))
-            painter.drawRoundedRect(body, 10, 10)
+            paint_body(painter, QRectF(self.rect()).adjusted(1, 1, -1, -1), "")
             painter.setPen(QPen(color("accent"), 2))
             painter.setBrush(color("selected" if self._is_bright else "board"))
-            for key in self._moved:
-                place = QRectF(self._jumpers[key].geometry()).adjusted(-6, 0, 6, 0)
-                painter.drawRoundedRect(place, 8, 8)
+            for number, key in enumerate(self._jumpers):
+                if key in self._moved:
+                    top = at.y() + number * step - 0.2 * line
+                    box = QRectF(at.x() - 8, top, self.width() - at.x() - line, 2.2 * line)
+                    painter.drawRoundedRect(box, 8, 8)
+            painter.setFont(scaled_font(self.font(), _SCALE))
+            paint_jumpers(painter, at, [*self._jumpers.values()], line)
 
     @Slot()
     def _on_pulse(self) -> None:
@@ -100,7 +100,6 @@ class JumperPicture(Painted):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        self._take_room()  # the style sheet forgets the font of a widget that gets another parent
         self._timer.start()
 
     def hideEvent(self, event: QHideEvent) -> None:

@@ -65,7 +65,7 @@ class JumperPage(Page):
         super().__init__("setupJumpersPage", tr("Move the jumpers as drawn"))
         self._device = device
         self._setup = setup
-        self._picture = JumperPicture(self, scale=1.5)
+        self._picture = JumperPicture(self)
         self._mode = ui.named(Note(3, self.side), "setupModeCheck")
         self._mix = ui.named(Note(3, self.side), "setupMixCheck")
         text = tr("Schematic: the user's guide shows where your board has them.")
@@ -85,7 +85,7 @@ class JumperPage(Page):
             good, text = checks.get(key, (None, ""))
             note.show_note(f"✓ {text}" if good else text, alarming=good is False)
         self._picture.show_jumpers(
-            mix=is_mixed,
+            is_mixed,
             moved=[key for key, (good, _) in checks.items() if good is False],
             remarks={key: f"✓ {tr('checked')}" for key, (good, _) in checks.items() if good},
         )
