@@ -206,6 +206,7 @@ class WiringPage(Page):
 
         self._free.clicked.connect(setup.pulses.confirm_wheels)
         self._again.clicked.connect(setup.forget_movements)
+        self._again.clicked.connect(partial(self._ask, 1))
         for changed in (setup.changed, setup.pulses.changed, device.telemetry.text_due):
             changed.connect(self.refresh)
 
