@@ -1453,16 +1453,10 @@
         <translation>steuert den einen Motor, den beide Treiber speisen (Parallelbetrieb, kein Mischer)</translation></message>
     <message><source>has no motor: in joint mode both drivers power motor 1</source>
         <translation>hat keinen Motor: im Parallelbetrieb speisen beide Treiber Motor 1</translation></message>
-    <message><source>Not learned: it has the factory default calibration.</source>
-        <translation>Nicht eingelernt: Er hat die Kalibrierung der Werkseinstellungen.</translation></message>
-    <message><source>Read only; does not drive. In RC and analog mode it {1}.</source>
-        <translation>Wird nur gelesen; steuert nichts. Im RC- und Analogmodus gilt: Er {1}.</translation></message>
-    <message><source>above about {0} (inferred)</source>
-        <translation>über etwa {0} (erschlossen)</translation></message>
-    <message><source>below about {0} (inferred)</source>
-        <translation>unter etwa {0} (erschlossen)</translation></message>
-    <message><source>Learned: the board stores a calibration of its own for it.</source>
-        <translation>Eingelernt: Das Board speichert eine eigene Kalibrierung für ihn.</translation></message>
+    <message><source>is ignored: it is held at neutral, whatever its input is</source>
+        <translation>wird ignoriert: er bleibt in Neutralstellung, was auch immer am Eingang anliegt</translation></message>
+    <message><source>In RC and analog mode it {1}.</source>
+        <translation>Im RC- und Analogmodus gilt: Er {1}.</translation></message>
     <message><source>The board reads {0} now, and only shows and accepts calibrations for them. To see these, make it read {1}: set Channel Input Source, apply, and switch the board off and on.</source>
         <translation>Das Board liest jetzt {0}, und nur dafür zeigt und akzeptiert es Kalibrierungen. Um diese hier zu sehen, lassen Sie es {1} lesen: Stellen Sie „Eingangsquelle der Kanäle“ um, wenden Sie die Änderung an und schalten Sie das Board aus und ein.</translation></message>
     <message><source>applied {0}</source>
@@ -1479,8 +1473,6 @@
         <translation>Der Totbereich ({0} auf jeder Seite der Neutralstellung) reicht bis zum Minimum und zum Maximum: Zwischen 0 und vollem Ausgang liegt nichts.</translation></message>
     <message><source>is ignored: it is held off, whatever its input is</source>
         <translation>wird ignoriert: er bleibt aus, was auch immer am Eingang anliegt</translation></message>
-    <message><source>is ignored: it is held at neutral, whatever its input is</source>
-        <translation>wird ignoriert: er bleibt in Neutralstellung, was auch immer am Eingang anliegt</translation></message>
     <message><source>Does not drive now: serial commands override it. Otherwise it {1}.</source>
         <translation>Steuert jetzt nichts: Serielle Befehle haben Vorrang. Sonst gilt: Er {1}.</translation></message>
     <message><source>The board reads {0} now, and only shows and accepts calibrations for them. To see these: switch it off, put the mode jumper to RC, switch it on.</source>
@@ -1491,6 +1483,10 @@
         <translation>Minimum ({0}) und Maximum ({2}) liegen außerhalb des Eingangsbereichs: {3}. Der volle Ausgang wird nie erreicht.</translation></message>
     <message><source>The deadband ({0} to each side of neutral) reaches minimum: there is nothing between 0 and full output on that side.</source>
         <translation>Der Totbereich ({0} auf jeder Seite der Neutralstellung) reicht bis zum Minimum: Zwischen 0 und vollem Ausgang liegt auf dieser Seite nichts.</translation></message>
+    <message><source>below about {0} (inferred)</source>
+        <translation>unter etwa {0} (erschlossen)</translation></message>
+    <message><source>above about {0} (inferred)</source>
+        <translation>über etwa {0} (erschlossen)</translation></message>
     <message><source>On now. It {1}.</source>
         <translation>Jetzt ein. Er {1}.</translation></message>
     <message><source>Channel {0} {1}.</source>
@@ -1597,36 +1593,18 @@
         <translation>Eine Einstellung des Boards hat sich geändert, daher wurden die Motoren gestoppt.</translation></message>
     <message><source>The board was restarted, so the motors were stopped.</source>
         <translation>Das Board wurde neu gestartet, daher wurden die Motoren gestoppt.</translation></message>
-    <message><source>Setpoint: none</source>
-        <translation>Sollwert: keiner</translation></message>
+    <message><source>coast</source>
+        <translation>auslaufen</translation></message>
     <message><source>Serial timeout is off: motors keep turning if the cable or this computer fails.</source>
         <translation>Das serielle Timeout ist aus: Die Motoren drehen sich weiter, wenn das Kabel oder dieser Computer ausfällt.</translation></message>
-    <message><source>Setpoint: coast</source>
-        <translation>Sollwert: auslaufen</translation></message>
-    <message><source>Setpoint: {0}</source>
-        <translation>Sollwert: {0}</translation></message>
-    <message><source>Channel {0}: {1}</source>
-        <translation>Kanal {0}: {1}</translation></message>
-    <message><source>Board: N/A</source>
-        <translation>Board: k. A.</translation></message>
-    <message><source>Board: {0}</source>
-        <translation>Board: {0}</translation></message>
     <message><source>Serial timeout is off, and the guardian process could not be started: motors keep turning if the cable, this computer or this program fails.</source>
         <translation>Das serielle Timeout ist aus, und der Wächterprozess konnte nicht gestartet werden: Die Motoren drehen sich weiter, wenn das Kabel, dieser Computer oder dieses Programm ausfällt.</translation></message>
-    <message><source>Setpoint: brake, {0:.0f} %</source>
-        <translation>Sollwert: bremsen, {0:.0f} %</translation></message>
+    <message><source>brake, {0}</source>
+        <translation>bremsen, {0}</translation></message>
     <message><source>forward</source>
         <translation>vorwärts</translation></message>
     <message><source>reverse</source>
         <translation>rückwärts</translation></message>
-    <message><source>Channel {0}: N/A</source>
-        <translation>Kanal {0}: k. A.</translation></message>
-    <message><source>Channel {0}: no signal</source>
-        <translation>Kanal {0}: kein Signal</translation></message>
-    <message><source>serial in control</source>
-        <translation>seriell gesteuert</translation></message>
-    <message><source>serial not in control</source>
-        <translation>nicht seriell gesteuert</translation></message>
     <message><source>no current sensing in joint mode</source>
         <translation>keine Strommessung im Parallelbetrieb</translation></message>
     <message><source>Serial timeout is on, but it did not stop the motors of this board when it was tried: they keep turning if the cable or this computer fails.</source>
@@ -1983,6 +1961,8 @@
         <translation>(erschlossen): Kein Dokument bestätigt es.</translation></message>
     <message><source>PWM Frequency</source>
         <translation>PWM-Frequenz</translation></message>
+    <message><source>Takes effect when the board is switched off and on.</source>
+        <translation>Wird wirksam, wenn das Board aus- und eingeschaltet wird.</translation></message>
     <message><source>{0} to {1}</source>
         <translation>{0} bis {1}</translation></message>
     <message><source>{0} PWM Frequency</source>
@@ -1991,22 +1971,16 @@
         <translation>nicht angegeben</translation></message>
     <message><source>not read</source>
         <translation>nicht gelesen</translation></message>
-    <message><source>Takes effect when the board is switched off and on.</source>
-        <translation>Wird wirksam, wenn das Board aus- und eingeschaltet wird.</translation></message>
-    <message><source>The board rejects any value that it does not support.</source>
-        <translation>Das Board lehnt jeden Wert ab, den es nicht unterstützt.</translation></message>
-    <message><source>The vendor's documents or staff confirm range and default.</source>
-        <translation>Dokumente oder Mitarbeiter des Herstellers bestätigen Bereich und Standardwert.</translation></message>
+    <message><source>{0}, was {1}</source>
+        <translation>{0}, war {1}</translation></message>
+    <message><source>{0} · default: {1}</source>
+        <translation>{0} · Standard: {1}</translation></message>
     <message><source>User's guide of the board</source>
         <translation>Benutzerhandbuch des Boards</translation></message>
     <message><source>{0} differs: {1}.</source>
         <translation>{0} weicht ab: {1}.</translation></message>
     <message><source>Reset to default: {0}</source>
         <translation>Auf Standardwert zurücksetzen: {0}</translation></message>
-    <message><source>Stored: {0}.</source>
-        <translation>Gespeichert: {0}.</translation></message>
-    <message><source>nothing</source>
-        <translation>nichts</translation></message>
     <message><source>{0}: {1}.</source>
         <translation>{0}: {1}.</translation></message>
     <message><source>{0:.0f} Hz</source>
@@ -2019,6 +1993,8 @@
         <translation>Standardwert: {0}{1}.</translation></message>
     <message><source>User's guide, section {0}</source>
         <translation>Benutzerhandbuch, Abschnitt {0}</translation></message>
+    <message><source>wire {0}</source>
+        <translation>Bytewert {0}</translation></message>
     <message><source>Wire value: {0}.</source>
         <translation>Bytewert: {0}.</translation></message>
     <message><source>No source says what the wire values mean{0}.</source>
@@ -2267,8 +2243,6 @@
         <translation>alle Kanäle</translation></message>
     <message><source>no channel</source>
         <translation>kein Kanal</translation></message>
-    <message><source>coast</source>
-        <translation>auslaufen</translation></message>
     <message><source>yes</source>
         <translation>ja</translation></message>
     <message><source>no</source>
@@ -2517,8 +2491,6 @@
         <translation>{0} (Bytewert {1} bis {2})</translation></message>
     <message><source>{0} s to full speed</source>
         <translation>{0} s bis zur vollen Geschwindigkeit</translation></message>
-    <message><source>wire {0}</source>
-        <translation>Bytewert {0}</translation></message>
     <message><source>Which bytes? Give them in hexadecimal, such as 86 1F.</source>
         <translation>Welche Bytes? Geben Sie sie hexadezimal an, zum Beispiel 86 1F.</translation></message>
     <message><source>device {0}: {1}</source>
@@ -2667,6 +2639,8 @@
         <translation>1 von {total} Parametern fehlt: {names}</translation></message>
     <message><source>{count} of {total} parameters are missing: {names}</source>
         <translation>{count} von {total} Parametern fehlen: {names}</translation></message>
+    <message><source>nothing</source>
+        <translation>nichts</translation></message>
     <message><source>channels 1 to 5</source>
         <translation>Kanäle 1 bis 5</translation></message>
     <message><source>a list</source>
@@ -2759,56 +2733,6 @@
         <translation>diese Zahl ist nicht lesbar; {0}</translation></message>
     <message><source>merge keys (&lt;&lt;) are not allowed; {0}</source>
         <translation>Merge-Schlüssel (&lt;&lt;) sind nicht erlaubt; {0}</translation></message>
-    <message><source>Each checked board gets these settings, one board after the other, with a snapshot before. Each keeps its device number and its serial settings. The first error while writing ends the work.</source>
-        <translation>Jedes angekreuzte Board erhält diese Einstellungen, ein Board nach dem anderen, jeweils nach einer Sicherungskopie. Jedes behält seine Gerätenummer und seine seriellen Einstellungen. Der erste Fehler beim Schreiben beendet die Arbeit.</translation></message>
-    <message><source>Boards to write to</source>
-        <translation>Boards, auf die geschrieben wird</translation></message>
-    <message><source>nothing to write</source>
-        <translation>nichts zu schreiben</translation></message>
-    <message numerus="yes"><source>&amp;Write to %n board(s)</source>
-        <translation><numerusform>Auf %n Board &amp;schreiben</numerusform><numerusform>Auf %n Boards &amp;schreiben</numerusform></translation></message>
-    <message><source>&amp;End after this board</source>
-        <translation>&amp;Nach diesem Board beenden</translation></message>
-    <message><source>Close</source>
-        <translation>Schließen</translation></message>
-    <message><source>This file cannot be used: it has errors. Nothing was changed.</source>
-        <translation>Diese Datei ist nicht verwendbar: Sie enthält Fehler. Es wurde nichts geändert.</translation></message>
-    <message><source>Stored</source>
-        <translation>Gespeichert</translation></message>
-    <message><source>File</source>
-        <translation>Datei</translation></message>
-    <message><source>Changes</source>
-        <translation>Änderungen</translation></message>
-    <message numerus="yes"><source>%n setting(s)</source>
-        <translation><numerusform>%n Einstellung</numerusform><numerusform>%n Einstellungen</numerusform></translation></message>
-    <message><source>read, with warnings</source>
-        <translation>gelesen, mit Warnungen</translation></message>
-    <message><source>read</source>
-        <translation>gelesen</translation></message>
-    <message><source>waiting</source>
-        <translation>wartet</translation></message>
-    <message><source>being read …</source>
-        <translation>wird gelesen …</translation></message>
-    <message><source>being written …</source>
-        <translation>wird geschrieben …</translation></message>
-    <message><source>written and verified</source>
-        <translation>geschrieben und geprüft</translation></message>
-    <message><source>not tried</source>
-        <translation>nicht versucht</translation></message>
-    <message><source>&amp;Write to boards</source>
-        <translation>Auf Boards &amp;schreiben</translation></message>
-    <message><source>Changes of board {0}</source>
-        <translation>Änderungen an Board {0}</translation></message>
-    <message><source>Stop was pressed, which has ended the work.</source>
-        <translation>„Motoren stoppen“ wurde gedrückt; das hat die Arbeit beendet.</translation></message>
-    <message numerus="yes"><source>Written to %n board(s).</source>
-        <translation><numerusform>Auf %n Board geschrieben.</numerusform><numerusform>Auf %n Boards geschrieben.</numerusform></translation></message>
-    <message numerus="yes"><source>%n board(s) left out; the reason is beside each.</source>
-        <translation><numerusform>%n Board ausgelassen; der Grund steht daneben.</numerusform><numerusform>%n Boards ausgelassen; der Grund steht jeweils daneben.</numerusform></translation></message>
-    <message><source>Apply {0} to several boards</source>
-        <translation>{0} auf mehrere Boards anwenden</translation></message>
-    <message><source>Board {0}: {1}</source>
-        <translation>Board {0}: {1}</translation></message>
     <message><source>Channel input</source>
         <translation>Kanaleingang</translation></message>
     <message><source>{value}, {distance} above neutral</source>
@@ -2819,12 +2743,6 @@
         <translation>Ausgang</translation></message>
     <message><source>{value} of {full}</source>
         <translation>{value} von {full}</translation></message>
-    <message><source>{value}, limit {limit:.2f} A</source>
-        <translation>{value}, Grenze {limit:.2f} A</translation></message>
-    <message><source>{value}, near the limit of {limit:.2f} A</source>
-        <translation>{value}, nahe der Grenze von {limit:.2f} A</translation></message>
-    <message><source>{value}, over the limit of {limit:.2f} A</source>
-        <translation>{value}, über der Grenze von {limit:.2f} A</translation></message>
     <message><source>min</source>
         <translation>min</translation></message>
     <message><source>max</source>
@@ -3025,6 +2943,20 @@
         <translation>Gespeichert als {0}.</translation></message>
     <message><source>Settled within {0:.0f} % after</source>
         <translation>Auf {0:.0f} % eingeschwungen nach</translation></message>
+    <message><source>Mode: off</source>
+        <translation>Modus: ab</translation></message>
+    <message><source>put it on</source>
+        <translation>aufstecken</translation></message>
+    <message><source>remove it</source>
+        <translation>abziehen</translation></message>
+    <message><source>Mix: on</source>
+        <translation>Mix: gesteckt</translation></message>
+    <message><source>Mix: off</source>
+        <translation>Mix: ab</translation></message>
+    <message><source>SO–G: on</source>
+        <translation>SO–G: gesteckt</translation></message>
+    <message><source>SO–G: off</source>
+        <translation>SO–G: ab</translation></message>
     <message><source>sticks learned</source>
         <translation>Knüppel gelernt</translation></message>
     <message><source>current limits</source>
@@ -3107,16 +3039,12 @@
         <translation>für RC- und Analogmodus</translation></message>
     <message><source>SO–G: not known</source>
         <translation>SO–G: nicht bekannt</translation></message>
-    <message><source>SO–G: off</source>
-        <translation>SO–G: ab</translation></message>
     <message><source>flickers</source>
         <translation>flackert</translation></message>
     <message><source>{0:.0f} reads/s, {1:.1f} % answered</source>
         <translation>{0:.0f} Abfragen/s, {1:.1f} % beantwortet</translation></message>
     <message><source>CH{0}</source>
         <translation>K{0}</translation></message>
-    <message><source>Mode: off</source>
-        <translation>Modus: ab</translation></message>
     <message><source>serial mode</source>
         <translation>serieller Modus</translation></message>
     <message><source>RC</source>
@@ -3125,10 +3053,6 @@
         <translation>Analog</translation></message>
     <message><source>channel 5 hands over</source>
         <translation>Kanal 5 übergibt</translation></message>
-    <message><source>Mix: on</source>
-        <translation>Mix: gesteckt</translation></message>
-    <message><source>Mix: off</source>
-        <translation>Mix: ab</translation></message>
     <message><source>limit {0:.1f} A</source>
         <translation>Grenze {0:.1f} A</translation></message>
     <message><source>Channel {0}, {1}</source>
@@ -3199,6 +3123,162 @@
         <translation>Nummer {0} von {1} …</translation></message>
     <message><source>Taken: {0}.</source>
         <translation>Vergeben: {0}.</translation></message>
+    <message><source>nothing to write</source>
+        <translation>nichts zu schreiben</translation></message>
+    <message><source>Boards to write to</source>
+        <translation>Boards, auf die geschrieben wird</translation></message>
+    <message numerus="yes"><source>&amp;Write to %n board(s)</source>
+        <translation><numerusform>Auf %n Board &amp;schreiben</numerusform><numerusform>Auf %n Boards &amp;schreiben</numerusform></translation></message>
+    <message><source>&amp;End after this board</source>
+        <translation>&amp;Nach diesem Board beenden</translation></message>
+    <message><source>This file cannot be used: it has errors. Nothing was changed.</source>
+        <translation>Diese Datei ist nicht verwendbar: Sie enthält Fehler. Es wurde nichts geändert.</translation></message>
+    <message numerus="yes"><source>%n setting(s)</source>
+        <translation><numerusform>%n Einstellung</numerusform><numerusform>%n Einstellungen</numerusform></translation></message>
+    <message><source>read, with warnings</source>
+        <translation>gelesen, mit Warnungen</translation></message>
+    <message><source>read</source>
+        <translation>gelesen</translation></message>
+    <message><source>waiting</source>
+        <translation>wartet</translation></message>
+    <message><source>being read …</source>
+        <translation>wird gelesen …</translation></message>
+    <message><source>being written …</source>
+        <translation>wird geschrieben …</translation></message>
+    <message><source>written and verified</source>
+        <translation>geschrieben und geprüft</translation></message>
+    <message><source>not tried</source>
+        <translation>nicht versucht</translation></message>
+    <message><source>Changes</source>
+        <translation>Änderungen</translation></message>
+    <message><source>Each checked board gets these settings, one board after the other, with a snapshot before. Each keeps its device number and its serial settings. The first error while writing ends the work.</source>
+        <translation>Jedes angekreuzte Board erhält diese Einstellungen, ein Board nach dem anderen, jeweils nach einer Sicherungskopie. Jedes behält seine Gerätenummer und seine seriellen Einstellungen. Der erste Fehler beim Schreiben beendet die Arbeit.</translation></message>
+    <message><source>Close</source>
+        <translation>Schließen</translation></message>
+    <message><source>Stop was pressed, which has ended the work.</source>
+        <translation>„Motoren stoppen“ wurde gedrückt; das hat die Arbeit beendet.</translation></message>
+    <message numerus="yes"><source>Written to %n board(s).</source>
+        <translation><numerusform>Auf %n Board geschrieben.</numerusform><numerusform>Auf %n Boards geschrieben.</numerusform></translation></message>
+    <message numerus="yes"><source>%n board(s) left out; the reason is beside each.</source>
+        <translation><numerusform>%n Board ausgelassen; der Grund steht daneben.</numerusform><numerusform>%n Boards ausgelassen; der Grund steht jeweils daneben.</numerusform></translation></message>
+    <message><source>Apply {0} to several boards</source>
+        <translation>{0} auf mehrere Boards anwenden</translation></message>
+    <message><source>File</source>
+        <translation>Datei</translation></message>
+    <message><source>&amp;Write to boards</source>
+        <translation>Auf Boards &amp;schreiben</translation></message>
+    <message><source>Board {0}: {1}</source>
+        <translation>Board {0}: {1}</translation></message>
+    <message><source>Board {0}</source>
+        <translation>Board {0}</translation></message>
+    <message><source>{0}: beyond a limit that no document confirms (inferred). The board decides: it may reject the value, or store another one.</source>
+        <translation>{0}: jenseits einer Grenze, die kein Dokument bestätigt (erschlossen). Das Board entscheidet: Es lehnt den Wert vielleicht ab oder speichert einen anderen.</translation></message>
+    <message><source>Write an&amp;yway</source>
+        <translation>&amp;Trotzdem schreiben</translation></message>
+    <message><source>&amp;Edit the file instead</source>
+        <translation>Stattdessen die Datei &amp;bearbeiten</translation></message>
+    <message><source>For a {0}: {1} carried over, {2} changed, {3} left out.</source>
+        <translation>Für einen {0}: {1} übernommen, {2} geändert, {3} ausgelassen.</translation></message>
+    <message><source>For a {0}; the board is a {1}. Checked changes become edits.</source>
+        <translation>Für einen {0}; das Board ist ein {1}. Werte mit Häkchen werden als Änderungen übernommen.</translation></message>
+    <message numerus="yes"><source>{0}: %n change(s) pending: review them to write them.</source>
+        <translation><numerusform>{0}: %n Änderung steht an; prüfen Sie sie, um sie zu schreiben.</numerusform><numerusform>{0}: %n Änderungen stehen an; prüfen Sie sie, um sie zu schreiben.</numerusform></translation></message>
+    <message numerus="yes"><source>%n setting(s) differ, {0} match.</source>
+        <translation><numerusform>%n Einstellung weicht ab, {0} gleich.</numerusform><numerusform>%n Einstellungen weichen ab, {0} gleich.</numerusform></translation></message>
+    <message><source>{0}, firmware {1}</source>
+        <translation>{0}, Firmware {1}</translation></message>
+    <message><source>Board to convert for</source>
+        <translation>Board, für das konvertiert wird</translation></message>
+    <message><source>Opens the converted settings as a new file, with the comments of this one. {0} stays as it is.</source>
+        <translation>Öffnet die konvertierten Einstellungen als neue Datei, mit den Kommentaren dieser Datei. {0} bleibt, wie sie ist.</translation></message>
+    <message><source>&amp;Convert</source>
+        <translation>&amp;Konvertieren</translation></message>
+    <message><source>Load settings from {0}</source>
+        <translation>Einstellungen laden: {0}</translation></message>
+    <message numerus="yes"><source>&amp;Load %n change(s)</source>
+        <translation><numerusform>%n Änderung &amp;laden</numerusform><numerusform>%n Änderungen &amp;laden</numerusform></translation></message>
+    <message numerus="yes"><source>&amp;Copy %n value(s) to {0}</source>
+        <translation><numerusform>%n &amp;Wert nach {0} kopieren</numerusform><numerusform>%n &amp;Werte nach {0} kopieren</numerusform></translation></message>
+    <message><source>Convert &amp;for:</source>
+        <translation>Konvertieren &amp;für:</translation></message>
+    <message><source>Board, as shown</source>
+        <translation>Board, wie angezeigt</translation></message>
+    <message><source>Not in the file, so they stay as they are: {0}.</source>
+        <translation>Nicht in der Datei und daher unverändert: {0}.</translation></message>
+    <message><source>Convert {0}</source>
+        <translation>{0} konvertieren</translation></message>
+    <message><source>In the file</source>
+        <translation>In der Datei</translation></message>
+    <message><source>{0} was not loaded: the board is no longer connected.</source>
+        <translation>{0} wurde nicht geladen: Das Board ist nicht mehr verbunden.</translation></message>
+    <message><source>Load {0}</source>
+        <translation>{0} laden</translation></message>
+    <message><source>Copy values from {0}</source>
+        <translation>Werte aus {0} kopieren</translation></message>
+    <message numerus="yes"><source>%n value(s) copied from {0}.</source>
+        <translation><numerusform>%n Wert aus {0} kopiert.</numerusform><numerusform>%n Werte aus {0} kopiert.</numerusform></translation></message>
+    <message><source>For a {0}</source>
+        <translation>Für einen {0}</translation></message>
+    <message><source>Every parameter, by the board's own command, at its next start</source>
+        <translation>Alle Parameter, durch den Befehl des Boards selbst, bei seinem nächsten Start</translation></message>
+    <message><source>&amp;Let the board reset itself…</source>
+        <translation>Das Board sich selbst &amp;zurücksetzen lassen…</translation></message>
+    <message><source>At its next start the board will reset every parameter, including those cleared here. Its present settings are saved first (File, History). Unapplied changes are discarded; Undo restores them.</source>
+        <translation>Bei seinem nächsten Start setzt das Board alle Parameter zurück, auch die hier abgewählten. Seine jetzigen Einstellungen werden zuvor gesichert (Datei, Verlauf). Nicht angewendete Änderungen werden verworfen; „Rückgängig“ stellt sie wieder her.</translation></message>
+    <message><source>It gets device number {0}, which another board on this line has: both would reply at once, and neither could be read. Give that board another number first.</source>
+        <translation>Es erhält die Gerätenummer {0}, die ein anderes Board an dieser Leitung hat: Beide würden gleichzeitig antworten, und keine der Antworten wäre lesbar. Geben Sie jenem Board zuerst eine andere Nummer.</translation></message>
+    <message><source>Writing. Leave the power on.</source>
+        <translation>Schreiben läuft. Lassen Sie die Stromversorgung eingeschaltet.</translation></message>
+    <message><source>A snapshot of all settings is saved first. Each value is read back.</source>
+        <translation>Vorher wird eine Sicherungskopie aller Einstellungen gespeichert. Jeder Wert wird zurückgelesen.</translation></message>
+    <message><source>{0} (device number {1}, {2})</source>
+        <translation>{0} (Gerätenummer {1}, {2})</translation></message>
+    <message><source>Progress of writing</source>
+        <translation>Fortschritt beim Schreiben</translation></message>
+    <message><source>Reset the &amp;board</source>
+        <translation>&amp;Board zurücksetzen</translation></message>
+    <message><source>{0} of {1} could not be verified; still pending.</source>
+        <translation>Konnte nicht bestätigt werden: {0} von {1}; noch ausstehend.</translation></message>
+    <message><source>The value that was being written when the connection was lost may be the old one, the new one or, after a power cut, the default. It will be read again.</source>
+        <translation>Der Wert, der gerade geschrieben wurde, als die Verbindung verloren ging, kann der alte, der neue oder, nach einem Stromausfall, der Standardwert sein. Er wird erneut gelesen.</translation></message>
+    <message><source>Before</source><comment>value</comment>
+        <translation>Vorher</translation></message>
+    <message><source>After</source><comment>value</comment>
+        <translation>Nachher</translation></message>
+    <message numerus="yes"><source>Write %n setting(s) to the board</source>
+        <translation><numerusform>%n Einstellung in das Board schreiben</numerusform><numerusform>%n Einstellungen in das Board schreiben</numerusform></translation></message>
+    <message><source>There is nothing to write.</source>
+        <translation>Es gibt nichts zu schreiben.</translation></message>
+    <message numerus="yes"><source>%n setting(s) written and verified.</source>
+        <translation><numerusform>%n Einstellung geschrieben und geprüft.</numerusform><numerusform>%n Einstellungen geschrieben und geprüft.</numerusform></translation></message>
+    <message><source>Saving a snapshot. Nothing is written yet.</source>
+        <translation>Sicherungskopie wird gespeichert. Noch ist nichts geschrieben.</translation></message>
+    <message><source>No board is responding. The edits are kept.</source>
+        <translation>Kein Board antwortet. Die Änderungen bleiben erhalten.</translation></message>
+    <message><source>The board will reset itself at its next start and would lose what is written now. Switch it off and on first (Device, Make stored settings active).</source>
+        <translation>Das Board setzt sich bei seinem nächsten Start selbst zurück und würde verlieren, was jetzt geschrieben wird. Schalten Sie es zuerst aus und ein (Gerät, Gespeicherte Einstellungen aktivieren).</translation></message>
+    <message><source>These calibrations stay pending until the board uses their input source again: {0}.</source>
+        <translation>Diese Kalibrierungen bleiben ausstehend, bis das Board ihre Eingangsquelle wieder verwendet: {0}.</translation></message>
+    <message><source>Active only after the board is switched off and on: {0}.</source>
+        <translation>Erst nach dem Aus- und Einschalten des Boards aktiv: {0}.</translation></message>
+    <message><source>Restore factory defaults</source>
+        <translation>Werkseinstellungen wiederherstellen</translation></message>
+    <message><source>Restore serial defaults</source>
+        <translation>Serielle Standardwerte wiederherstellen</translation></message>
+    <message numerus="yes"><source>&amp;Write %n setting(s)</source>
+        <translation><numerusform>%n Einstellung &amp;schreiben</numerusform><numerusform>%n Einstellungen &amp;schreiben</numerusform></translation></message>
+    <message><source>The channel calibrations stay.</source>
+        <translation>Die Kalibrierungen der Kanäle bleiben.</translation></message>
+    <message><source>The connection was lost.</source>
+        <translation>Die Verbindung ist abgebrochen.</translation></message>
+    <message><source>{0} of {1}: {2}</source>
+        <translation>{0} von {1}: {2}</translation></message>
+    <message><source>Board now</source>
+        <translation>Board jetzt</translation></message>
+    <message><source>not attempted</source>
+        <translation>nicht versucht</translation></message>
+    <message><source>No source confirms the default of: {0}.</source>
+        <translation>Keine Quelle bestätigt den Standardwert von: {0}.</translation></message>
     <message><source>Both off</source>
         <translation>Beide aus</translation></message>
     <message><source>No power</source>
@@ -3235,6 +3315,8 @@
         <translation>Bootloader, wartet auf neue Firmware</translation></message>
     <message><source>Switch the board off and on, with the jumpers removed.</source>
         <translation>Schalten Sie das Board mit abgezogenen Jumpern aus und ein.</translation></message>
+    <message><source>Mode may also be on: the board responds in every mode.</source>
+        <translation>Der Modus-Jumper darf auch stecken: Das Board antwortet in jedem Modus.</translation></message>
     <message><source>Jumpers</source>
         <translation>Jumper</translation></message>
     <message><source>Switch the board off. Remove the mode jumper. Put the mix and SO–G jumpers on.</source>
@@ -3273,72 +3355,34 @@
         <translation>Fünfmal Blinken, dann bleibt Rot an.</translation></message>
     <message><source>The TReX responds at the factory settings.</source>
         <translation>Der TReX antwortet mit den Werkseinstellungen.</translation></message>
-    <message><source>Search with Find first: it finds a board at any of its settings. If that fails, these steps from Pololu's support forum restore the serial settings of the factory (inferred). One user saw the LEDs alternate for three seconds only, and nothing was restored: then begin again. Compare the other settings with your last snapshot afterwards (Ctrl+H).</source>
-        <translation>Suchen Sie zuerst mit „Suchen“: Das findet ein Board mit jeder seiner Einstellungen. Hilft das nicht, stellen diese Schritte aus dem Support-Forum von Pololu die seriellen Werkseinstellungen wieder her (erschlossen). Ein Benutzer sah die LEDs nur drei Sekunden lang abwechseln, und nichts wurde wiederhergestellt: Beginnen Sie dann von vorn. Vergleichen Sie danach die übrigen Einstellungen mit Ihrer letzten Sicherungskopie (Strg+H).</translation></message>
-    <message><source>Ways to a board that responds</source>
-        <translation>Wege zu einem antwortenden Board</translation></message>
-    <message><source>&amp;Back</source>
-        <translation>&amp;Zurück</translation></message>
-    <message><source>&amp;Next</source>
-        <translation>&amp;Weiter</translation></message>
-    <message><source>What the LEDs show</source>
-        <translation>Was die LEDs zeigen</translation></message>
-    <message><source>What this computer receives</source>
-        <translation>Was dieser Computer empfängt</translation></message>
+    <message><source>Restores the serial settings of the factory (inferred). If the LEDs alternate for three seconds only, begin again.</source>
+        <translation>Stellt die seriellen Werkseinstellungen wieder her (abgeleitet). Wenn die LEDs nur drei Sekunden lang abwechselnd leuchten, beginnen Sie neu.</translation></message>
     <message><source>Board does not respond</source>
         <translation>Board antwortet nicht</translation></message>
-    <message><source>Mode may also be on: the board responds in every mode.</source>
-        <translation>Der Modus-Jumper darf auch stecken: Das Board antwortet in jedem Modus.</translation></message>
-    <message><source>&amp;What the board shows</source>
-        <translation>Was das &amp;Board zeigt</translation></message>
-    <message><source>&amp;Lost serial settings</source>
-        <translation>&amp;Verlorene serielle Einstellungen</translation></message>
-    <message><source>W&amp;iring</source>
-        <translation>Ver&amp;drahtung</translation></message>
-    <message><source>&amp;Find now</source>
-        <translation>&amp;Jetzt suchen</translation></message>
-    <message><source>&amp;Connect at factory settings</source>
-        <translation>&amp;Mit Werkseinstellungen verbinden</translation></message>
     <message><source>19200 baud, without parity and CRC, whatever the device number</source>
         <translation>19200 Baud, ohne Parität und CRC, bei jeder Gerätenummer</translation></message>
-    <message><source>Show &amp;matching settings, too</source>
-        <translation>Auch übereinstimmende &amp;Einstellungen zeigen</translation></message>
+    <message><source>&amp;Connect at factory settings</source>
+        <translation>&amp;Mit Werkseinstellungen verbinden</translation></message>
+    <message><source>What the LEDs show</source>
+        <translation>Was die LEDs zeigen</translation></message>
+    <message><source>Jumpers and LEDs</source>
+        <translation>Jumper und LEDs</translation></message>
+    <message><source>What this computer receives</source>
+        <translation>Was dieser Computer empfängt</translation></message>
+    <message><source>&amp;Find now</source>
+        <translation>&amp;Jetzt suchen</translation></message>
+    <message><source>LEDs</source>
+        <translation>LEDs</translation></message>
+    <message><source>&amp;Next</source>
+        <translation>&amp;Weiter</translation></message>
+    <message><source>Show wire values, and settings that match</source>
+        <translation>Bytewerte und übereinstimmende Einstellungen zeigen</translation></message>
     <message><source>Select &amp;all</source>
         <translation>&amp;Alle auswählen</translation></message>
-    <message><source>Select &amp;none</source>
-        <translation>&amp;Keine auswählen</translation></message>
+    <message><source>Deta&amp;ils</source>
+        <translation>E&amp;inzelheiten</translation></message>
     <message><source>Comparison of settings</source>
         <translation>Vergleich der Einstellungen</translation></message>
-    <message><source>Before</source><comment>value</comment>
-        <translation>Vorher</translation></message>
-    <message><source>After</source><comment>value</comment>
-        <translation>Nachher</translation></message>
-    <message><source>Converted settings</source>
-        <translation>Konvertierte Einstellungen</translation></message>
-    <message><source>For a {0}: {1} carried over, {2} changed, {3} left out.</source>
-        <translation>Für einen {0}: {1} übernommen, {2} geändert, {3} ausgelassen.</translation></message>
-    <message><source>Opens the converted settings as a new file, with the comments of this one. {0} stays as it is.</source>
-        <translation>Öffnet die konvertierten Einstellungen als neue Datei, mit den Kommentaren dieser Datei. {0} bleibt, wie sie ist.</translation></message>
-    <message><source>Changed.</source>
-        <translation>Geändert.</translation></message>
-    <message><source>Left out.</source>
-        <translation>Ausgelassen.</translation></message>
-    <message><source>Carried over.</source>
-        <translation>Übernommen.</translation></message>
-    <message><source>In the file</source>
-        <translation>In der Datei</translation></message>
-    <message><source>{0}, firmware {1}</source>
-        <translation>{0}, Firmware {1}</translation></message>
-    <message><source>Board to convert for</source>
-        <translation>Board, für das konvertiert wird</translation></message>
-    <message><source>&amp;Convert</source>
-        <translation>&amp;Konvertieren</translation></message>
-    <message><source>For a {0}</source>
-        <translation>Für einen {0}</translation></message>
-    <message><source>Convert &amp;for:</source>
-        <translation>Konvertieren &amp;für:</translation></message>
-    <message><source>Convert {0}</source>
-        <translation>{0} konvertieren</translation></message>
     <message numerus="yes"><source>%n count(s)</source>
         <translation><numerusform>%n Count</numerusform><numerusform>%n Counts</numerusform></translation></message>
     <message><source>Enter 0 to {0}, such as 2.5 V, 2500 mV or 512 counts.</source>
@@ -3521,16 +3565,14 @@
         <translation>Treiberfehler von Motor {0}</translation></message>
     <message><source>Overrun</source>
         <translation>Überlauf</translation></message>
-    <message><source>{0}: beyond a limit that no document confirms (inferred). The board decides: it may reject the value, or store another one.</source>
-        <translation>{0}: jenseits einer Grenze, die kein Dokument bestätigt (erschlossen). Das Board entscheidet: Es lehnt den Wert vielleicht ab oder speichert einen anderen.</translation></message>
     <message><source>Findings about the settings</source>
         <translation>Befunde zu den Einstellungen</translation></message>
+    <message numerus="yes"><source>and %n more</source>
+        <translation><numerusform>und %n weiterer</numerusform><numerusform>und %n weitere</numerusform></translation></message>
     <message><source>Accept</source>
         <translation>Übernehmen</translation></message>
-    <message><source>Write an&amp;yway</source>
-        <translation>&amp;Trotzdem schreiben</translation></message>
-    <message><source>Add this change to the edits; nothing is written until you click Apply</source>
-        <translation>Nimmt diesen Wert in die Änderungen auf; geschrieben wird erst, wenn Sie auf „Einstellungen anwenden“ klicken</translation></message>
+    <message><source>Show line {0}</source>
+        <translation>Zeile {0} zeigen</translation></message>
     <message><source>Save a copy as a settings file</source>
         <translation>Eine Kopie als Einstellungsdatei speichern</translation></message>
     <message><source>There are no snapshots yet.
@@ -3543,6 +3585,8 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation><numerusform>%n Sicherungskopie von {0} endgültig löschen?</numerusform><numerusform>%n Sicherungskopien endgültig löschen, die neueste von {0}?</numerusform></translation></message>
     <message><source>Search times, boards, adapters (Ctrl+F)</source>
         <translation>Zeiten, Boards, Adapter suchen (Strg+F)</translation></message>
+    <message><source>How many snapshots are kept</source>
+        <translation>Wie viele Sicherungskopien behalten werden</translation></message>
     <message numerus="yes"><source>Permanently remove the oldest %n of {0} snapshots?</source>
         <translation><numerusform>Die älteste Sicherungskopie (%n von {0}) endgültig entfernen?</numerusform><numerusform>Die ältesten %n von {0} Sicherungskopien endgültig entfernen?</numerusform></translation></message>
     <message><source>History</source>
@@ -3559,16 +3603,10 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Sicherungskopien</translation></message>
     <message><source>No snapshot matches the search.</source>
         <translation>Keine Sicherungskopie passt zur Suche.</translation></message>
-    <message><source>Which snapshots are kept</source>
-        <translation>Welche Sicherungskopien behalten werden</translation></message>
-    <message><source>How many snapshots are kept</source>
-        <translation>Wie viele Sicherungskopien behalten werden</translation></message>
-    <message><source>&amp;Set</source>
-        <translation>&amp;Setzen</translation></message>
-    <message><source>the newest</source>
-        <translation>die neuesten</translation></message>
     <message><source>all</source>
         <translation>alle</translation></message>
+    <message><source>&amp;Set</source>
+        <translation>&amp;Setzen</translation></message>
     <message><source>&amp;Keep</source>
         <translation>&amp;Behalten</translation></message>
     <message><source>snapshots</source>
@@ -3581,106 +3619,70 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Die Sicherungskopien sind in {0}.</translation></message>
     <message><source>Nothing was saved. {0}</source>
         <translation>Es wurde nichts gespeichert. {0}</translation></message>
-    <message><source>SO–G: on</source>
-        <translation>SO–G: gesteckt</translation></message>
-    <message><source>Push every stick forward or right first, all the way; then the other way. Move switches to all positions.</source>
-        <translation>Drücken Sie jeden Knüppel zuerst ganz nach vorn oder rechts, dann ganz in die andere Richtung. Bewegen Sie Schalter in alle Stellungen.</translation></message>
-    <message><source>Hold each end until its check mark appears, for at least {0:.1f} s: this line ({1} baud) carries only {2:.1f} measurements per second. Then click Next.</source>
-        <translation>Halten Sie jede Endlage, bis ihr Häkchen erscheint, mindestens {0:.1f} s: Diese Leitung ({1} Baud) überträgt nur {2:.1f} Messungen pro Sekunde. Klicken Sie dann auf „Weiter“.</translation></message>
-    <message><source>Push every stick to all its ends, then release it. Move every switch to all its positions. The motors stay off: in serial mode the sticks do not drive them.</source>
-        <translation>Drücken Sie jeden Knüppel in alle seine Endlagen, dann lassen Sie ihn los. Bewegen Sie jeden Schalter in alle seine Stellungen. Die Motoren bleiben aus: Im seriellen Modus treiben die Knüppel sie nicht an.</translation></message>
+    <message><source>Push every stick forward or right first, all the way; then the other way. Move switches to all positions. Hold each end until it is ticked, then click Next.</source>
+        <translation>Drücken Sie jeden Knüppel zuerst ganz nach vorn oder rechts, dann ganz in die andere Richtung. Bewegen Sie Schalter in alle Stellungen. Halten Sie jede Endlage, bis ihr Häkchen erscheint, dann klicken Sie auf „Weiter“.</translation></message>
+    <message><source>This takes at least {0:.1f} s: at {1} baud only {2:.1f} measurements arrive per second.</source>
+        <translation>Das dauert mindestens {0:.1f} s: Bei {1} Baud kommen nur {2:.1f} Messungen pro Sekunde an.</translation></message>
+    <message><source>Push every stick to all its ends, then release it. Move every switch to all its positions. The motors stay off.</source>
+        <translation>Drücken Sie jeden Knüppel in alle seine Endlagen, dann lassen Sie ihn los. Bewegen Sie jeden Schalter in alle seine Stellungen. Die Motoren bleiben aus.</translation></message>
     <message><source>If a channel does not get a good result, learn its values again.</source>
         <translation>Wenn ein Kanal kein gutes Ergebnis erhält, lernen Sie seine Werte neu ein.</translation></message>
     <message numerus="yes"><source>&amp;Learn channel(s) {0} again</source>
         <translation><numerusform>Kanal {0} neu ein&amp;lernen</numerusform><numerusform>Kanäle {0} neu ein&amp;lernen</numerusform></translation></message>
-    <message><source>Try &amp;again</source>
-        <translation>&amp;Erneut versuchen</translation></message>
-    <message><source>Stop the motors again and begin again.</source>
-        <translation>Stoppt die Motoren erneut und beginnt von vorn.</translation></message>
-    <message><source>The new values are in the board. The test does not start by itself, because the motors may be running: it has to stop them first.</source>
-        <translation>Die neuen Werte sind im Board. Der Test beginnt nicht von selbst, weil die Motoren vielleicht laufen: Er muss sie zuerst stoppen.</translation></message>
+    <message><source>The new values are in the board. Their test has to stop the motors first.</source>
+        <translation>Die neuen Werte sind im Board. Ihr Test muss zuerst die Motoren stoppen.</translation></message>
     <message><source>The board sends no measurements: the line is busy or disturbed. Waiting …</source>
         <translation>Das Board sendet keine Messungen: Die Leitung ist belegt oder gestört. Es wird gewartet …</translation></message>
-    <message><source>The motors are stopped. Release every stick and set every switch to off. Then click Next to measure the rest positions.</source>
-        <translation>Die Motoren sind gestoppt. Lassen Sie jeden Knüppel los und stellen Sie jeden Schalter auf Aus. Klicken Sie dann auf „Weiter“, um die Ruhelagen zu messen.</translation></message>
-    <message><source>No channel is at rest. Correct the problems below, then click “Sample again”.</source>
-        <translation>Kein Kanal ist in Ruhe. Beheben Sie die Probleme unten, dann klicken Sie auf „Erneut messen“.</translation></message>
-    <message><source>Check the new values. You can change them; clear the check box of a channel to keep its old values. Nothing is written yet: you confirm all changes in the next window.</source>
-        <translation>Prüfen Sie die neuen Werte. Sie können sie ändern; entfernen Sie das Häkchen eines Kanals, um seine alten Werte zu behalten. Noch wird nichts geschrieben: Sie bestätigen alle Änderungen im nächsten Fenster.</translation></message>
-    <message><source>&amp;Use these values…</source>
-        <translation>Diese Werte &amp;verwenden…</translation></message>
-    <message><source>Stop the motors and &amp;test</source>
-        <translation>Motoren stoppen und &amp;testen</translation></message>
-    <message><source>Measurements</source>
-        <translation>Messungen</translation></message>
-    <message><source>Hands off the sticks</source>
-        <translation>Knüppel loslassen</translation></message>
-    <message><source>All sticks to all ends</source>
-        <translation>Alle Knüppel in alle Endlagen</translation></message>
-    <message><source>Review</source>
-        <translation>Prüfen</translation></message>
-    <message><source>Test every stick</source>
-        <translation>Jeden Knüppel testen</translation></message>
-    <message><source>Stop the motors</source>
-        <translation>Motoren stoppen</translation></message>
-    <message><source>Stopping the motors. The next step comes when the board has confirmed the stop and no current flows.</source>
-        <translation>Die Motoren werden gestoppt. Der nächste Schritt kommt, wenn das Board den Stopp bestätigt hat und kein Strom fließt.</translation></message>
-    <message><source>Not every channel is at rest. Correct the problems below and click “Sample again”, or click Next to continue without channel {0}.</source>
-        <translation>Nicht jeder Kanal ist in Ruhe. Beheben Sie die Probleme unten und klicken Sie auf „Erneut messen“, oder klicken Sie auf „Weiter“, um ohne Kanal {0} fortzufahren.</translation></message>
-    <message><source>Hold each end for a moment, then click Next.</source>
-        <translation>Halten Sie jede Endlage einen Moment, dann klicken Sie auf „Weiter“.</translation></message>
-    <message><source>Nothing was learned. The reason is below. Go back, or start over.</source>
-        <translation>Es wurde nichts eingelernt. Der Grund steht unten. Gehen Sie zurück, oder beginnen Sie neu.</translation></message>
-    <message><source>Nothing was learned, so there are no values to use.</source>
-        <translation>Es wurde nichts eingelernt, daher gibt es keine Werte zum Verwenden.</translation></message>
-    <message><source>No channel is selected. Select each channel whose new values to use.</source>
-        <translation>Kein Kanal ist ausgewählt. Wählen Sie jeden Kanal, dessen neue Werte verwendet werden sollen.</translation></message>
+    <message><source>Release every stick and set every switch to off. Then click Next.</source>
+        <translation>Lassen Sie jeden Knüppel los und stellen Sie jeden Schalter auf Aus. Klicken Sie dann auf „Weiter“.</translation></message>
+    <message><source>No channel is at rest. Click “Sample again”.</source>
+        <translation>Kein Kanal ist in Ruhe. Klicken Sie auf „Erneut messen“.</translation></message>
+    <message><source>Nothing was learned. Go back, or start over.</source>
+        <translation>Es wurde nichts eingelernt. Gehen Sie zurück oder beginnen Sie neu.</translation></message>
     <message><source>No channel is selected.</source>
         <translation>Kein Kanal ist ausgewählt.</translation></message>
-    <message><source>Use the values of all selected channels. Nothing is written yet.</source>
-        <translation>Die Werte aller ausgewählten Kanäle verwenden. Noch wird nichts geschrieben.</translation></message>
-    <message><source>Everything is as it should be.</source>
-        <translation>Alles ist, wie es sein soll.</translation></message>
-    <message><source>There is nothing to test: the board ignores this input, so it holds it at neutral. See the setting Ignored Channels.</source>
-        <translation>Hier gibt es nichts zu testen: Das Board ignoriert diesen Eingang und hält ihn in Neutralstellung. Siehe die Einstellung „Ignorierte Kanäle“.</translation></message>
-    <message><source>The tested channels are good. But in {0} mode the motors would not start. {1}</source>
-        <translation>Die getesteten Kanäle sind gut. Aber im Modus {0} würden die Motoren nicht anlaufen. {1}</translation></message>
-    <message><source>Test the sticks</source>
-        <translation>Knüppel testen</translation></message>
-    <message><source>The motors are stopped: co&amp;ntinue</source>
-        <translation>Die Motoren stehen still: &amp;fortfahren</translation></message>
-    <message><source>Sample &amp;again</source>
-        <translation>Erneut &amp;messen</translation></message>
-    <message><source>Measure the rest positions of all channels once more.</source>
-        <translation>Misst die Ruhelagen aller Kanäle noch einmal.</translation></message>
-    <message><source>&amp;Forget these ends</source>
-        <translation>Diese En&amp;dlagen vergessen</translation></message>
-    <message><source>Forget the ends reached so far. The rest positions are kept.</source>
-        <translation>Vergisst die bisher erreichten Endlagen. Die Ruhelagen bleiben erhalten.</translation></message>
-    <message><source>&amp;Start over</source>
-        <translation>Neu &amp;beginnen</translation></message>
-    <message><source>Forget everything measured and go back to the rest positions.</source>
-        <translation>Vergisst alles Gemessene und geht zurück zu den Ruhelagen.</translation></message>
-    <message><source>Test &amp;again</source>
-        <translation>Erneut &amp;testen</translation></message>
-    <message><source>Forget what was tested so far and begin the test again.</source>
-        <translation>Vergisst, was bisher getestet wurde, und beginnt den Test von vorn.</translation></message>
-    <message><source>Hands off. Sampling … {0:.1f} s</source>
-        <translation>Knüppel loslassen. Messung läuft … {0:.1f} s</translation></message>
     <message><source>The board would reject the values of channel {0}: change them, or clear its check box.</source>
         <translation>Das Board würde die Werte von Kanal {0} ablehnen: Ändern Sie sie, oder entfernen Sie sein Häkchen.</translation></message>
-    <message><source>The board would reject the values of channel {0}.</source>
-        <translation>Das Board würde die Werte von Kanal {0} ablehnen.</translation></message>
-    <message><source>The low end was not held. Push it there again and hold it for {0:.1f} s.</source>
-        <translation>Die untere Endlage wurde nicht gehalten. Drücken Sie wieder dorthin und halten Sie {0:.1f} s.</translation></message>
-    <message><source>The high end was not held. Push it there again and hold it for {0:.1f} s.</source>
-        <translation>Die obere Endlage wurde nicht gehalten. Drücken Sie wieder dorthin und halten Sie {0:.1f} s.</translation></message>
-    <message><source>No end reached yet.</source>
-        <translation>Noch keine Endlage erreicht.</translation></message>
-    <message><source>Calculated from the values in the board, for each channel by itself. From the manual: full output at and beyond the ends, 0 in the deadband, and what safe-start waits for. Assumed: up to 8 of 127 counts as neutral; the switching points of switches.</source>
-        <translation>Aus den Werten im Board berechnet, für jeden Kanal einzeln. Laut Handbuch: voller Ausgang an und jenseits der Endlagen, 0 im Totbereich, und worauf der Safe-Start wartet. Angenommen: bis zu 8 von 127 gelten als neutral; die Umschaltpunkte von Schaltern.</translation></message>
-    <message><source>not sampled yet</source>
-        <translation>noch nicht gemessen</translation></message>
+    <message><source>Check the new values. Nothing is written yet.</source>
+        <translation>Prüfen Sie die neuen Werte. Noch wird nichts geschrieben.</translation></message>
+    <message><source>Test the sticks</source>
+        <translation>Knüppel testen</translation></message>
+    <message><source>Hands off</source>
+        <translation>Loslassen</translation></message>
+    <message><source>All ends</source>
+        <translation>Alle Endlagen</translation></message>
+    <message><source>Review</source>
+        <translation>Prüfen</translation></message>
+    <message><source>Stop the motors</source>
+        <translation>Motoren stoppen</translation></message>
+    <message><source>Sample &amp;again</source>
+        <translation>Erneut &amp;messen</translation></message>
+    <message><source>Start this step &amp;again</source>
+        <translation>Schritt neu &amp;beginnen</translation></message>
+    <message><source>&amp;Start over</source>
+        <translation>Neu &amp;beginnen</translation></message>
+    <message><source>Test &amp;again</source>
+        <translation>Erneut &amp;testen</translation></message>
+    <message><source>Stopping the motors. The board has to confirm the stop.</source>
+        <translation>Die Motoren werden gestoppt. Das Board muss den Stopp bestätigen.</translation></message>
+    <message><source>Not every channel is at rest. Click “Sample again”, or Next to go on without channel {0}.</source>
+        <translation>Nicht jeder Kanal ist in Ruhe. Klicken Sie auf „Erneut messen“ oder auf „Weiter“, um ohne Kanal {0} fortzufahren.</translation></message>
+    <message><source>Everything is as it should be.</source>
+        <translation>Alles ist, wie es sein soll.</translation></message>
+    <message><source>Nothing to test: the board ignores this input (Ignored Channels).</source>
+        <translation>Nichts zu testen: Das Board ignoriert diesen Eingang („Ignorierte Kanäle“).</translation></message>
+    <message><source>The channels are good. But in {0} mode the motors would not start. {1}</source>
+        <translation>Die Kanäle sind gut. Aber im Modus {0} würden die Motoren nicht anlaufen. {1}</translation></message>
+    <message><source>Stop the motors and &amp;test</source>
+        <translation>Motoren stoppen und &amp;testen</translation></message>
+    <message><source>The motors are stopped: co&amp;ntinue</source>
+        <translation>Die Motoren stehen still: &amp;fortfahren</translation></message>
+    <message><source>Try &amp;again</source>
+        <translation>&amp;Erneut versuchen</translation></message>
+    <message><source>Hands off. Sampling … {0:.1f} s</source>
+        <translation>Knüppel loslassen. Messung läuft … {0:.1f} s</translation></message>
+    <message><source>&amp;Use these values…</source>
+        <translation>Diese Werte &amp;verwenden…</translation></message>
     <message><source>{0} end: not reached yet</source>
         <translation>Endlage {0}: noch nicht erreicht</translation></message>
     <message><source>{0} end: hold it there</source>
@@ -3689,10 +3691,14 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Endlage {0}: erreicht</translation></message>
     <message><source>{0} end: not needed</source>
         <translation>Endlage {0}: nicht nötig</translation></message>
+    <message><source>Calculated from the values in the board, for each channel by itself. Assumed: up to 8 of 127 counts as neutral; the switching points of switches.</source>
+        <translation>Aus den Werten im Board berechnet, für jeden Kanal einzeln. Angenommen: bis zu 8 von 127 gelten als neutral; die Umschaltpunkte von Schaltern.</translation></message>
+    <message><source>not sampled yet</source>
+        <translation>noch nicht gemessen</translation></message>
     <message><source>Hold it there …</source>
         <translation>Dort halten …</translation></message>
-    <message><source>Not moved yet. Move the switch to every position.</source>
-        <translation>Noch nicht bewegt. Bewegen Sie den Schalter in jede Stellung.</translation></message>
+    <message><source>No end reached yet.</source>
+        <translation>Noch keine Endlage erreicht.</translation></message>
     <message><source>low</source>
         <translation>unten</translation></message>
     <message><source>high</source>
@@ -3701,16 +3707,12 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Ausgelassen: Die Ruhelage ist nicht bekannt.</translation></message>
     <message><source>Raw input of channel {0}</source>
         <translation>Rohwert von Kanal {0}</translation></message>
-    <message><source>at rest: {0}, noise {1}</source>
-        <translation>in Ruhe: {0}, Rauschen {1}</translation></message>
-    <message><source>Both ends reached: {0} and {1}.</source>
-        <translation>Beide Endlagen erreicht: {0} und {1}.</translation></message>
+    <message><source>Not held. Hold it there for {0:.1f} s.</source>
+        <translation>Nicht gehalten. Halten Sie ihn dort {0:.1f} s lang.</translation></message>
     <message><source>Reached: {0}.</source>
         <translation>Erreicht: {0}.</translation></message>
-    <message><source>Low end reached: {0}. Now the other way.</source>
-        <translation>Untere Endlage erreicht: {0}. Jetzt die andere Richtung.</translation></message>
-    <message><source>High end reached: {0}. Now the other way.</source>
-        <translation>Obere Endlage erreicht: {0}. Jetzt die andere Richtung.</translation></message>
+    <message><source>at rest: {0}, noise {1}</source>
+        <translation>in Ruhe: {0}, Rauschen {1}</translation></message>
     <message><source>Output of channel {0}</source>
         <translation>Ausgang von Kanal {0}</translation></message>
     <message><source>Input now {0}; output {1}.</source>
@@ -3789,36 +3791,10 @@ bisher {1}</translation></message>
         <translation>Nu&amp;mmern anderer Geräte:</translation></message>
     <message><source>&amp;Restore defaults</source>
         <translation>Standard&amp;werte wiederherstellen</translation></message>
-    <message><source>&amp;Edit the file instead</source>
-        <translation>Stattdessen die Datei &amp;bearbeiten</translation></message>
-    <message numerus="yes"><source>{0}: %n change(s) pending: review them to write them.</source>
-        <translation><numerusform>{0}: %n Änderung steht an; prüfen Sie sie, um sie zu schreiben.</numerusform><numerusform>{0}: %n Änderungen stehen an; prüfen Sie sie, um sie zu schreiben.</numerusform></translation></message>
-    <message><source>Checked changes become edits. Nothing is written to the board until you click Apply.</source>
-        <translation>Werte mit Häkchen werden als Änderungen übernommen. Auf das Board wird erst geschrieben, wenn Sie auf „Einstellungen anwenden“ klicken.</translation></message>
-    <message><source>Board, as shown</source>
-        <translation>Board, wie angezeigt</translation></message>
-    <message><source>{0}: settings for a {1} with firmware {2}; the board has {3}.</source>
-        <translation>{0}: Einstellungen für einen {1} mit Firmware {2}; das Board hat {3}.</translation></message>
-    <message><source>{0}: settings for a {1}; the board is a {2}.</source>
-        <translation>{0}: Einstellungen für einen {1}; das Board ist ein {2}.</translation></message>
-    <message><source>{0}: settings for a {1} with firmware {2}.</source>
-        <translation>{0}: Einstellungen für einen {1} mit Firmware {2}.</translation></message>
-    <message numerus="yes"><source>&amp;Load %n change(s)</source>
-        <translation><numerusform>%n Änderung &amp;laden</numerusform><numerusform>%n Änderungen &amp;laden</numerusform></translation></message>
-    <message><source>{0} was not loaded: the board is no longer connected.</source>
-        <translation>{0} wurde nicht geladen: Das Board ist nicht mehr verbunden.</translation></message>
-    <message><source>Load settings from {0}</source>
-        <translation>Einstellungen laden: {0}</translation></message>
-    <message><source>{0}, converted</source>
-        <translation>{0}, konvertiert</translation></message>
-    <message><source>{0}: settings for a {1}.</source>
-        <translation>{0}: Einstellungen für einen {1}.</translation></message>
-    <message><source>Load {0}</source>
-        <translation>{0} laden</translation></message>
-    <message><source>Not in the file, so they stay as they are: {0}.</source>
-        <translation>Nicht in der Datei und daher unverändert: {0}.</translation></message>
-    <message><source>“Arm without” is remembered for this board. Cut the power by hand then if the cable falls out.</source>
-        <translation>„Ohne Timeout freigeben“ wird für dieses Board gemerkt. Trennen Sie dann die Motorversorgung von Hand, wenn das Kabel herausfällt.</translation></message>
+    <message><source>Arming without one is remembered for this board. Cut the power by hand then if the cable falls out.</source>
+        <translation>Freigeben ohne Timeout wird für dieses Board gemerkt. Trennen Sie dann die Motorversorgung von Hand, wenn das Kabel herausfällt.</translation></message>
+    <message><source>Arm with&amp;out a timeout</source>
+        <translation>&amp;Ohne Timeout freigeben</translation></message>
     <message><source>Write the serial timeout</source>
         <translation>Serielles Timeout schreiben</translation></message>
     <message><source>Writes Serial Timeout and UART-Error Shutdown now: the board should stop its motors {0} s after the last byte. Other changes stay pending.</source>
@@ -3833,8 +3809,6 @@ bisher {1}</translation></message>
         <translation>Nichts anzu&amp;wenden</translation></message>
     <message><source>Write the changed parameters into the board (Ctrl+Enter)</source>
         <translation>Die geänderten Parameter ins Board schreiben (Strg+Enter)</translation></message>
-    <message><source>Channels control the motors: serial commands do not reach them.</source>
-        <translation>Die Kanäle steuern die Motoren: Serielle Befehle erreichen sie nicht.</translation></message>
     <message><source>Arm the motors</source>
         <translation>Motoren freigeben</translation></message>
     <message><source>Writing …</source>
@@ -3847,40 +3821,38 @@ bisher {1}</translation></message>
         <translation>Motoren fre&amp;igeben</translation></message>
     <message><source>Lets both motors and the auxiliary be driven; nothing moves yet</source>
         <translation>Gibt beide Motoren und den Hilfsmotor zum Fahren frei; noch bewegt sich nichts</translation></message>
-    <message><source>The board driven before may still turn its motors. Cut their power.</source>
-        <translation>Die Motoren des zuvor angesteuerten Boards können sich noch drehen. Trennen Sie dessen Motorversorgung.</translation></message>
     <message><source>Channels control the motors: Stop does not affect them.</source>
         <translation>Die Kanäle steuern die Motoren: „Motoren stoppen“ wirkt nicht auf die Motoren.</translation></message>
-    <message><source>Several boards on this line: select the one to drive.</source>
-        <translation>Mehrere Boards an dieser Leitung: Wählen Sie das Board zum Fahren.</translation></message>
-    <message><source>Not armed: nothing is sent to the motors.</source>
-        <translation>Nicht freigegeben: Es wird nichts an die Motoren gesendet.</translation></message>
     <message><source>&amp;Write {0:g} s and arm</source>
         <translation>{0:g} s &amp;schreiben und freigeben</translation></message>
-    <message><source>Arm with&amp;out</source>
-        <translation>&amp;Ohne Timeout freigeben</translation></message>
     <message><source>The board did not store the serial timeout.</source>
         <translation>Das Board hat das serielle Timeout nicht gespeichert.</translation></message>
     <message><source>Armed. Drive them on the Motors page.</source>
         <translation>Freigegeben. Gefahren wird auf der Seite „Motoren“.</translation></message>
-    <message><source>Stopping …</source>
-        <translation>Wird gestoppt …</translation></message>
     <message><source>Write &amp;{0} s</source>
         <translation>&amp;{0} s schreiben</translation></message>
     <message><source>Write a serial timeout of {0} s</source>
         <translation>Serielles Timeout von {0} s schreiben</translation></message>
     <message><source>Armed. Sent: {0}</source>
         <translation>Freigegeben. Gesendet: {0}</translation></message>
-    <message><source>Stopped. Motors are locked for {0} s.</source>
-        <translation>Gestoppt. Die Motoren sind für {0} s gesperrt.</translation></message>
     <message><source>Why this value? Kept on this computer and in files.</source>
         <translation>Warum dieser Wert? Wird auf diesem Computer und in Dateien aufbewahrt.</translation></message>
     <message><source>Note</source>
         <translation>Notiz</translation></message>
+    <message><source>Input source</source>
+        <translation>Eingangsquelle</translation></message>
+    <message><source>edited</source>
+        <translation>geändert</translation></message>
+    <message><source>Channel {0}: {1}</source>
+        <translation>Kanal {0}: {1}</translation></message>
+    <message><source>the calibration of {0}</source>
+        <translation>Kalibrierung von {0}</translation></message>
     <message><source>&amp;All other channels</source>
         <translation>&amp;Alle anderen Kanäle</translation></message>
     <message><source>&amp;Reset to factory defaults</source>
         <translation>Auf &amp;Werkseinstellungen zurücksetzen</translation></message>
+    <message><source>&amp;Discard the edits of this channel</source>
+        <translation>Die Änderungen &amp;dieses Kanals verwerfen</translation></message>
     <message><source>&amp;Load calibrations from a file…</source>
         <translation>Kalibrierungen aus Datei &amp;laden…</translation></message>
     <message><source>&amp;Copy to</source>
@@ -3915,30 +3887,6 @@ bisher {1}</translation></message>
         <translation>Kalibrierungen aus {0}</translation></message>
     <message><source>The calibrations shown were saved in {0}.</source>
         <translation>Die gezeigten Kalibrierungen wurden in {0} gespeichert.</translation></message>
-    <message><source>Minimum</source>
-        <translation>Minimum</translation></message>
-    <message><source>Neutral</source>
-        <translation>Neutralstellung</translation></message>
-    <message><source>Maximum</source>
-        <translation>Maximum</translation></message>
-    <message><source>Its handles can be dragged; the fields below set the same values.</source>
-        <translation>Ihre Griffe lassen sich ziehen; die Felder darunter setzen dieselben Werte.</translation></message>
-    <message><source>Curve of the channel</source>
-        <translation>Kurve des Kanals</translation></message>
-    <message><source>Now</source>
-        <translation>Jetzt</translation></message>
-    <message><source>Input of the last 10 seconds</source>
-        <translation>Eingang der letzten 10 Sekunden</translation></message>
-    <message><source>The input of the last 10 seconds; the newest is at the top</source>
-        <translation>Der Eingang der letzten 10 Sekunden; der neueste Wert ist oben</translation></message>
-    <message><source>flip on</source>
-        <translation>Umdrehen ein</translation></message>
-    <message><source>override on</source>
-        <translation>Vorrang ein</translation></message>
-    <message><source>Ne&amp;utral</source>
-        <translation>&amp;Neutralstellung</translation></message>
-    <message><source>Dead&amp;band ±</source>
-        <translation>Totb&amp;ereich ±</translation></message>
     <message><source>Re&amp;versed</source>
         <translation>&amp;Umgekehrt</translation></message>
     <message><source>The output changes its sign: forward and reverse are swapped</source>
@@ -3961,34 +3909,10 @@ bisher {1}</translation></message>
         <translation>Akti&amp;vieren…</translation></message>
     <message><source>Its values have not been read yet.</source>
         <translation>Seine Werte wurden noch nicht gelesen.</translation></message>
-    <message><source>, problem</source>
-        <translation>, Problem</translation></message>
-    <message><source>, edited</source>
-        <translation>, geändert</translation></message>
-    <message><source>not learned yet: will be after Apply</source>
-        <translation>noch nicht eingelernt: erst nach dem Anwenden</translation></message>
-    <message><source>not learned: defaults</source>
-        <translation>nicht eingelernt: Standardwerte</translation></message>
-    <message><source>Analog voltages</source>
-        <translation>Analogspannungen</translation></message>
-    <message><source>stored now</source>
-        <translation>jetzt gespeichert</translation></message>
-    <message><source>after Apply</source>
-        <translation>nach dem Anwenden</translation></message>
-    <message><source>stored in the board</source>
-        <translation>im Board gespeichert</translation></message>
-    <message><source>not learned</source>
-        <translation>nicht eingelernt</translation></message>
-    <message><source>Input source</source>
-        <translation>Eingangsquelle</translation></message>
-    <message><source>learned: has its own calibration</source>
-        <translation>eingelernt: hat eine eigene Kalibrierung</translation></message>
-    <message><source>No board responds.</source>
-        <translation>Kein Board antwortet.</translation></message>
-    <message><source>Live value</source>
-        <translation>Aktueller Wert</translation></message>
-    <message><source>as last seen</source>
-        <translation>wie zuletzt gesehen</translation></message>
+    <message><source>Ne&amp;utral</source>
+        <translation>&amp;Neutralstellung</translation></message>
+    <message><source>Dead&amp;band ±</source>
+        <translation>Totb&amp;ereich ±</translation></message>
     <message><source>Stored: the board reads {0} after the next power cycle.</source>
         <translation>Gespeichert: Nach dem nächsten Aus- und Einschalten liest das Board {0}.</translation></message>
     <message><source>The values below were {0}.</source>
@@ -3997,80 +3921,60 @@ bisher {1}</translation></message>
         <translation>Nach dem nächsten Aus- und Einschalten {0} lesen</translation></message>
     <message><source>Edited: apply it, then power-cycle the board to read {0}.</source>
         <translation>Geändert: Wenden Sie es an, dann schalten Sie das Board aus und ein, damit es {0} liest.</translation></message>
-    <message><source>{0} (active)</source>
-        <translation>{0} (aktiv)</translation></message>
-    <message><source>Connect to a board to see and change its calibrations.</source>
-        <translation>Verbinden Sie ein Board, um seine Kalibrierungen zu sehen und zu ändern.</translation></message>
+    <message><source>Minimum</source>
+        <translation>Minimum</translation></message>
+    <message><source>Neutral</source>
+        <translation>Neutralstellung</translation></message>
+    <message><source>Maximum</source>
+        <translation>Maximum</translation></message>
+    <message><source>Its handles can be dragged; the fields below set the same values.</source>
+        <translation>Ihre Griffe lassen sich ziehen; die Felder darunter setzen dieselben Werte.</translation></message>
+    <message><source>Curve of the channel</source>
+        <translation>Kurve des Kanals</translation></message>
+    <message><source>Now</source>
+        <translation>Jetzt</translation></message>
+    <message><source>Input of the last 10 seconds</source>
+        <translation>Eingang der letzten 10 Sekunden</translation></message>
+    <message><source>The input of the last 10 seconds; the newest is at the top</source>
+        <translation>Der Eingang der letzten 10 Sekunden; der neueste Wert ist oben</translation></message>
+    <message><source>flip on</source>
+        <translation>Umdrehen ein</translation></message>
+    <message><source>override on</source>
+        <translation>Vorrang ein</translation></message>
     <message><source>Learn &amp;this channel…</source>
         <translation>Diesen &amp;Kanal einlernen…</translation></message>
+    <message><source>Inputs are read as {0}. They control the motors.</source>
+        <translation>Die Eingänge werden als {0} gelesen. Sie steuern die Motoren.</translation></message>
     <message><source>Learn a&amp;ll…</source>
         <translation>&amp;Alle einlernen…</translation></message>
-    <message><source>Cop&amp;y, reset, files</source>
-        <translation>Kopieren, zurück&amp;setzen, Dateien</translation></message>
-    <message><source>Di&amp;scard</source>
-        <translation>&amp;Verwerfen</translation></message>
-    <message><source>Discard the edits of this channel</source>
-        <translation>Die Änderungen dieses Kanals verwerfen</translation></message>
+    <message><source>Test stic&amp;ks…</source>
+        <translation>Knüppel te&amp;sten…</translation></message>
+    <message><source>Live value</source>
+        <translation>Aktueller Wert</translation></message>
+    <message><source>Cop&amp;y, reset and files</source>
+        <translation>Kopieren, &amp;zurücksetzen, Dateien</translation></message>
     <message><source>No board responds. Edits are kept until a board of the same kind is connected.</source>
         <translation>Kein Board antwortet. Änderungen bleiben erhalten, bis ein Board derselben Art verbunden ist.</translation></message>
-    <message><source>no live value: the board reads the other source</source>
-        <translation>kein aktueller Wert: Das Board liest die andere Eingangsquelle</translation></message>
-    <message><source>no live value</source>
-        <translation>kein aktueller Wert</translation></message>
-    <message><source>no signal now: the output is 0</source>
-        <translation>jetzt kein Signal: Der Ausgang ist 0</translation></message>
-    <message><source>&amp;Note:</source>
-        <translation>Noti&amp;z:</translation></message>
-    <message><source>For {0}, {1}: {2}</source>
-        <translation>Für {0}, {1}: {2}</translation></message>
-    <message><source>Drag a handle of the curve, or type {0} or {1} counts. Nothing is written until you click Apply.</source>
-        <translation>Ziehen Sie an einem Griff der Kurve, oder geben Sie {0} oder {1} Counts ein. Geschrieben wird erst, wenn Sie auf „Einstellungen anwenden“ klicken.</translation></message>
+    <message><source>Inputs are read as {0}. In serial mode they are shown only.</source>
+        <translation>Die Eingänge werden als {0} gelesen. Im seriellen Modus werden sie nur angezeigt.</translation></message>
+    <message><source>Connect to a board to see and change its calibrations.</source>
+        <translation>Verbinden Sie ein Board, um seine Kalibrierungen zu sehen und zu ändern.</translation></message>
+    <message><source>Inputs are read as {0}. Serial commands override them now.</source>
+        <translation>Die Eingänge werden als {0} gelesen. Jetzt haben serielle Befehle Vorrang.</translation></message>
     <message><source>input now {0} ({1}), output {2}</source>
         <translation>Eingang jetzt {0} ({1}), Ausgang {2}</translation></message>
     <message><source>Discard edits of channel {0}</source>
         <translation>Änderungen an Kanal {0} verwerfen</translation></message>
-    <message><source>the calibration of {0}</source>
-        <translation>Kalibrierung von {0}</translation></message>
-    <message><source>For {0}: not read yet</source>
-        <translation>Für {0}: noch nicht gelesen</translation></message>
-    <message><source>For {0}: {1}</source>
-        <translation>Für {0}: {1}</translation></message>
-    <message><source>The board reads {0} now. Open their tab, or make the board read {1} first, as described above.</source>
-        <translation>Das Board liest jetzt {0}. Öffnen Sie deren Registerkarte, oder lassen Sie das Board zuerst {1} lesen, wie oben beschrieben.</translation></message>
-    <message><source>Connect to a board to see its inputs.</source>
-        <translation>Verbinden Sie ein Board, um seine Eingänge zu sehen.</translation></message>
-    <message><source>Joint mode: both drivers power motor 1, nothing is mixed.</source>
-        <translation>Parallelbetrieb: Beide Treiber speisen Motor 1, nichts wird gemischt.</translation></message>
-    <message><source>A count is 0.4 µs.</source>
-        <translation>Ein Count entspricht 0,4 µs.</translation></message>
-    <message><source>A count is 4.89 mV.</source>
-        <translation>Ein Count entspricht 4,89 mV.</translation></message>
+    <message><source>learned</source>
+        <translation>eingelernt</translation></message>
+    <message><source>factory calibration</source>
+        <translation>Werkskalibrierung</translation></message>
+    <message><source>problem</source>
+        <translation>Problem</translation></message>
     <message><source>{0:.0f} to {1:.0f} counts</source>
         <translation>{0:.0f} bis {1:.0f} Counts</translation></message>
-    <message><source>Input and count</source>
-        <translation>Eingang und Counts</translation></message>
-    <message><source>Raw, with its calibration</source>
-        <translation>Rohwert mit Kalibrierung</translation></message>
-    <message><source>The bar shows the raw input. Its marks are the channel's calibration: full output at min and max, none within the shaded deadband around neutral.</source>
-        <translation>Der Balken zeigt den Rohwert des Eingangs. Die Marken sind die Kalibrierung des Kanals: voller Ausgang bei min und max, keiner im schattierten Totbereich um die Neutralstellung.</translation></message>
-    <message><source>Last 10 seconds</source>
-        <translation>Letzte 10 Sekunden</translation></message>
-    <message><source>The raw input on the scale of the bar, the newest at the right. Where there was no valid signal the line has a gap.</source>
-        <translation>Der Rohwert des Eingangs in der Skala des Balkens, der neueste rechts. Ohne gültiges Signal hat die Linie eine Lücke.</translation></message>
-    <message><source>Remapped (−127 to 127)</source>
-        <translation>Umgerechnet (−127 bis 127)</translation></message>
-    <message><source>What the board makes of the input. Those of channels 1 and 2 are the speeds for motors 1 and 2, after mixing and flip. The vendor's document gives channel 3 six bits, 0 to 63; the program reads seven (inferred).</source>
-        <translation>Was das Board aus dem Eingang macht. Bei den Kanälen 1 und 2 sind es die Geschwindigkeiten für die Motoren 1 und 2, nach Mischer und Umdrehen. Das Dokument des Herstellers gibt Kanal 3 sechs Bits, 0 bis 63; das Programm liest sieben (erschlossen).</translation></message>
-    <message><source>Input of channel {0} in the last 10 seconds</source>
-        <translation>Eingang von Kanal {0} in den letzten 10 Sekunden</translation></message>
-    <message><source>Remapped channel {0}</source>
-        <translation>Kanal {0}, umgerechnet</translation></message>
-    <message><source>The mix jumper is on.</source>
-        <translation>Der Mix-Jumper ist gesteckt.</translation></message>
-    <message><source>The mix jumper is off.</source>
-        <translation>Der Mix-Jumper ist abgezogen.</translation></message>
-    <message><source>Moving channel 1 or 2 shows whether the mix jumper is on.</source>
-        <translation>Bewegen von Kanal 1 oder 2 zeigt, ob der Mix-Jumper gesteckt ist.</translation></message>
+    <message><source>{0}, remapped {1}</source>
+        <translation>{0}, umgerechnet {1}</translation></message>
     <message><source>Connect to a board to see its motor currents.</source>
         <translation>Verbinden Sie ein Board, um seine Motorströme zu sehen.</translation></message>
     <message><source>Motor currents</source>
@@ -4145,18 +4049,10 @@ bisher {1}</translation></message>
 (doubtful)</source>
         <translation>{0}
 (zweifelhaft)</translation></message>
-    <message><source>Current of this motor; the red line is its limit, ⚠ means 80 % of it or more.</source>
-        <translation>Strom dieses Motors; die rote Linie ist seine Grenze, ⚠ bedeutet 80 % davon oder mehr.</translation></message>
-    <message><source>From 0 to 127, full speed</source>
-        <translation>Von 0 bis 127, volle Geschwindigkeit</translation></message>
-    <message><source>From −127, full speed back, to 127, full speed forward</source>
-        <translation>Von −127, voll rückwärts, bis 127, voll vorwärts</translation></message>
-    <message><source>Zero</source>
-        <translation>Null</translation></message>
+    <message><source>⚠ means 80 % of the limit or more.</source>
+        <translation>⚠ bedeutet 80 % der Grenze oder mehr.</translation></message>
     <message><source>Brake</source>
         <translation>Bremsen</translation></message>
-    <message><source>Board: serial in control…</source>
-        <translation>Board: seriell gesteuert…</translation></message>
     <message><source>Speed 0: the motor is not driven and coasts</source>
         <translation>Geschwindigkeit 0: Der Motor wird nicht angetrieben und läuft aus</translation></message>
     <message><source>{0}, speed</source>
@@ -4167,12 +4063,10 @@ bisher {1}</translation></message>
         <translation>{0}, Geschwindigkeit null</translation></message>
     <message><source>{0}, brake</source>
         <translation>{0}, bremsen</translation></message>
-    <message><source>{0}, channel command</source>
-        <translation>{0}, Kanalbefehl</translation></message>
     <message><source>{0}, current</source>
         <translation>{0}, Strom</translation></message>
-    <message><source>Up to {0}, the speed ceiling above</source>
-        <translation>Bis {0}, der Höchstgeschwindigkeit oben</translation></message>
+    <message><source>Up to {0}, the speed ceiling</source>
+        <translation>Bis {0}, der Höchstgeschwindigkeit</translation></message>
     <message><source>Hold an arrow key to drive while the pad has the focus.</source>
         <translation>Halten Sie eine Pfeiltaste, um zu fahren, solange das Fahrfeld den Fokus hat.</translation></message>
     <message><source>Hold Up or Down to drive; the motors cannot turn separately.</source>
@@ -4187,8 +4081,8 @@ bisher {1}</translation></message>
         <translation>links</translation></message>
     <message><source>{0} {1:.0%}, {2} {3:.0%}.</source>
         <translation>{0} {1:.0%}, {2} {3:.0%}.</translation></message>
-    <message><source>forward, at most {0:.0f} %</source>
-        <translation>vorwärts, höchstens {0:.0f} %</translation></message>
+    <message><source>ceiling {0:.0f} %</source>
+        <translation>höchstens {0:.0f} %</translation></message>
     <message><source>Full deflection is {0:.0f} % of full speed.</source>
         <translation>Voller Ausschlag entspricht {0:.0f} % der vollen Geschwindigkeit.</translation></message>
     <message><source>Push the stick for the left motor fully forward.</source>
@@ -4267,14 +4161,12 @@ bisher {1}</translation></message>
         <translation>Sollwert von Motor {0}</translation></message>
     <message><source>Gamepad</source>
         <translation>Gamepad</translation></message>
-    <message><source>Drive with a &amp;gamepad</source>
-        <translation>Mit Gam&amp;epad fahren</translation></message>
+    <message><source>&amp;Gamepad</source>
+        <translation>Gam&amp;epad</translation></message>
     <message><source>Set &amp;up…</source>
         <translation>Ei&amp;nrichten…</translation></message>
-    <message><source>Turn</source>
-        <translation>Lenken</translation></message>
-    <message><source>Stop whe&amp;n the window loses the focus</source>
-        <translation>Stoppen, &amp;wenn das Fenster den Fokus verliert</translation></message>
+    <message><source>Stop behi&amp;nd other windows</source>
+        <translation>Hinter anderen Fenstern stop&amp;pen</translation></message>
     <message><source>The gamepad is being set up and cannot drive.</source>
         <translation>Das Gamepad wird eingerichtet; mit ihm kann nicht gefahren werden.</translation></message>
     <message><source>The gamepad drives only while the Motors page is open.</source>
@@ -4289,18 +4181,24 @@ bisher {1}</translation></message>
         <translation>Höchste Geschwindigkeit, die dieses Programm an dieses Board sendet; voller Ausschlag von Fahrfeld, Tasten und Gamepad ergibt diese Geschwindigkeit. Höher setzen macht einen laufenden Motor nicht schneller.</translation></message>
     <message><source>&amp;Speed ceiling</source>
         <translation>Höchstgeschwi&amp;ndigkeit</translation></message>
-    <message><source>Remembered for this board.</source>
-        <translation>Wird für dieses Board gemerkt.</translation></message>
+    <message><source>Raise it once the motors turn the right way.</source>
+        <translation>Erst erhöhen, wenn die Drehrichtung stimmt.</translation></message>
+    <message><source>Held keys drive wherever the focus is on this page, except in number fields, tables and lists; sliders then get no arrow keys. In the pad they always drive.</source>
+        <translation>Gehaltene Tasten fahren überall auf dieser Seite, wo auch der Fokus ist, außer in Zahlenfeldern, Tabellen und Listen; Schieberegler erhalten dann keine Pfeiltasten. Im Fahrfeld fahren sie immer.</translation></message>
+    <message><source>Arrow ke&amp;ys or WASD</source>
+        <translation>Pfei&amp;ltasten oder WASD</translation></message>
+    <message><source>Both motors &amp;linked</source>
+        <translation>Beide Motoren ge&amp;koppelt</translation></message>
+    <message><source>Either slider sets both motors; the robot does not turn</source>
+        <translation>Jeder Schieberegler setzt beide Motoren; der Roboter lenkt nicht</translation></message>
+    <message><source>The motors run differently: stop both, or give both the same speed</source>
+        <translation>Die Motoren laufen verschieden: Stoppen Sie beide, oder geben Sie beiden dieselbe Geschwindigkeit</translation></message>
     <message><source>Accelerate along the board's ra&amp;mp</source>
         <translation>Mit der &amp;Rampe des Boards beschleunigen</translation></message>
     <message><source>The board ramps speeds at the Acceleration setting and pauses for the brake duration before reversing</source>
         <translation>Das Board ändert Geschwindigkeiten mit einer Rampe nach der Einstellung „Beschleunigung“ und wartet vor dem Umkehren die Bremsdauer ab</translation></message>
     <message><source>Bypasses ramp and brake duration, and for a moment also the current limit</source>
         <translation>Umgeht Rampe und Bremsdauer, kurzzeitig auch die Strombegrenzung</translation></message>
-    <message><source>Held keys drive wherever the focus is on this page, except in number fields, tables and lists; sliders then get no arrow keys. In the pad they always drive.</source>
-        <translation>Gehaltene Tasten fahren überall auf dieser Seite, wo auch der Fokus ist, außer in Zahlenfeldern, Tabellen und Listen; Schieberegler erhalten dann keine Pfeiltasten. Im Fahrfeld fahren sie immer.</translation></message>
-    <message><source>Drive with arrow &amp;keys or WASD</source>
-        <translation>Mit &amp;Pfeiltasten oder WASD fahren</translation></message>
     <message><source>How hard Brake and letting go of pad, keys and held sliders brake; Stop always brakes fully</source>
         <translation>Wie stark „Bremsen“ und das Loslassen von Fahrfeld, Tasten und gehaltenen Schiebereglern bremsen; ein Stopp bremst immer voll</translation></message>
     <message><source>&amp;Brake strength</source>
@@ -4309,60 +4207,74 @@ bisher {1}</translation></message>
         <translation>Beim Verl&amp;assen dieser Seite stoppen</translation></message>
     <message><source>Stop both motors and the auxiliary when another page is shown or the window is minimised</source>
         <translation>Beide Motoren und den Hilfsmotor stoppen, wenn eine andere Seite gezeigt oder das Fenster minimiert wird</translation></message>
-    <message><source>Return slider to &amp;zero when it is released</source>
-        <translation>Schieberegler beim &amp;Loslassen auf null setzen</translation></message>
+    <message><source>Sliders return to &amp;zero</source>
+        <translation>Regler gehen &amp;von selbst auf null</translation></message>
     <message><source>A slider drives only while you hold it; letting go brakes its motor</source>
         <translation>Ein Schieberegler fährt nur, solange Sie ihn halten; Loslassen bremst seinen Motor</translation></message>
+    <message><source>Loc&amp;k after Stop</source>
+        <translation>&amp;Sperre nach Stopp</translation></message>
     <message><source>Seconds for which arming is locked after Stop</source>
         <translation>Sekunden, für die die Freigabe nach einem Stopp gesperrt ist</translation></message>
-    <message><source>Either slider sets both motors; the robot does not turn</source>
-        <translation>Jeder Schieberegler setzt beide Motoren; der Roboter lenkt nicht</translation></message>
-    <message><source>The motors run differently: stop both, or give both the same speed</source>
-        <translation>Die Motoren laufen verschieden: Stoppen Sie beide, oder geben Sie beiden dieselbe Geschwindigkeit</translation></message>
-    <message><source>New board: raise this once its motors turn the right way.</source>
-        <translation>Neues Board: Erst erhöhen, wenn seine Motoren richtig herum drehen.</translation></message>
+    <message><source>Drive with</source>
+        <translation>Fahren mit</translation></message>
+    <message><source>E&amp;xtra options</source>
+        <translation>E&amp;xtras</translation></message>
     <message><source>Options</source>
         <translation>Optionen</translation></message>
     <message><source>Se&amp;t at once</source>
         <translation>Sofort set&amp;zen</translation></message>
-    <message><source>&amp;Link both motors</source>
-        <translation>Beide Motoren &amp;koppeln</translation></message>
     <message><source>coast (0 %)</source>
         <translation>auslaufen (0 %)</translation></message>
-    <message><source>L&amp;ock after Stop</source>
-        <translation>&amp;Sperre nach Stopp</translation></message>
     <message><source>none (0 s)</source>
         <translation>keine (0 s)</translation></message>
-    <message><source>{0}, as a number</source>
-        <translation>{0}, als Zahl</translation></message>
     <message><source>How long arming stays locked after Stop or Esc, so that a slider or key that is still held cannot restart a motor (0 to {0:g} s)</source>
         <translation>Wie lange die Freigabe nach einem Stopp oder Esc gesperrt bleibt, damit ein noch gehaltener Schieberegler oder eine gehaltene Taste keinen Motor wieder startet (0 bis {0:g} s)</translation></message>
-    <message><source>Auxiliary (one way)</source>
-        <translation>Hilfsmotor (eine Richtung)</translation></message>
-    <message><source>acceleration</source>
-        <translation>Beschleunigung</translation></message>
-    <message><source>brake duration</source>
-        <translation>Bremsdauer</translation></message>
-    <message><source>current limit</source>
+    <message><source>stop after {0}</source>
+        <translation>stoppen nach {0}</translation></message>
+    <message><source>may keep turning</source>
+        <translation>drehen vielleicht weiter</translation></message>
+    <message><source>Motor currents, 10 s</source>
+        <translation>Motorströme, 10 s</translation></message>
+    <message><source>Ramp</source>
+        <translation>Rampe</translation></message>
+    <message><source>Brake before reversal</source>
+        <translation>Bremsen vor Umkehr</translation></message>
+    <message><source>Current limit</source>
         <translation>Stromgrenze</translation></message>
-    <message><source>Drive</source>
-        <translation>Fahren</translation></message>
-    <message><source>Stored settings; click a value to open its parameter</source>
-        <translation>Gespeicherte Einstellungen; ein Klick auf einen Wert öffnet seinen Parameter</translation></message>
-    <message><source>Both motors</source>
-        <translation>Beide Motoren</translation></message>
+    <message><source>&amp;Open plot</source>
+        <translation>Verla&amp;uf öffnen</translation></message>
+    <message><source>What the board does with them</source>
+        <translation>Was das Board damit macht</translation></message>
+    <message><source>Armed: these controls move the motors.</source>
+        <translation>Freigegeben: Diese Bedienelemente bewegen die Motoren.</translation></message>
+    <message><source>Reconnect and stop</source>
+        <translation>Neu verbinden und stoppen</translation></message>
     <message><source>Motor (joint)</source>
         <translation>Motor (Parallelbetrieb)</translation></message>
-    <message><source>Stored motor settings: not known</source>
-        <translation>Gespeicherte Motoreinstellungen: nicht bekannt</translation></message>
-    <message><source>Brake with {0:.0f} % (see Brake strength below)</source>
-        <translation>Mit {0:.0f} % bremsen (siehe „Bremsstärke“ unten)</translation></message>
-    <message><source>Joint mode: follows motor 1</source>
-        <translation>Parallelbetrieb: folgt Motor 1</translation></message>
+    <message><source>Brake with {0}</source>
+        <translation>Mit {0} bremsen</translation></message>
     <message><source>The Motors page was left while a control was held.</source>
         <translation>Die Seite „Motoren“ wurde verlassen, während ein Bedienelement gehalten wurde.</translation></message>
+    <message><source>one way</source>
+        <translation>eine Richtung</translation></message>
     <message><source>The Motors page was left.</source>
         <translation>Die Seite „Motoren“ wurde verlassen.</translation></message>
+    <message><source>keep turning</source>
+        <translation>drehen weiter</translation></message>
+    <message><source>Make each change to one motor to the other, too, in one step</source>
+        <translation>Jede Änderung an einem Motor im selben Schritt auch am anderen vornehmen</translation></message>
+    <message><source>No document confirms this limit. The board decides about other values.</source>
+        <translation>Kein Dokument bestätigt diese Grenze. Über andere Werte entscheidet das Board.</translation></message>
+    <message><source>Detail&amp;s</source>
+        <translation>Det&amp;ails</translation></message>
+    <message><source>&amp;Both motors as one</source>
+        <translation>Beide &amp;Motoren gemeinsam</translation></message>
+    <message><source>Wire value</source>
+        <translation>Bytewert</translation></message>
+    <message><source>&amp;Try this value</source>
+        <translation>Diesen Wert &amp;versuchen</translation></message>
+    <message><source>Selected parameter</source>
+        <translation>Ausgewählter Parameter</translation></message>
     <message><source>{0}. The board stores the nearest time. Or speed steps, such as {1}.</source>
         <translation>{0}. Das Board speichert die nächstliegende Zeit. Oder Geschwindigkeitsstufen, etwa {1}.</translation></message>
     <message><source>The PWM frequency is {0}, not {1}.</source>
@@ -4379,94 +4291,66 @@ bisher {1}</translation></message>
         <translation>unbekannt ({0})</translation></message>
     <message><source>{0}: channel {1}</source>
         <translation>{0}: Kanal {1}</translation></message>
-    <message><source>Search names and descriptions (Ctrl+F)</source>
-        <translation>Namen und Beschreibungen durchsuchen (Strg+F)</translation></message>
-    <message><source>Group of parameters</source>
-        <translation>Gruppe von Parametern</translation></message>
-    <message><source>Show only what you have changed</source>
-        <translation>Nur zeigen, was Sie geändert haben</translation></message>
-    <message><source>Show only values that differ from their default</source>
-        <translation>Nur Werte zeigen, die von ihrem Standardwert abweichen</translation></message>
-    <message><source>Make each change to one motor to the other, too, in one step</source>
-        <translation>Jede Änderung an einem Motor im selben Schritt auch am anderen vornehmen</translation></message>
     <message><source>Search parameters</source>
         <translation>Parameter suchen</translation></message>
-    <message><source>&amp;Modified only</source>
-        <translation>Nu&amp;r geänderte</translation></message>
-    <message><source>Not default onl&amp;y</source>
-        <translation>&amp;Nur vom Standard abweichende</translation></message>
-    <message><source>&amp;Both motors as one</source>
-        <translation>Beide &amp;Motoren gemeinsam</translation></message>
-    <message><source>None of {1} matches</source>
-        <translation>Keiner von {1} passt</translation></message>
-    <message><source>{0} of {1}</source>
-        <translation>{0} von {1}</translation></message>
-    <message><source>All groups</source>
-        <translation>Alle Gruppen</translation></message>
-    <message><source>Click a value and type, or double-click it. Nothing is written until you click Apply.</source>
-        <translation>Klicken Sie auf einen Wert und tippen Sie, oder doppelklicken Sie darauf. Geschrieben wird erst, wenn Sie auf „Einstellungen anwenden“ klicken.</translation></message>
+    <message><source>All</source>
+        <translation>Alle</translation></message>
+    <message><source>Changed {0}</source>
+        <translation>Geändert {0}</translation></message>
+    <message><source>Not default {0}</source>
+        <translation>Abweichend {0}</translation></message>
+    <message><source>Findings {0}</source>
+        <translation>Befunde {0}</translation></message>
+    <message><source>Parameters</source>
+        <translation>Parameter</translation></message>
+    <message><source>Edit, then review. Nothing is written before.</source>
+        <translation>Ändern, dann prüfen. Vorher wird nichts geschrieben.</translation></message>
     <message><source>Show the steps for switching the board off and on</source>
         <translation>Die Schritte zum Aus- und Einschalten des Boards zeigen</translation></message>
-    <message><source>Discard edi&amp;ts</source>
-        <translation>Änder&amp;ungen verwerfen</translation></message>
-    <message><source>Re&amp;load</source>
-        <translation>Neu &amp;laden</translation></message>
-    <message><source>Read every parameter from the board again</source>
-        <translation>Alle Parameter erneut vom Board lesen</translation></message>
     <message><source>Connect to a board to see its parameters.</source>
         <translation>Verbinden Sie ein Board, um seine Parameter zu sehen.</translation></message>
     <message><source>No board is responding. Edits are kept until the same kind of board is connected.</source>
         <translation>Kein Board antwortet. Die Änderungen bleiben erhalten, bis ein Board derselben Art verbunden ist.</translation></message>
     <message><source>Factory defaults take effect after the next power cycle.</source>
         <translation>Die Werkseinstellungen gelten nach dem nächsten Aus- und Einschalten.</translation></message>
-    <message numerus="yes"><source>%n pending change(s): review them to write them.</source>
-        <translation><numerusform>%n anstehende Änderung: Prüfen Sie sie, um sie zu schreiben.</numerusform><numerusform>%n anstehende Änderungen: Prüfen Sie sie, um sie zu schreiben.</numerusform></translation></message>
     <message><source>Stored, but not active until the board is switched off and on: {0}.</source>
         <translation>Gespeichert, aber erst nach dem Aus- und Einschalten des Boards aktiv: {0}.</translation></message>
-    <message><source>{0} of {1} could not be verified; marked below.</source>
-        <translation>Konnte nicht bestätigt werden: {0} von {1}; unten markiert.</translation></message>
-    <message numerus="yes"><source>%n setting(s) written and verified.</source>
-        <translation><numerusform>%n Einstellung geschrieben und geprüft.</numerusform><numerusform>%n Einstellungen geschrieben und geprüft.</numerusform></translation></message>
-    <message><source>Switch the board off and on to make active: {0}.</source>
-        <translation>Schalten Sie das Board aus und ein, um zu aktivieren: {0}.</translation></message>
-    <message><source>Rejected by the board: {0}</source>
-        <translation>Vom Board abgelehnt: {0}</translation></message>
+    <message><source>{0}: the motors stop.</source>
+        <translation>{0}: Die Motoren halten an.</translation></message>
+    <message><source>{0}: the motors may not stop.</source>
+        <translation>{0}: Die Motoren halten vielleicht nicht an.</translation></message>
+    <message><source>Speed after an accelerate command: {0}. It slows down at once.</source>
+        <translation>Geschwindigkeit nach einem Beschleunigungsbefehl: {0}. Langsamer wird der Motor sofort.</translation></message>
+    <message><source>Reversal by an accelerate command: {0}, then the ramp.</source>
+        <translation>Umkehr durch einen Beschleunigungsbefehl: {0}, dann die Rampe.</translation></message>
+    <message><source>Current of a motor that starts, limit: {0}</source>
+        <translation>Strom eines anlaufenden Motors, Grenze: {0}</translation></message>
+    <message><source>{0:.0f} Hz, {1:g} ms of it</source>
+        <translation>{0:.0f} Hz, {1:g} ms davon</translation></message>
+    <message><source>{0}: the motors keep running.</source>
+        <translation>{0}: Die Motoren laufen weiter.</translation></message>
+    <message><source>Speed over the stick, brake in the deadband: {0}</source>
+        <translation>Geschwindigkeit über dem Knüppelweg, Bremse im Totbereich: {0}</translation></message>
     <message><source>&amp;Show all parameters</source>
         <translation>&amp;Alle Parameter anzeigen</translation></message>
-    <message><source>N&amp;ote on the value:</source>
-        <translation>Noti&amp;z zum Wert:</translation></message>
     <message><source>No parameter matches.</source>
         <translation>Kein Parameter passt.</translation></message>
-    <message><source>No parameter is selected</source>
-        <translation>Kein Parameter ist ausgewählt</translation></message>
-    <message><source>Restore stored value</source>
-        <translation>Gespeicherten Wert wiederherstellen</translation></message>
-    <message><source>{0} is {1}{2}. No document confirms this limit. You can try any wire value from 0 to {3}. The board decides: it may reject the value, or store another one, and the program shows which. A value that the board stores is remembered for its firmware.</source>
-        <translation>{0}: {1}{2}. Kein Dokument bestätigt diese Grenze. Sie können jeden Bytewert von 0 bis {3} versuchen. Das Board entscheidet: Es kann den Wert ablehnen oder einen anderen speichern; das Programm zeigt, was geschehen ist. Ein Wert, den das Board speichert, wird für seine Firmware gemerkt.</translation></message>
-    <message><source>Parameters</source>
-        <translation>Parameter</translation></message>
-    <message><source>Edit</source>
-        <translation>Bearbeiten</translation></message>
     <message><source>Try another &amp;wire value…</source>
         <translation>Anderen Byte&amp;wert versuchen…</translation></message>
+    <message><source>Edit</source>
+        <translation>Bearbeiten</translation></message>
     <message><source>Leave out of the file</source>
         <translation>In der Datei weglassen</translation></message>
+    <message><source>Und&amp;o edit</source>
+        <translation>Ve&amp;rwerfen</translation></message>
     <message><source>Pi&amp;n to the top</source>
         <translation>&amp;Oben anheften</translation></message>
-    <message><source>Other &amp;value…</source>
-        <translation>&amp;Anderer Wert…</translation></message>
     <message><source>Pi&amp;n</source>
         <translation>Anh&amp;eften</translation></message>
     <message><source>Defa&amp;ult</source>
         <translation>&amp;Standardwert</translation></message>
-    <message><source>Wire value</source>
-        <translation>Bytewert</translation></message>
-    <message><source>&amp;Try this value</source>
-        <translation>Diesen Wert &amp;versuchen</translation></message>
     <message><source>U&amp;npin</source>
         <translation>&amp;Lösen</translation></message>
-    <message><source>&amp;Wire value:</source>
-        <translation>&amp;Bytewert:</translation></message>
     <message><source>Copy as “{0}”</source>
         <translation>Kopieren als „{0}“</translation></message>
     <message><source>Copy to {0}</source>
@@ -4533,114 +4417,48 @@ bisher {1}</translation></message>
         <translation>Störung oder Sto&amp;pp öffnen…</translation></message>
     <message><source>Open fault or stop</source>
         <translation>Störung oder Stopp öffnen</translation></message>
-    <message><source>Every parameter, by the board's own command, at its next start</source>
-        <translation>Alle Parameter, durch den Befehl des Boards selbst, bei seinem nächsten Start</translation></message>
-    <message><source>&amp;Let the board reset itself…</source>
-        <translation>Das Board sich selbst &amp;zurücksetzen lassen…</translation></message>
-    <message><source>At its next start the board will reset every parameter, including those cleared here. Its present settings are saved first (File, History). Unapplied changes are discarded; Undo restores them.</source>
-        <translation>Bei seinem nächsten Start setzt das Board alle Parameter zurück, auch die hier abgewählten. Seine jetzigen Einstellungen werden zuvor gesichert (Datei, Verlauf). Nicht angewendete Änderungen werden verworfen; „Rückgängig“ stellt sie wieder her.</translation></message>
-    <message><source>The communication settings go back to their defaults. They become active when the board is switched off and on.</source>
-        <translation>Die Kommunikationseinstellungen erhalten wieder ihre Standardwerte. Sie werden aktiv, wenn das Board aus- und eingeschaltet wird.</translation></message>
-    <message><source>Every parameter goes back to its default; the channel calibrations stay. Clear the check box of any parameter to keep. Nothing is written before the review.</source>
-        <translation>Jeder Parameter erhält wieder seinen Standardwert; die Kalibrierungen der Kanäle bleiben. Entfernen Sie das Häkchen bei jedem Parameter, der bleiben soll. Vor der Prüfung wird nichts geschrieben.</translation></message>
-    <message><source>It gets device number {0}, which another board on this line has: both would reply at once, and neither could be read. Give that board another number first.</source>
-        <translation>Es erhält die Gerätenummer {0}, die ein anderes Board an dieser Leitung hat: Beide würden gleichzeitig antworten, und keine der Antworten wäre lesbar. Geben Sie jenem Board zuerst eine andere Nummer.</translation></message>
-    <message><source>Reset the &amp;board</source>
-        <translation>&amp;Board zurücksetzen</translation></message>
-    <message><source>Restore factory defaults</source>
-        <translation>Werkseinstellungen wiederherstellen</translation></message>
-    <message><source>Restore serial defaults</source>
-        <translation>Serielle Standardwerte wiederherstellen</translation></message>
-    <message><source>Factory default</source>
-        <translation>Werkseinstellung</translation></message>
-    <message numerus="yes"><source>&amp;Review %n change(s)…</source>
-        <translation><numerusform>%n Änderung &amp;prüfen…</numerusform><numerusform>%n Änderungen &amp;prüfen…</numerusform></translation></message>
-    <message><source>No source confirms the default of: {0}.</source>
-        <translation>Keine Quelle bestätigt den Standardwert von: {0}.</translation></message>
     <message><source>I have &amp;switched it off and on</source>
         <translation>Ich habe es aus- und &amp;eingeschaltet</translation></message>
     <message><source>The board has to be switched off and on.</source>
         <translation>Das Board muss aus- und eingeschaltet werden.</translation></message>
-    <message><source>Switch the board off for at least one second.</source>
-        <translation>Schalten Sie das Board für mindestens eine Sekunde aus.</translation></message>
-    <message><source>The program reads the settings again.</source>
-        <translation>Das Programm liest die Einstellungen erneut.</translation></message>
-    <message><source>Switch it on again.</source>
-        <translation>Schalten Sie es wieder ein.</translation></message>
-    <message><source>Switch it on again. The program then reconnects at {0}.</source>
-        <translation>Schalten Sie es wieder ein. Das Programm verbindet sich dann neu mit {0}.</translation></message>
+    <message><source>Switch off</source>
+        <translation>Ausschalten</translation></message>
+    <message><source>Read again</source>
+        <translation>Neu lesen</translation></message>
+    <message><source>Switch the board off and on</source>
+        <translation>Board aus- und einschalten</translation></message>
     <message><source>Power cycle completed.</source>
         <translation>Aus- und Einschalten abgeschlossen.</translation></message>
     <message><source>Not active until the board is switched off and on: {0}.</source>
         <translation>Erst nach dem Aus- und Einschalten des Boards aktiv: {0}.</translation></message>
-    <message><source>Switch the board off and on</source>
-        <translation>Board aus- und einschalten</translation></message>
-    <message><source>The board has stopped responding. Waiting for it to respond again …</source>
-        <translation>Das Board antwortet nicht mehr. Warten, bis es wieder antwortet …</translation></message>
+    <message><source>Switch it on again. Waiting for it to respond again …</source>
+        <translation>Schalten Sie es wieder ein. Warten, bis es wieder antwortet …</translation></message>
     <message><source>The board is back, but these settings are still not active: {0}.</source>
         <translation>Das Board ist wieder da, aber diese Einstellungen sind noch nicht aktiv: {0}.</translation></message>
     <message><source>The board still responds. A short interruption is not detected: leave the power off for a full second.</source>
         <translation>Das Board antwortet noch. Eine kurze Unterbrechung wird nicht erkannt: Lassen Sie es eine volle Sekunde ausgeschaltet.</translation></message>
-    <message><source>Waiting for the board to stop responding …</source>
-        <translation>Warten, bis das Board nicht mehr antwortet …</translation></message>
+    <message><source>Switch the board off for at least one second. Waiting for the board to stop responding …</source>
+        <translation>Schalten Sie das Board für mindestens eine Sekunde aus. Warten, bis das Board nicht mehr antwortet …</translation></message>
     <message><source>The board is still not responding. Check its power and the cable. If both are fine, disconnect and press “Find…”, which tries every setting.</source>
         <translation>Das Board antwortet noch immer nicht. Prüfen Sie seine Stromversorgung und das Kabel. Wenn beides in Ordnung ist, trennen Sie die Verbindung und klicken Sie auf „Suchen…“; damit wird jede Einstellung versucht.</translation></message>
+    <message><source>The program then reconnects at {0}.</source>
+        <translation>Das Programm verbindet sich dann neu mit {0}.</translation></message>
     <message><source>The line was closed. Switch the board off and on, then connect again; “Find…” tries every setting.</source>
         <translation>Die Leitung wurde geschlossen. Schalten Sie das Board aus und ein und verbinden Sie es dann wieder; „Suchen…“ versucht jede Einstellung.</translation></message>
     <message><source>Connected again. The program cannot detect whether the board was switched off meanwhile: confirm it, or switch the board off and on now.</source>
         <translation>Wieder verbunden. Das Programm kann nicht erkennen, ob das Board inzwischen ausgeschaltet war: Bestätigen Sie es, oder schalten Sie das Board jetzt aus und ein.</translation></message>
     <message><source>The board is back, and all stored settings are active.</source>
         <translation>Das Board ist wieder da, und alle gespeicherten Einstellungen sind aktiv.</translation></message>
-    <message><source>Clear the check box of any setting you want to apply later.</source>
-        <translation>Entfernen Sie das Häkchen bei jeder Einstellung, die Sie später anwenden wollen.</translation></message>
-    <message><source>{0} of {1} could not be verified; still pending.</source>
-        <translation>Konnte nicht bestätigt werden: {0} von {1}; noch ausstehend.</translation></message>
-    <message numerus="yes"><source>%n finding(s). Accept a proposal, or leave the setting as it is.</source>
-        <translation><numerusform>%n Befund. Übernehmen Sie den Vorschlag oder lassen Sie die Einstellung, wie sie ist.</numerusform><numerusform>%n Befunde. Übernehmen Sie einen Vorschlag oder lassen Sie die Einstellung, wie sie ist.</numerusform></translation></message>
-    <message numerus="yes"><source>%n setting(s) of the {0} will change.</source>
-        <translation><numerusform>%n Einstellung des {0} wird geändert.</numerusform><numerusform>%n Einstellungen des {0} werden geändert.</numerusform></translation></message>
-    <message><source>{0} (device number {1}, {2})</source>
-        <translation>{0} (Gerätenummer {1}, {2})</translation></message>
-    <message><source>Apply settings</source>
-        <translation>Einstellungen anwenden</translation></message>
-    <message><source>Progress of writing</source>
-        <translation>Fortschritt beim Schreiben</translation></message>
-    <message><source>New value</source>
-        <translation>Neuer Wert</translation></message>
-    <message numerus="yes"><source>&amp;Write %n setting(s)</source>
-        <translation><numerusform>%n Einstellung &amp;schreiben</numerusform><numerusform>%n Einstellungen &amp;schreiben</numerusform></translation></message>
-    <message><source>The board is in {0} mode and does not accept settings. Set its mode jumper to serial, then switch it off and on.</source>
-        <translation>Das Board ist im Modus {0} und nimmt keine Einstellungen an. Stellen Sie seinen Modus-Jumper auf seriell und schalten Sie es dann aus und ein.</translation></message>
-    <message><source>The board's present settings are saved first (File, History). Each value is read back to verify it; serial settings are written last.</source>
-        <translation>Die jetzigen Einstellungen des Boards werden zuvor gesichert (Datei, Verlauf). Jeder Wert wird zur Prüfung zurückgelesen; serielle Einstellungen werden zuletzt geschrieben.</translation></message>
-    <message><source>These calibrations stay pending until the board uses their input source again: {0}.</source>
-        <translation>Diese Kalibrierungen bleiben ausstehend, bis das Board ihre Eingangsquelle wieder verwendet: {0}.</translation></message>
-    <message><source>Active only after the board is switched off and on: {0}.</source>
-        <translation>Erst nach dem Aus- und Einschalten des Boards aktiv: {0}.</translation></message>
-    <message><source>In the board</source>
-        <translation>Im Board</translation></message>
-    <message><source>Will be written</source>
-        <translation>Wird geschrieben</translation></message>
-    <message><source>The connection was lost.</source>
-        <translation>Die Verbindung ist abgebrochen.</translation></message>
-    <message><source>The value that was being written when the connection was lost may be the old one, the new one or, after a power cut, the default. It will be read again.</source>
-        <translation>Der Wert, der gerade geschrieben wurde, als die Verbindung verloren ging, kann der alte, der neue oder, nach einem Stromausfall, der Standardwert sein. Er wird erneut gelesen.</translation></message>
-    <message numerus="yes"><source>%n finding(s) left.</source>
-        <translation><numerusform>%n Befund bleibt.</numerusform><numerusform>%n Befunde bleiben.</numerusform></translation></message>
-    <message><source>Saving the board's present settings before anything is written.</source>
-        <translation>Die jetzigen Einstellungen des Boards werden gesichert, bevor etwas geschrieben wird.</translation></message>
-    <message><source>There is nothing to write: no setting was changed.</source>
-        <translation>Es gibt nichts zu schreiben: Keine Einstellung wurde geändert.</translation></message>
-    <message><source>No board is responding. The edits are kept.</source>
-        <translation>Kein Board antwortet. Die Änderungen bleiben erhalten.</translation></message>
-    <message><source>The board will reset itself at its next start and would lose what is written now. Switch it off and on first (Device, Make stored settings active).</source>
-        <translation>Das Board setzt sich bei seinem nächsten Start selbst zurück und würde verlieren, was jetzt geschrieben wird. Schalten Sie es zuerst aus und ein (Gerät, Gespeicherte Einstellungen aktivieren).</translation></message>
-    <message><source>{0} of {1}: {2}</source>
-        <translation>{0} von {1}: {2}</translation></message>
-    <message><source>Writing. Each value is read back; leave the power on.</source>
-        <translation>Schreiben läuft. Jeder Wert wird zurückgelesen; lassen Sie die Stromversorgung eingeschaltet.</translation></message>
-    <message><source>not attempted</source>
-        <translation>nicht versucht</translation></message>
+    <message><source>Left wheel, forward</source>
+        <translation>Linkes Rad, vorwärts</translation></message>
+    <message><source>Left wheel, backward</source>
+        <translation>Linkes Rad, rückwärts</translation></message>
+    <message><source>Right wheel, forward</source>
+        <translation>Rechtes Rad, vorwärts</translation></message>
+    <message><source>Right wheel, backward</source>
+        <translation>Rechtes Rad, rückwärts</translation></message>
+    <message><source>front</source>
+        <translation>vorn</translation></message>
     <message><source>{0} is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use it, too.</source>
         <translation>{0} gehört jetzt zu den ausstehenden Änderungen. Die Einstellung gilt, nachdem das Board aus- und eingeschaltet wurde; dieses Fenster folgt dann. Andere Programme an dieser Leitung müssen sie auch verwenden.</translation></message>
     <message><source>CRC-7 is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use CRC-7, too.</source>
@@ -4649,68 +4467,12 @@ bisher {1}</translation></message>
         <translation>Die Einstellungen vom Board lesen und die hier gemachten Änderungen verwerfen?</translation></message>
     <message><source>Discard and reload</source>
         <translation>Verwerfen und neu laden</translation></message>
-    <message><source>A board keeps two calibrations for each channel: one for RC pulses, one for analog voltages. Calibrations that are not in the file stay as they are on the board. The number without a unit is the count in the file.</source>
-        <translation>Ein Board speichert zwei Kalibrierungen für jeden Kanal: eine für RC-Impulse, eine für analoge Spannungen. Kalibrierungen, die nicht in der Datei stehen, bleiben auf dem Board, wie sie sind. Die Zahl ohne Einheit ist der Wert in Counts, wie er in der Datei steht.</translation></message>
-    <message><source>&amp;Leave out selected</source>
-        <translation>Auswahl &amp;weglassen</translation></message>
-    <message><source>Remove the calibrations of the selected channels from the file</source>
-        <translation>Die Kalibrierungen der ausgewählten Kanäle aus der Datei entfernen</translation></message>
-    <message><source>Double-click a value to change it; type 1500, 1.5 ms, 2.5 V or 3750 counts.</source>
-        <translation>Doppelklicken Sie auf einen Wert, um ihn zu ändern; geben Sie 1500, 1,5 ms, 2,5 V oder 3750 Counts ein.</translation></message>
-    <message><source>Deadband</source>
-        <translation>Totbereich</translation></message>
-    <message><source>Channel</source>
-        <translation>Kanal</translation></message>
-    <message><source>Calibrations</source>
-        <translation>Kalibrierungen</translation></message>
-    <message><source>&amp;Add selected</source>
-        <translation>Auswahl &amp;hinzufügen</translation></message>
-    <message><source>Add the default calibration for the selected channels</source>
-        <translation>Die Standardkalibrierung für die ausgewählten Kanäle hinzufügen</translation></message>
-    <message><source>Leave out calibrations</source>
-        <translation>Kalibrierungen weglassen</translation></message>
-    <message><source>{0}: {1}. The order is minimum, neutral, maximum.</source>
-        <translation>{0}: {1}. Die Reihenfolge ist Minimum, Neutralstellung, Maximum.</translation></message>
-    <message><source>N&amp;ote on the calibration:</source>
-        <translation>&amp;Notiz zur Kalibrierung:</translation></message>
-    <message><source>Add calibrations</source>
-        <translation>Kalibrierungen hinzufügen</translation></message>
-    <message numerus="yes"><source>%n setting(s) differ, {0} match.</source>
-        <translation><numerusform>%n Einstellung weicht ab, {0} gleich.</numerusform><numerusform>%n Einstellungen weichen ab, {0} gleich.</numerusform></translation></message>
-    <message numerus="yes"><source>&amp;Copy %n value(s) to {0}</source>
-        <translation><numerusform>%n &amp;Wert nach {0} kopieren</numerusform><numerusform>%n &amp;Werte nach {0} kopieren</numerusform></translation></message>
-    <message numerus="yes"><source>%n value(s) copied from {0}.</source>
-        <translation><numerusform>%n Wert aus {0} kopiert.</numerusform><numerusform>%n Werte aus {0} kopiert.</numerusform></translation></message>
-    <message><source>Copy values from {0}</source>
-        <translation>Werte aus {0} kopieren</translation></message>
-    <message><source>Acce&amp;pt the proposal</source>
-        <translation>Vor&amp;schlag übernehmen</translation></message>
-    <message><source>Findings</source>
-        <translation>Befunde</translation></message>
-    <message><source>No errors, warnings or suggestions.</source>
-        <translation>Keine Fehler, Warnungen oder Hinweise.</translation></message>
-    <message numerus="yes"><source>%n error(s)</source>
-        <translation><numerusform>%n Fehler</numerusform><numerusform>%n Fehler</numerusform></translation></message>
-    <message numerus="yes"><source>%n warning(s)</source>
-        <translation><numerusform>%n Warnung</numerusform><numerusform>%n Warnungen</numerusform></translation></message>
-    <message numerus="yes"><source>%n suggestion(s)</source>
-        <translation><numerusform>%n Hinweis</numerusform><numerusform>%n Hinweise</numerusform></translation></message>
-    <message><source>Warning</source>
-        <translation>Warnung</translation></message>
-    <message><source>Kind</source>
-        <translation>Art</translation></message>
-    <message><source>Line</source><comment>of a text</comment>
-        <translation>Zeile</translation></message>
-    <message><source>Message</source>
-        <translation>Meldung</translation></message>
-    <message><source>Double-click a finding to show its line.</source>
-        <translation>Doppelklicken Sie auf einen Befund, um seine Zeile zu zeigen.</translation></message>
-    <message><source>A file with errors cannot be used.</source>
-        <translation>Eine Datei mit Fehlern kann nicht verwendet werden.</translation></message>
-    <message><source>Suggestion</source>
-        <translation>Hinweis</translation></message>
-    <message><source>Proposal: {0}.</source>
-        <translation>Vorschlag: {0}.</translation></message>
+    <message><source>&amp;Add to the file</source>
+        <translation>In die Datei &amp;aufnehmen</translation></message>
+    <message><source>Leave out of the fi&amp;le</source>
+        <translation>In der Datei &amp;weglassen</translation></message>
+    <message><source>Not in the file: the board keeps its own.</source>
+        <translation>Nicht in der Datei: Das Board behält seine.</translation></message>
     <message><source>Bold: differs from the factory default.</source>
         <translation>Fett: weicht von der Werkseinstellung ab.</translation></message>
     <message><source>Key</source>
@@ -4719,12 +4481,20 @@ bisher {1}</translation></message>
         <translation>Wert</translation></message>
     <message><source>Default</source>
         <translation>Standardwert</translation></message>
+    <message><source>Channel</source>
+        <translation>Kanal</translation></message>
+    <message><source>Deadband</source>
+        <translation>Totbereich</translation></message>
     <message><source>Printed {0} by TReX Studio.</source>
         <translation>Gedruckt {0} von TReX Studio.</translation></message>
     <message><source>Qt's printing is not installed here ({0}); save a PDF file instead.</source>
         <translation>Die Druckfunktion von Qt ist hier nicht installiert ({0}); speichern Sie stattdessen eine PDF-Datei.</translation></message>
+    <message><source>Findings</source>
+        <translation>Befunde</translation></message>
     <message><source>{0}, page {1} of {2}</source>
         <translation>{0}, Seite {1} von {2}</translation></message>
+    <message><source>Calibrations</source>
+        <translation>Kalibrierungen</translation></message>
     <message><source>None are given.</source>
         <translation>Keine angegeben.</translation></message>
     <message><source>Write values with units as wire values, and numbers beyond their range as the nearest one in it; the file changes when you save it</source>
@@ -4795,8 +4565,6 @@ bisher {1}</translation></message>
         <translation>Nicht gespeichert. {0}</translation></message>
     <message><source>{0}[*] – TReX settings file</source>
         <translation>{0}[*] – TReX-Einstellungsdatei</translation></message>
-    <message><source>Findings ({0})</source>
-        <translation>Befunde ({0})</translation></message>
     <message><source>Repaired: {0}.</source>
         <translation>Repariert: {0}.</translation></message>
     <message><source>The pages were saved in {0}.</source>
@@ -4819,36 +4587,16 @@ bisher {1}</translation></message>
         <translation>Neue Datei &amp;beginnen mit:</translation></message>
     <message><source>The board as shown: {0}, firmware {1}</source>
         <translation>Das Board, wie angezeigt: {0}, Firmware {1}</translation></message>
+    <message><source>Applied</source>
+        <translation>Angewendet</translation></message>
     <message><source>Beginnings</source>
         <translation>Vorlagen</translation></message>
     <message><source>Settings applied {0}</source>
         <translation>Angewendete Einstellungen, {0}</translation></message>
-    <message><source>Applied</source>
-        <translation>Angewendet</translation></message>
     <message><source>Sample: {0}</source>
         <translation>Beispiel: {0}</translation></message>
-    <message><source>Go on without the changes of this step</source>
-        <translation>Ohne die Änderungen dieses Schrittes fortfahren</translation></message>
-    <message><source>Close the assistant; its changes stay until you apply or discard them</source>
-        <translation>Den Assistenten schließen; seine Änderungen bleiben, bis Sie sie anwenden oder verwerfen</translation></message>
-    <message><source>Next changes {0}. Nothing is written before you apply it.</source>
-        <translation>„Weiter“ ändert {0}. Geschrieben wird erst, wenn Sie es anwenden.</translation></message>
-    <message><source>&amp;Who drives</source>
-        <translation>&amp;Wer steuert</translation></message>
-    <message><source>&amp;Jumpers</source>
-        <translation>&amp;Jumper</translation></message>
-    <message><source>&amp;Sticks</source>
-        <translation>&amp;Knüppel</translation></message>
-    <message><source>Which &amp;motor is which</source>
-        <translation>Welcher &amp;Motor ist welcher</translation></message>
-    <message><source>&amp;Ramps and limits</source>
-        <translation>&amp;Rampen und Grenzen</translation></message>
-    <message><source>Serial &amp;timeout</source>
-        <translation>Serielles &amp;Timeout</translation></message>
-    <message><source>S&amp;kip</source>
-        <translation>Übers&amp;pringen</translation></message>
-    <message numerus="yes"><source>Next adds %n change(s). Nothing is written before you apply them.</source>
-        <translation><numerusform>„Weiter“ fügt %n Änderung hinzu. Geschrieben wird erst, wenn Sie sie anwenden.</numerusform><numerusform>„Weiter“ fügt %n Änderungen hinzu. Geschrieben wird erst, wenn Sie sie anwenden.</numerusform></translation></message>
+    <message><source>Nothing</source>
+        <translation>Nichts</translation></message>
     <message><source>Swap the pair of wires of motor 1 with that of motor 2 (keep their order).</source>
         <translation>Vertauschen Sie das Drahtpaar von Motor 1 mit dem von Motor 2 (Reihenfolge beibehalten).</translation></message>
     <message><source>Swap the two wires of the left motor.</source>
@@ -4859,10 +4607,8 @@ bisher {1}</translation></message>
         <translation>Keine Einstellung bewirkt das für serielle Befehle; Ihr eigenes Programm kann es stattdessen tun.</translation></message>
     <message><source>No setting of the board does this.</source>
         <translation>Keine Einstellung des Boards bewirkt das.</translation></message>
-    <message><source>The board has to know the middle and the ends of each stick. Learning measures them in about two minutes, in a separate window, and ends with a review. The motors stay off meanwhile. Learn before you go on: the next step, which motor is which, needs the directions of the sticks.</source>
-        <translation>Das Board muss die Mitte und die Endlagen jedes Knüppels kennen. Das Einlernen misst sie in etwa zwei Minuten, in einem eigenen Fenster, und endet mit einer Prüfung. Die Motoren bleiben währenddessen aus. Lernen Sie ein, bevor Sie fortfahren: Der nächste Schritt, welcher Motor welcher ist, braucht die Richtungen der Knüppel.</translation></message>
-    <message><source>Already learned? Then show which way the sticks go: push, hold and click. In serial mode they move no motor.</source>
-        <translation>Schon eingelernt? Dann zeigen Sie, in welche Richtung die Knüppel gehen: auslenken, halten und klicken. Im seriellen Modus bewegen sie keinen Motor.</translation></message>
+    <message><source>About two minutes; the motors stay off. The next step needs the directions.</source>
+        <translation>Etwa zwei Minuten; die Motoren bleiben aus. Der nächste Schritt braucht die Richtungen.</translation></message>
     <message><source>The stick is fully &amp;right now</source>
         <translation>Der Knüppel ist jetzt ganz &amp;rechts</translation></message>
     <message><source>The stick is fully &amp;forward now</source>
@@ -4871,18 +4617,22 @@ bisher {1}</translation></message>
         <translation>Beide Knüppel sind jetzt ganz &amp;vorn</translation></message>
     <message><source>Channel 1 is for left and right of the stick, channel 2 for forward and back.</source>
         <translation>Kanal 1 gehört zu links und rechts am Knüppel, Kanal 2 zu vor und zurück.</translation></message>
-    <message><source>Short, weak pulses while you hold it with the mouse or the space bar</source>
-        <translation>Kurze, schwache Impulse, solange Sie die Schaltfläche mit der Maus oder der Leertaste gedrückt halten</translation></message>
-    <message><source>The wheels are &amp;off the ground, and nothing can get caught in them</source>
-        <translation>Die Räder sind vom &amp;Boden abgehoben, und nichts kann sich in ihnen verfangen</translation></message>
+    <message><source>Nothing &amp;moved</source>
+        <translation>N&amp;ichts hat sich bewegt</translation></message>
     <message><source>Wir&amp;es swapped – test again</source>
         <translation>&amp;Drähte vertauscht – erneut testen</translation></message>
     <message><source>Forget both answers and find out again which motor is which</source>
         <translation>Beide Antworten vergessen und erneut herausfinden, welcher Motor welcher ist</translation></message>
+    <message><source>The wheels are &amp;off the ground</source>
+        <translation>Die Räder sind vom &amp;Boden abgehoben</translation></message>
+    <message><source>Short, weak pulses while you hold it with the mouse or the space bar</source>
+        <translation>Kurze, schwache Impulse, solange Sie die Schaltfläche mit der Maus oder der Leertaste gedrückt halten</translation></message>
     <message><source>Nothing has to change: the wheels follow the sticks.</source>
         <translation>Es muss nichts geändert werden: Die Räder folgen den Knüppeln.</translation></message>
     <message><source>Switch the motors' power off.</source>
         <translation>Schalten Sie die Motorversorgung aus.</translation></message>
+    <message><source>The board learns your sticks</source>
+        <translation>Das Board lernt Ihre Knüppel</translation></message>
     <message><source>&amp;Learn channels…</source>
         <translation>Kanäle &amp;einlernen…</translation></message>
     <message><source>Channel 1 is for motor 1, channel 2 for motor 2.</source>
@@ -4899,38 +4649,32 @@ bisher {1}</translation></message>
         <translation>{0}: Der Wert fällt.</translation></message>
     <message><source>{0}: the stick is still near its middle. Push it all the way.</source>
         <translation>{0}: Der Knüppel ist noch nahe der Mitte. Bewegen Sie ihn bis zum Anschlag.</translation></message>
-    <message><source>Left wheel, forward</source>
-        <translation>Linkes Rad, vorwärts</translation></message>
-    <message><source>Right wheel, forward</source>
-        <translation>Rechtes Rad, vorwärts</translation></message>
-    <message><source>Left wheel, backward</source>
-        <translation>Linkes Rad, rückwärts</translation></message>
-    <message><source>Right wheel, backward</source>
-        <translation>Rechtes Rad, rückwärts</translation></message>
-    <message><source>Nothing</source>
-        <translation>Nichts</translation></message>
-    <message><source>Armed. Hold a button: its motor is driven forward in short, weak pulses; the other one stays at rest. Then say below what turned.</source>
-        <translation>Freigegeben. Halten Sie eine Schaltfläche gedrückt: Der zugehörige Motor läuft in kurzen, schwachen Impulsen vorwärts; der andere steht still. Geben Sie dann unten an, was sich gedreht hat.</translation></message>
+    <message><source>Hold a button, then click what moved</source>
+        <translation>Taste gedrückt halten, dann klicken, was sich bewegt hat</translation></message>
+    <message><source>Click what this motor moved</source>
+        <translation>Klicken Sie, was dieser Motor bewegt hat</translation></message>
+    <message><source>Armed. The motor turns in short, weak pulses while you hold.</source>
+        <translation>Freigegeben. Der Motor dreht in kurzen, schwachen Impulsen, solange Sie gedrückt halten.</translation></message>
     <message><source>Motor {0} is driven in pulses. Release the button to stop it.</source>
         <translation>Motor {0} läuft in Impulsen. Lassen Sie die Schaltfläche los, um ihn zu stoppen.</translation></message>
-    <message><source>Nothing turned: the next pulses are stronger (30 % instead of 20 %). If that does not help, check the battery and the wires of this motor.</source>
-        <translation>Nichts hat sich gedreht: Die nächsten Impulse sind stärker (30 % statt 20 %). Wenn das nicht hilft, prüfen Sie die Batterie und die Drähte dieses Motors.</translation></message>
+    <message><source>Nothing turned: the next pulses are stronger (30 %). If that does not help, check the battery and the wires of this motor.</source>
+        <translation>Nichts hat sich gedreht: Die nächsten Impulse sind stärker (30 %). Wenn das nicht hilft, prüfen Sie die Batterie und die Drähte dieses Motors.</translation></message>
     <message><source>Motor 1 drives the left wheel, motor 2 the right one, both forward.</source>
         <translation>Motor 1 treibt das linke Rad an, Motor 2 das rechte, beide vorwärts.</translation></message>
-    <message><source>No wires have to be swapped. Settings make the wheels follow the sticks, but those settings depend on the directions of the sticks, which are not known yet: go back to Sticks. Your answers are kept.</source>
-        <translation>Es müssen keine Drähte vertauscht werden. Einstellungen lassen die Räder den Knüppeln folgen, hängen aber von den Richtungen der Knüppel ab, die noch nicht bekannt sind: Gehen Sie zurück zu „Knüppel“. Ihre Antworten bleiben erhalten.</translation></message>
-    <message><source>Motor 1 drives the right wheel, motor 2 the left one.</source>
-        <translation>Motor 1 treibt das rechte Rad an, Motor 2 das linke.</translation></message>
+    <message><source>No wires have to be swapped, but the directions of the sticks are not known yet: go back to Sticks. Your answers are kept.</source>
+        <translation>Es müssen keine Drähte vertauscht werden, aber die Richtungen der Knüppel sind noch nicht bekannt: Gehen Sie zurück zu „Knüppel“. Ihre Antworten bleiben erhalten.</translation></message>
     <message><source>Settings correct this; no wires have to be swapped.</source>
         <translation>Einstellungen berichtigen dies; es müssen keine Drähte vertauscht werden.</translation></message>
+    <message><source>Already learned? Push, hold and click:</source>
+        <translation>Schon eingelernt? Drücken, halten und klicken:</translation></message>
     <message><source>Channel 1 (turns)</source>
         <translation>Kanal 1 (lenkt)</translation></message>
     <message><source>Channel 2 (drives)</source>
         <translation>Kanal 2 (fährt)</translation></message>
     <message><source>{0}: no signal arrives.</source>
         <translation>{0}: Es kommt kein Signal an.</translation></message>
-    <message><source>What turned, and which way?</source>
-        <translation>Was hat sich gedreht, und in welche Richtung?</translation></message>
+    <message><source>not tried yet</source>
+        <translation>noch nicht versucht</translation></message>
     <message><source>Nothing turned: the pulses stay below the speed ceiling of the Motors page. Raise it, or check the battery and the wires of this motor.</source>
         <translation>Nichts hat sich gedreht: Die Impulse bleiben unter der Höchstgeschwindigkeit der Seite „Motoren“. Erhöhen Sie diese, oder prüfen Sie die Batterie und die Drähte dieses Motors.</translation></message>
     <message><source>Two motors cannot drive the same wheel: try both buttons again.</source>
@@ -4939,36 +4683,48 @@ bisher {1}</translation></message>
         <translation>Jeder Kanal ist mit einem Ausgang Ihres Empfängers verbunden.</translation></message>
     <message><source>Is the transmitter on?</source>
         <translation>Ist der Sender eingeschaltet?</translation></message>
-    <message><source>Hold to pulse motor {0}</source>
-        <translation>Gedrückt halten: Motor {0} pulsen</translation></message>
-    <message><source>A transmitter or a joystick: forward and back, left and right with one stick. The board mixes both.</source>
-        <translation>Ein Sender oder ein Joystick: vor und zurück, links und rechts mit einem Knüppel. Das Board mischt beides.</translation></message>
-    <message><source>One stick for each side of the robot, as in a tank.</source>
-        <translation>Ein Knüppel für jede Seite des Roboters, wie bei einem Kettenfahrzeug.</translation></message>
-    <message><source>A program, a microcontroller or this window sends commands over the serial line.</source>
-        <translation>Ein Programm, ein Mikrocontroller oder dieses Fenster sendet Befehle über die serielle Leitung.</translation></message>
-    <message><source>Each step can be skipped. The assistant writes nothing by itself: what you choose becomes unapplied changes, which you review at the end.</source>
-        <translation>Jeder Schritt kann übersprungen werden. Der Assistent schreibt nichts von selbst: Was Sie wählen, wird zu nicht angewendeten Änderungen, die Sie am Ende prüfen.</translation></message>
-    <message><source>This board was started in {0} mode. Switch it off, remove the mode jumper and switch it on again. This statement then updates by itself.</source>
-        <translation>Dieses Board wurde im Modus {0} gestartet. Schalten Sie es aus, ziehen Sie den Modus-Jumper ab und schalten Sie es wieder ein. Diese Aussage aktualisiert sich dann von selbst.</translation></message>
-    <message><source>The mix jumper is on: remove it, then push a stick again.</source>
-        <translation>Der Mix-Jumper ist gesteckt: Ziehen Sie ihn ab und bewegen Sie dann wieder einen Knüppel.</translation></message>
-    <message><source>The mix jumper is off: put it on, then push a stick again.</source>
-        <translation>Der Mix-Jumper ist nicht gesteckt: Stecken Sie ihn auf und bewegen Sie dann wieder einen Knüppel.</translation></message>
-    <message><source>Set the current that your motors can draw continuously; the values above are only examples. Speeds that are set at once, without a ramp, bypass the limit for a moment.</source>
-        <translation>Stellen Sie den Strom ein, den Ihre Motoren dauernd aufnehmen dürfen; die obigen Werte sind nur Beispiele. Geschwindigkeiten, die sofort, ohne Rampe, gesetzt werden, umgehen die Begrenzung für einen Augenblick.</translation></message>
-    <message><source>If the cable falls out or the computer fails, only the board itself can notice and stop the motors. Without a serial timeout they keep running at their last speed.</source>
-        <translation>Wenn das Kabel herausfällt oder der Computer versagt, kann nur das Board selbst es bemerken und die Motoren stoppen. Ohne serielles Timeout laufen sie mit ihrer letzten Geschwindigkeit weiter.</translation></message>
-    <message><source>Have the computer send something at least twice in that time; a status query will do. 0.5 s is a good value for most robots. UART-Error Shutdown is switched on with it, as the timeout may need it (twin).</source>
-        <translation>Lassen Sie den Computer in dieser Zeit mindestens zweimal etwas senden; eine Statusabfrage genügt. 0,5 s sind für die meisten Roboter ein guter Wert. „Abschaltung bei UART-Fehlern“ wird mit eingeschaltet, da das Timeout sie vielleicht braucht (Zwilling).</translation></message>
-    <message><source>The board stores: {0}.</source>
-        <translation>Das Board speichert: {0}.</translation></message>
+    <message><source>Hold to turn motor {0}</source>
+        <translation>Gedrückt halten: Motor {0} dreht</translation></message>
+    <message><source>What did motor {0} move?</source>
+        <translation>Was hat Motor {0} bewegt?</translation></message>
+    <message><source>Motor &amp;{0}</source>
+        <translation>Motor &amp;{0}</translation></message>
+    <message numerus="yes"><source>Next adds %n change(s). Nothing is written before you apply them.</source>
+        <translation><numerusform>„Weiter“ fügt %n Änderung hinzu. Geschrieben wird erst, wenn Sie sie anwenden.</numerusform><numerusform>„Weiter“ fügt %n Änderungen hinzu. Geschrieben wird erst, wenn Sie sie anwenden.</numerusform></translation></message>
+    <message><source>Driver</source>
+        <translation>Steuerung</translation></message>
+    <message><source>&amp;Jumpers</source>
+        <translation>&amp;Jumper</translation></message>
+    <message><source>&amp;Sticks</source>
+        <translation>&amp;Knüppel</translation></message>
+    <message><source>M&amp;otors</source>
+        <translation>M&amp;otoren</translation></message>
+    <message><source>&amp;Limits</source>
+        <translation>&amp;Grenzen</translation></message>
+    <message><source>T&amp;imeout</source>
+        <translation>T&amp;imeout</translation></message>
+    <message><source>Write</source>
+        <translation>Schreiben</translation></message>
     <message><source>Review and &amp;apply…</source>
         <translation>Prüfen und &amp;anwenden…</translation></message>
+    <message><source>Each step can be skipped. Nothing is written before you apply it at the end.</source>
+        <translation>Jeder Schritt kann übersprungen werden. Nichts wird geschrieben, bevor Sie es am Ende anwenden.</translation></message>
+    <message><source>Schematic: the user's guide shows where your board has them.</source>
+        <translation>Schema: Das Benutzerhandbuch zeigt, wo Ihr Board sie hat.</translation></message>
+    <message><source>This board was started in {0} mode. Switch it off, remove the mode jumper and switch it on again.</source>
+        <translation>Dieses Board wurde im Modus {0} gestartet. Schalten Sie es aus, ziehen Sie den Modus-Jumper ab und schalten Sie es wieder ein.</translation></message>
+    <message><source>The mix jumper is on: remove it, then push a stick.</source>
+        <translation>Der Mix-Jumper ist gesteckt: Ziehen Sie ihn ab und bewegen Sie dann einen Knüppel.</translation></message>
+    <message><source>The mix jumper is off: put it on, then push a stick.</source>
+        <translation>Der Mix-Jumper ist ab: Stecken Sie ihn auf und bewegen Sie dann einen Knüppel.</translation></message>
+    <message><source>Set what your motors can draw continuously: the presets are examples. Without a ramp, the current exceeds the limit for a moment.</source>
+        <translation>Stellen Sie ein, was Ihre Motoren dauernd aufnehmen dürfen: Die Vorgaben sind Beispiele. Ohne Rampe überschreitet der Strom die Grenze für einen Augenblick.</translation></message>
+    <message><source>Have the computer send something at least twice in that time. UART-Error Shutdown is switched on with it, as the timeout may need it (twin).</source>
+        <translation>Lassen Sie den Computer in dieser Zeit mindestens zweimal etwas senden. „Abschaltung bei UART-Fehlern“ wird mit eingeschaltet, da das Timeout sie vielleicht braucht (Zwilling).</translation></message>
     <message numerus="yes"><source>%n change(s) not applied yet.</source>
         <translation><numerusform>%n Änderung noch nicht angewendet.</numerusform><numerusform>%n Änderungen noch nicht angewendet.</numerusform></translation></message>
-    <message><source>The changes for the motors were not taken over: open the step and click Next.</source>
-        <translation>Die Änderungen für die Motoren wurden nicht übernommen: Öffnen Sie den Schritt und klicken Sie auf „Weiter“.</translation></message>
+    <message><source>Its changes were not added: open the step and click Next.</source>
+        <translation>Seine Änderungen wurden nicht übernommen: Öffnen Sie den Schritt und klicken Sie auf „Weiter“.</translation></message>
     <message><source>Drive first with the wheels off the ground: forward, back, left, right.</source>
         <translation>Fahren Sie zuerst mit den Rädern in der Luft: vor, zurück, links, rechts.</translation></message>
     <message><source>Switch the board off, put the mode jumper on {0}, {1}.</source>
@@ -4977,18 +4733,32 @@ bisher {1}</translation></message>
         <translation>Schalten Sie zuerst den Sender ein, dann das Board.</translation></message>
     <message><source>The motors stay off until the sticks are released (safe-start).</source>
         <translation>Die Motoren bleiben aus, bis die Knüppel losgelassen werden (Safe-Start).</translation></message>
-    <message><source>Schematic: the user's guide shows where your board has them.</source>
-        <translation>Schema: Das Benutzerhandbuch zeigt, wo Ihr Board sie hat.</translation></message>
-    <message><source>Put the mix jumper on: channel 2 drives forward and back, channel 1 turns. It takes effect at once.</source>
-        <translation>Stecken Sie den Mix-Jumper auf: Kanal 2 fährt vor und zurück, Kanal 1 lenkt. Das wirkt sofort.</translation></message>
-    <message><source>Remove the mix jumper: channel 1 drives motor 1, channel 2 drives motor 2. It takes effect at once.</source>
-        <translation>Ziehen Sie den Mix-Jumper ab: Kanal 1 steuert Motor 1, Kanal 2 steuert Motor 2. Das wirkt sofort.</translation></message>
-    <message><source>The mix jumper does not matter: it has no effect on serial commands.</source>
-        <translation>Der Mix-Jumper ist unerheblich: Auf serielle Befehle hat er keine Wirkung.</translation></message>
-    <message><source>Remove the mode jumper and leave it off: the board then accepts settings and serial commands. It reads the jumper when it is switched on.</source>
-        <translation>Ziehen Sie den Modus-Jumper ab und lassen Sie ihn weg: Das Board nimmt dann Einstellungen und serielle Befehle an. Es liest den Jumper beim Einschalten.</translation></message>
-    <message><source>Remove the mode jumper to set up the board: it accepts settings only without it. To drive, put it on RC, or on analog for a joystick with potentiometers. The board reads it when it is switched on.</source>
-        <translation>Ziehen Sie den Modus-Jumper ab, um das Board einzurichten: Nur ohne ihn nimmt es Einstellungen an. Zum Fahren stecken Sie ihn auf RC, oder auf Analog für einen Joystick mit Potentiometern. Das Board liest ihn beim Einschalten.</translation></message>
+    <message><source>Who drives your robot?</source>
+        <translation>Wer steuert Ihren Roboter?</translation></message>
+    <message><source>One stick drives and turns. The board mixes both.</source>
+        <translation>Ein Knüppel fährt und lenkt. Das Board mischt beides.</translation></message>
+    <message><source>One stick for each side of the robot, as in a tank.</source>
+        <translation>Ein Knüppel für jede Seite des Roboters, wie bei einem Kettenfahrzeug.</translation></message>
+    <message><source>Commands come over the serial line.</source>
+        <translation>Befehle kommen über die serielle Leitung.</translation></message>
+    <message><source>&amp;One stick</source>
+        <translation>&amp;Ein Knüppel</translation></message>
+    <message><source>&amp;Two sticks</source>
+        <translation>Zwei &amp;Knüppel</translation></message>
+    <message><source>&amp;A computer</source>
+        <translation>Ein &amp;Computer</translation></message>
+    <message><source>Move the jumpers as drawn</source>
+        <translation>Jumper wie gezeichnet stecken</translation></message>
+    <message><source>How should the motors start and stop?</source>
+        <translation>Wie sollen die Motoren anfahren und anhalten?</translation></message>
+    <message><source>As &amp;it is</source>
+        <translation>W&amp;ie es ist</translation></message>
+    <message><source>&amp;Tank</source>
+        <translation>&amp;Kettenfahrzeug</translation></message>
+    <message><source>Ro&amp;ver</source>
+        <translation>Ro&amp;ver</translation></message>
+    <message><source>&amp;Autonomous robot</source>
+        <translation>Autonomer &amp;Roboter</translation></message>
     <message><source>Current limit of each motor</source>
         <translation>Stromgrenze jedes Motors</translation></message>
     <message><source>off</source><comment>limit</comment>
@@ -4997,10 +4767,14 @@ bisher {1}</translation></message>
         <translation>Im Parallelbetrieb misst das Board keinen Strom und kann ihn daher nicht begrenzen.</translation></message>
     <message><source>This example was made for a {0}, which measures current in other units. Your board keeps its current limit.</source>
         <translation>Dieses Beispiel wurde für einen {0} erstellt, der den Strom in anderen Einheiten misst. Ihr Board behält seine Stromgrenze.</translation></message>
+    <message><source>If the cable falls out, the board stops</source>
+        <translation>Wenn sich das Kabel löst, stoppt das Board</translation></message>
     <message><source>Serial timeout in seconds</source>
         <translation>Serielles Timeout in Sekunden</translation></message>
-    <message><source>The jumpers are not as they have to be, or were not checked.</source>
-        <translation>Die Jumper sind nicht so, wie sie sein müssen, oder wurden nicht geprüft.</translation></message>
+    <message><source>What is left to do</source>
+        <translation>Was noch zu tun ist</translation></message>
+    <message><source>Not as they have to be, or not checked.</source>
+        <translation>Nicht wie nötig oder nicht geprüft.</translation></message>
     <message><source>The directions of the sticks are not known.</source>
         <translation>Die Richtungen der Knüppel sind nicht bekannt.</translation></message>
     <message><source>Skipped, or its changes were undone.</source>
@@ -5015,60 +4789,34 @@ bisher {1}</translation></message>
         <translation>stecken Sie den Mix-Jumper auf</translation></message>
     <message><source>leave the mix jumper off</source>
         <translation>lassen Sie den Mix-Jumper weg</translation></message>
-    <message><source>&amp;One stick</source>
-        <translation>&amp;Ein Knüppel</translation></message>
-    <message><source>&amp;Two sticks</source>
-        <translation>Zwei &amp;Knüppel</translation></message>
-    <message><source>&amp;A computer</source>
-        <translation>Ein &amp;Computer</translation></message>
-    <message><source>Who drives your robot?</source>
-        <translation>Wer steuert Ihren Roboter?</translation></message>
-    <message><source>Now: to set up</source>
-        <translation>Jetzt: zum Einrichten</translation></message>
     <message><source>The board does not respond: it may be switched off.</source>
         <translation>Das Board antwortet nicht: Es ist vielleicht ausgeschaltet.</translation></message>
     <message><source>No board is connected, so its jumpers cannot be checked.</source>
         <translation>Kein Board ist verbunden, daher können seine Jumper nicht geprüft werden.</translation></message>
     <message><source>This board was started without the mode jumper (serial mode).</source>
         <translation>Dieses Board wurde ohne Modus-Jumper gestartet (serieller Modus).</translation></message>
-    <message><source>The mix jumper can be checked in serial mode only: in this mode a stick that you push would drive the motors.</source>
-        <translation>Der Mix-Jumper kann nur im seriellen Modus geprüft werden: In diesem Modus würde ein Knüppel, den Sie bewegen, die Motoren antreiben.</translation></message>
-    <message><source>It is not known yet whether the mix jumper is on: the board cannot be asked. Push a stick to one side, and the answer appears here.</source>
-        <translation>Es ist noch nicht bekannt, ob der Mix-Jumper gesteckt ist: Das Board lässt sich nicht danach fragen. Bewegen Sie einen Knüppel zu einer Seite; die Antwort erscheint dann hier.</translation></message>
-    <message><source>Keep w&amp;hat the board has</source>
-        <translation>Werte des &amp;Boards behalten</translation></message>
-    <message><source>Neither ramps nor limits change.</source>
-        <translation>Weder Rampen noch Grenzen ändern sich.</translation></message>
-    <message><source>&amp;Tank</source>
-        <translation>&amp;Kettenfahrzeug</translation></message>
-    <message><source>Ro&amp;ver</source>
-        <translation>Ro&amp;ver</translation></message>
-    <message><source>&amp;Autonomous robot</source>
-        <translation>Autonomer &amp;Roboter</translation></message>
-    <message><source>How should the motors start and stop?</source>
-        <translation>Wie sollen die Motoren anfahren und anhalten?</translation></message>
+    <message><source>The mix jumper can be checked in serial mode only: now a stick would drive the motors.</source>
+        <translation>Der Mix-Jumper kann nur im seriellen Modus geprüft werden: Jetzt würde ein Knüppel die Motoren antreiben.</translation></message>
+    <message><source>The board does not report the mix jumper. Push a stick to one side to see it.</source>
+        <translation>Das Board meldet den Mix-Jumper nicht. Drücken Sie einen Knüppel zur Seite, um es zu sehen.</translation></message>
+    <message><source>The mix jumper is on.</source>
+        <translation>Der Mix-Jumper ist gesteckt.</translation></message>
+    <message><source>The mix jumper is off.</source>
+        <translation>Der Mix-Jumper ist abgezogen.</translation></message>
     <message><source>Current &amp;limit of each motor</source>
         <translation>&amp;Stromgrenze jedes Motors</translation></message>
-    <message><source>Acceleration: {0}; brake before a reversal: {1}.</source>
-        <translation>Beschleunigung: {0}; Bremsen vor einer Umkehr: {1}.</translation></message>
     <message><source>&amp;Stop the motors after a silence of</source>
         <translation>Motoren &amp;stoppen nach einer Stille von</translation></message>
-    <message><source>Still open:</source>
-        <translation>Noch offen:</translation></message>
     <message><source>Go to this step</source>
         <translation>Zu diesem Schritt gehen</translation></message>
     <message><source>Then, by hand:</source>
         <translation>Danach von Hand:</translation></message>
-    <message><source>All changes are stored.</source>
-        <translation>Alle Änderungen sind gespeichert.</translation></message>
-    <message><source>Always</source>
-        <translation>Immer</translation></message>
-    <message><source>Later: to drive</source>
-        <translation>Später: zum Fahren</translation></message>
+    <message><source>Nothing to write.</source>
+        <translation>Nichts zu schreiben.</translation></message>
     <message><source>{0} Then test the motors again.</source>
         <translation>{0} Testen Sie dann die Motoren erneut.</translation></message>
-    <message><source>Example of a current limit: {0}.</source>
-        <translation>Beispiel einer Stromgrenze: {0}.</translation></message>
+    <message><source>checked</source>
+        <translation>geprüft</translation></message>
     <message><source>is not a readable settings file.</source>
         <translation>ist keine lesbare Einstellungsdatei.</translation></message>
     <message><source>Calibrations that the board does not show now were kept: {0}.</source>
@@ -5089,32 +4837,24 @@ bisher {1}</translation></message>
         <translation>{0} wurde nicht geschrieben: {1}</translation></message>
     <message><source>holds settings of a {0}.</source>
         <translation>enthält Einstellungen eines {0}.</translation></message>
-    <message><source>&amp;Restore selected as edits</source>
-        <translation>&amp;Auswahl als Änderungen wiederherstellen</translation></message>
-    <message><source>Turn the selected values into edits and review them; only Apply writes them</source>
-        <translation>Die ausgewählten Werte als Änderungen übernehmen und prüfen; nur „Einstellungen anwenden“ schreibt sie</translation></message>
-    <message><source>Reading…</source>
-        <translation>Lesen…</translation></message>
-    <message numerus="yes"><source>%n setting(s) not in the snapshot would stay.</source>
-        <translation><numerusform>%n Einstellung, die nicht in der Sicherungskopie steht, bliebe unverändert.</numerusform><numerusform>%n Einstellungen, die nicht in der Sicherungskopie stehen, blieben unverändert.</numerusform></translation></message>
-    <message numerus="yes"><source>%n setting(s) would become edits; nothing is written until you click Apply.</source>
-        <translation><numerusform>%n Einstellung würde als Änderung übernommen; geschrieben wird erst, wenn Sie auf „Einstellungen anwenden“ klicken.</numerusform><numerusform>%n Einstellungen würden als Änderungen übernommen; geschrieben wird erst, wenn Sie auf „Einstellungen anwenden“ klicken.</numerusform></translation></message>
-    <message><source>This snapshot is of a {0}, and the board here is a {1}: it cannot be restored.</source>
-        <translation>Diese Sicherungskopie ist von einem {0}, und das Board hier ist ein {1}: Sie kann nicht wiederhergestellt werden.</translation></message>
+    <message><source>Select a snapshot to see what it would restore.</source>
+        <translation>Wählen Sie eine Sicherungskopie aus, um zu sehen, was sie wiederherstellen würde.</translation></message>
     <message><source>{0} is damaged and cannot be restored. {1}</source>
         <translation>{0} ist beschädigt und kann nicht wiederhergestellt werden. {1}</translation></message>
+    <message><source>This snapshot is of a {0}, and the board here is a {1}: it cannot be restored.</source>
+        <translation>Diese Sicherungskopie ist von einem {0}, und das Board hier ist ein {1}: Sie kann nicht wiederhergestellt werden.</translation></message>
+    <message><source>Note: this snapshot is of device number {0}, the board here is number {1}.</source>
+        <translation>Hinweis: Diese Sicherungskopie ist von Gerätenummer {0}, das Board hier hat Nummer {1}.</translation></message>
+    <message><source>No setting differs.</source>
+        <translation>Keine Einstellung weicht ab.</translation></message>
+    <message><source>Reading…</source>
+        <translation>Lesen…</translation></message>
     <message><source>{0}, before {1}</source>
         <translation>{0}, vor: {1}</translation></message>
-    <message numerus="yes"><source>%n setting(s) would be restored, {0} match.</source>
-        <translation><numerusform>%n Einstellung würde wiederhergestellt, {0} gleich.</numerusform><numerusform>%n Einstellungen würden wiederhergestellt, {0} gleich.</numerusform></translation></message>
-    <message><source>Both are the same.</source>
-        <translation>Beide sind gleich.</translation></message>
+    <message numerus="yes"><source>&amp;Restore %n setting(s)…</source>
+        <translation><numerusform>%n Einstellung &amp;wiederherstellen …</numerusform><numerusform>%n Einstellungen &amp;wiederherstellen …</numerusform></translation></message>
     <message><source>Nothing is selected to be restored.</source>
         <translation>Zum Wiederherstellen ist nichts ausgewählt.</translation></message>
-    <message><source>A damaged snapshot cannot be restored.</source>
-        <translation>Eine beschädigte Sicherungskopie kann nicht wiederhergestellt werden.</translation></message>
-    <message><source>The snapshot is being read.</source>
-        <translation>Die Sicherungskopie wird gelesen.</translation></message>
     <message><source>To restore one of the two, select it alone.</source>
         <translation>Um eine der beiden wiederherzustellen, wählen Sie sie allein aus.</translation></message>
     <message><source>To restore, compare with the board.</source>
@@ -5123,44 +4863,26 @@ bisher {1}</translation></message>
         <translation>Das Board antwortet nicht, daher kann nichts wiederhergestellt werden.</translation></message>
     <message><source>Settings are being written; wait until that is done.</source>
         <translation>Einstellungen werden geschrieben; warten Sie, bis das abgeschlossen ist.</translation></message>
-    <message><source>There is nothing to restore.</source>
-        <translation>Es gibt nichts wiederherzustellen.</translation></message>
-    <message><source>Select the settings to restore.</source>
-        <translation>Wählen Sie die Einstellungen aus, die wiederhergestellt werden sollen.</translation></message>
     <message><source>No board is connected. Connect one to restore a snapshot.</source>
         <translation>Kein Board ist verbunden. Verbinden Sie eines, um eine Sicherungskopie wiederherzustellen.</translation></message>
-    <message><source>the board as it is now, with edits</source>
-        <translation>Board, wie es jetzt ist, mit Änderungen</translation></message>
-    <message><source>a settings file…</source>
-        <translation>Einstellungsdatei…</translation></message>
-    <message><source>snapshot of {0}</source>
-        <translation>Sicherungskopie von {0}</translation></message>
-    <message><source>snapshot of {0}, before {1}</source>
-        <translation>Sicherungskopie von {0}, vor: {1}</translation></message>
     <message><source>Compare with a settings file</source>
         <translation>Mit einer Einstellungsdatei vergleichen</translation></message>
     <message><source>{0} cannot be compared with: {1}</source>
         <translation>Vergleich mit {0} nicht möglich: {1}</translation></message>
-    <message><source>This snapshot has no differences to restore.</source>
-        <translation>Diese Sicherungskopie enthält keine Unterschiede zum Wiederherstellen.</translation></message>
-    <message><source>The board, with the edits made here, matches this snapshot.</source>
-        <translation>Das Board stimmt, mit den hier gemachten Änderungen, mit dieser Sicherungskopie überein.</translation></message>
     <message><source>Compare &amp;with:</source>
         <translation>&amp;Vergleichen mit:</translation></message>
-    <message><source>Now, with edits</source>
-        <translation>Jetzt, mit Änderungen</translation></message>
-    <message><source>Snapshot of {0}</source>
-        <translation>Sicherungskopie von {0}</translation></message>
-    <message><source>Select a snapshot to see what it would restore.</source>
-        <translation>Wählen Sie eine Sicherungskopie aus, um zu sehen, was sie wiederherstellen würde.</translation></message>
     <message><source>Select one snapshot, or two to compare them.</source>
         <translation>Wählen Sie eine Sicherungskopie aus, oder zwei, um sie zu vergleichen.</translation></message>
-    <message numerus="yes"><source>There is no other snapshot of a {0} to compare with. This one has %n setting(s).</source>
-        <translation><numerusform>Es gibt keine andere Sicherungskopie eines {0} zum Vergleich. Diese hat %n Einstellung.</numerusform><numerusform>Es gibt keine andere Sicherungskopie eines {0} zum Vergleich. Diese hat %n Einstellungen.</numerusform></translation></message>
+    <message><source>Now, with edits</source>
+        <translation>Jetzt, mit Änderungen</translation></message>
+    <message><source>the board as it is now, with edits</source>
+        <translation>Board, wie es jetzt ist, mit Änderungen</translation></message>
+    <message><source>the snapshot beside it</source>
+        <translation>die benachbarte Sicherungskopie</translation></message>
+    <message><source>a settings file…</source>
+        <translation>Einstellungsdatei…</translation></message>
     <message><source>Restore snapshot of {0}</source>
         <translation>Sicherungskopie von {0} wiederherstellen</translation></message>
-    <message><source>Note: this snapshot is of device number {0}, the board here is number {1}.</source>
-        <translation>Hinweis: Diese Sicherungskopie ist von Gerätenummer {0}, das Board hier hat Nummer {1}.</translation></message>
     <message><source>Nothing was restored: {0}</source>
         <translation>Nichts wurde wiederhergestellt: {0}</translation></message>
     <message><source>Never connect RS-232 levels (±12 V) to SI and SO: they can destroy the board.</source>
@@ -5197,6 +4919,12 @@ bisher {1}</translation></message>
         <translation>&amp;Einstellungsdatei öffnen…</translation></message>
     <message><source>&amp;Open recording…</source>
         <translation>&amp;Aufzeichnung öffnen…</translation></message>
+    <message><source>Go on without the changes of this step</source>
+        <translation>Ohne die Änderungen dieses Schrittes fortfahren</translation></message>
+    <message><source>&amp;Back</source>
+        <translation>&amp;Zurück</translation></message>
+    <message><source>S&amp;kip</source>
+        <translation>Übers&amp;pringen</translation></message>
     <message><source>First difference, line {0}: {1}. The simulated board: {2} ({3}).</source>
         <translation>Erster Unterschied, Zeile {0}: {1}. Das simulierte Board: {2} ({3}).</translation></message>
     <message><source>Compare a traffic log</source>
@@ -5219,8 +4947,6 @@ bisher {1}</translation></message>
         <translation>Bo&amp;ard</translation></message>
     <message><source>&amp;Channels</source>
         <translation>&amp;Kanäle</translation></message>
-    <message><source>Cali&amp;bration</source>
-        <translation>Kalibrierun&amp;g</translation></message>
     <message><source>&amp;Motors</source>
         <translation>&amp;Motoren</translation></message>
     <message><source>C&amp;urrents</source>
@@ -6047,6 +5773,8 @@ Soll die Datei aus den Einstellungen neu geschrieben werden? Ihre Kommentare geh
         <translation>OK</translation></message>
     <message><source>Not done</source>
         <translation>Nicht erledigt</translation></message>
+    <message><source>Warning</source>
+        <translation>Warnung</translation></message>
     <message><source>{0} LED: {1}</source>
         <translation>LED {0}: {1}</translation></message>
     <message><source>Dismiss</source>
@@ -6067,8 +5795,12 @@ Soll die Datei aus den Einstellungen neu geschrieben werden? Ihre Kommentare geh
         <translation>Jetzt stoppen</translation></message>
     <message><source>Connect with its settings</source>
         <translation>Mit seinen Einstellungen verbinden</translation></message>
-    <message><source>{0}. Not done: {1}.</source>
-        <translation>{0}. Nicht erledigt: {1}.</translation></message>
+    <message><source>All steps are done.</source>
+        <translation>Alle Schritte sind erledigt.</translation></message>
+    <message><source>Step {0} of {1}: {2}.</source>
+        <translation>Schritt {0} von {1}: {2}.</translation></message>
+    <message><source>Not done: {0}.</source>
+        <translation>Nicht erledigt: {0}.</translation></message>
     <message><source>Internal error while processing this file ({0}).</source>
         <translation>Interner Fehler bei der Verarbeitung dieser Datei ({0}).</translation></message>
     <message><source>Another file is still being written.</source>

@@ -39,8 +39,26 @@
         <translation><numerusform>Written to %n board.</numerusform><numerusform>Written to %n boards.</numerusform></translation></message>
     <message numerus="yes"><source>%n board(s) left out; the reason is beside each.</source>
         <translation><numerusform>%n board left out; the reason is beside each.</numerusform><numerusform>%n boards left out; the reason is beside each.</numerusform></translation></message>
+    <message numerus="yes"><source>{0}: %n change(s) pending: review them to write them.</source>
+        <translation><numerusform>{0}: %n change is pending: review it to write it.</numerusform><numerusform>{0}: %n changes are pending: review them to write them.</numerusform></translation></message>
+    <message numerus="yes"><source>%n setting(s) differ, {0} match.</source>
+        <translation><numerusform>%n setting differs, {0} match.</numerusform><numerusform>%n settings differ, {0} match.</numerusform></translation></message>
+    <message numerus="yes"><source>&amp;Load %n change(s)</source>
+        <translation><numerusform>&amp;Load %n change</numerusform><numerusform>&amp;Load %n changes</numerusform></translation></message>
+    <message numerus="yes"><source>&amp;Copy %n value(s) to {0}</source>
+        <translation><numerusform>&amp;Copy %n value to {0}</numerusform><numerusform>&amp;Copy %n values to {0}</numerusform></translation></message>
+    <message numerus="yes"><source>%n value(s) copied from {0}.</source>
+        <translation><numerusform>%n value copied from {0}.</numerusform><numerusform>%n values copied from {0}.</numerusform></translation></message>
+    <message numerus="yes"><source>Write %n setting(s) to the board</source>
+        <translation><numerusform>Write %n setting to the board</numerusform><numerusform>Write %n settings to the board</numerusform></translation></message>
+    <message numerus="yes"><source>%n setting(s) written and verified.</source>
+        <translation><numerusform>%n setting written and verified.</numerusform><numerusform>%n settings written and verified.</numerusform></translation></message>
+    <message numerus="yes"><source>&amp;Write %n setting(s)</source>
+        <translation><numerusform>&amp;Write %n setting</numerusform><numerusform>&amp;Write %n settings</numerusform></translation></message>
     <message numerus="yes"><source>%n count(s)</source>
         <translation><numerusform>%n count</numerusform><numerusform>%n counts</numerusform></translation></message>
+    <message numerus="yes"><source>and %n more</source>
+        <translation><numerusform>and %n more</numerusform><numerusform>and %n more</numerusform></translation></message>
     <message numerus="yes"><source>Permanently delete %n snapshot(s), the newest of {0}?</source>
         <translation><numerusform>Permanently delete the snapshot of {0}?</numerusform><numerusform>Permanently delete %n snapshots, the newest of {0}?</numerusform></translation></message>
     <message numerus="yes"><source>Permanently remove the oldest %n of {0} snapshots?</source>
@@ -49,54 +67,18 @@
         <translation><numerusform>&amp;Learn channel {0} again</numerusform><numerusform>&amp;Learn channels {0} again</numerusform></translation></message>
     <message numerus="yes"><source>%n earlier pending edit(s) will be written, too.</source>
         <translation><numerusform>%n earlier pending edit will be written, too.</numerusform><numerusform>%n earlier pending edits will be written, too.</numerusform></translation></message>
-    <message numerus="yes"><source>{0}: %n change(s) pending: review them to write them.</source>
-        <translation><numerusform>{0}: %n change is pending: review it to write it.</numerusform><numerusform>{0}: %n changes are pending: review them to write them.</numerusform></translation></message>
-    <message numerus="yes"><source>&amp;Load %n change(s)</source>
-        <translation><numerusform>&amp;Load %n change</numerusform><numerusform>&amp;Load %n changes</numerusform></translation></message>
     <message numerus="yes"><source>Review %n ch&amp;ange(s)…</source>
         <translation><numerusform>Review %n ch&amp;ange…</numerusform><numerusform>Review %n ch&amp;anges…</numerusform></translation></message>
-    <message numerus="yes"><source>%n pending change(s): review them to write them.</source>
-        <translation><numerusform>%n pending change: review it to write it.</numerusform><numerusform>%n pending changes: review them to write them.</numerusform></translation></message>
-    <message numerus="yes"><source>%n setting(s) written and verified.</source>
-        <translation><numerusform>%n setting written and verified.</numerusform><numerusform>%n settings written and verified.</numerusform></translation></message>
     <message numerus="yes"><source>Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending edits?</source>
         <translation><numerusform>Edited earlier but not applied: %n setting of this {0} ({1}). Restore as pending edits?</numerusform><numerusform>Edited earlier but not applied: %n settings of this {0} ({1}). Restore as pending edits?</numerusform></translation></message>
     <message numerus="yes"><source>%n setting(s) of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</source>
         <translation><numerusform>%n setting of this {0} differs from what was applied last ({1}): lost, changed by something else, or this is another board.</numerusform><numerusform>%n settings of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</numerusform></translation></message>
-    <message numerus="yes"><source>&amp;Review %n change(s)…</source>
-        <translation><numerusform>&amp;Review %n change…</numerusform><numerusform>&amp;Review %n changes…</numerusform></translation></message>
-    <message numerus="yes"><source>%n finding(s). Accept a proposal, or leave the setting as it is.</source>
-        <translation><numerusform>%n finding. Accept a proposal, or leave the setting as it is.</numerusform><numerusform>%n findings. Accept a proposal, or leave the setting as it is.</numerusform></translation></message>
-    <message numerus="yes"><source>%n setting(s) of the {0} will change.</source>
-        <translation><numerusform>%n setting of the {0} will change.</numerusform><numerusform>%n settings of the {0} will change.</numerusform></translation></message>
-    <message numerus="yes"><source>&amp;Write %n setting(s)</source>
-        <translation><numerusform>&amp;Write %n setting</numerusform><numerusform>&amp;Write %n settings</numerusform></translation></message>
-    <message numerus="yes"><source>%n finding(s) left.</source>
-        <translation><numerusform>%n finding left.</numerusform><numerusform>%n findings left.</numerusform></translation></message>
-    <message numerus="yes"><source>%n setting(s) differ, {0} match.</source>
-        <translation><numerusform>%n setting differs, {0} match.</numerusform><numerusform>%n settings differ, {0} match.</numerusform></translation></message>
-    <message numerus="yes"><source>&amp;Copy %n value(s) to {0}</source>
-        <translation><numerusform>&amp;Copy %n value to {0}</numerusform><numerusform>&amp;Copy %n values to {0}</numerusform></translation></message>
-    <message numerus="yes"><source>%n value(s) copied from {0}.</source>
-        <translation><numerusform>%n value copied from {0}.</numerusform><numerusform>%n values copied from {0}.</numerusform></translation></message>
-    <message numerus="yes"><source>%n error(s)</source>
-        <translation><numerusform>%n error</numerusform><numerusform>%n errors</numerusform></translation></message>
-    <message numerus="yes"><source>%n warning(s)</source>
-        <translation><numerusform>%n warning</numerusform><numerusform>%n warnings</numerusform></translation></message>
-    <message numerus="yes"><source>%n suggestion(s)</source>
-        <translation><numerusform>%n suggestion</numerusform><numerusform>%n suggestions</numerusform></translation></message>
     <message numerus="yes"><source>Next adds %n change(s). Nothing is written before you apply them.</source>
         <translation><numerusform>Next adds %n change. Nothing is written before you apply them.</numerusform><numerusform>Next adds %n changes. Nothing is written before you apply them.</numerusform></translation></message>
     <message numerus="yes"><source>%n change(s) not applied yet.</source>
         <translation><numerusform>%n change not applied yet.</numerusform><numerusform>%n changes not applied yet.</numerusform></translation></message>
-    <message numerus="yes"><source>%n setting(s) not in the snapshot would stay.</source>
-        <translation><numerusform>%n setting that is not in the snapshot would stay as it is.</numerusform><numerusform>%n settings that are not in the snapshot would stay as they are.</numerusform></translation></message>
-    <message numerus="yes"><source>%n setting(s) would become edits; nothing is written until you click Apply.</source>
-        <translation><numerusform>%n setting would become edits; nothing is written until you click Apply.</numerusform><numerusform>%n settings would become edits; nothing is written until you click Apply.</numerusform></translation></message>
-    <message numerus="yes"><source>%n setting(s) would be restored, {0} match.</source>
-        <translation><numerusform>%n setting would be restored, {0} match.</numerusform><numerusform>%n settings would be restored, {0} match.</numerusform></translation></message>
-    <message numerus="yes"><source>There is no other snapshot of a {0} to compare with. This one has %n setting(s).</source>
-        <translation><numerusform>There is no other snapshot of a {0} to compare with. This one has %n setting.</numerusform><numerusform>There is no other snapshot of a {0} to compare with. This one has %n settings.</numerusform></translation></message>
+    <message numerus="yes"><source>&amp;Restore %n setting(s)…</source>
+        <translation><numerusform>&amp;Restore %n setting…</numerusform><numerusform>&amp;Restore %n settings…</numerusform></translation></message>
     <message numerus="yes"><source>%n transaction(s): the simulated board replies the same.</source>
         <translation><numerusform>%n transaction: the simulated board replies the same.</numerusform><numerusform>%n transactions: the simulated board replies the same.</numerusform></translation></message>
     <message numerus="yes"><source>%n board(s) found.</source>

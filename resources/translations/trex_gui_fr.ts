@@ -1453,16 +1453,10 @@
         <translation>commande le seul moteur, alimenté par les deux drivers (mode jumelé, sans mixage)</translation></message>
     <message><source>has no motor: in joint mode both drivers power motor 1</source>
         <translation>n'a pas de moteur : en mode jumelé, les deux drivers alimentent le moteur 1</translation></message>
-    <message><source>Not learned: it has the factory default calibration.</source>
-        <translation>Non apprise : elle a l'étalonnage d'usine.</translation></message>
-    <message><source>Read only; does not drive. In RC and analog mode it {1}.</source>
-        <translation>Seulement lue ; ne commande rien. En mode RC ou analogique, elle {1}.</translation></message>
-    <message><source>above about {0} (inferred)</source>
-        <translation>au-dessus d'environ {0} (déduit)</translation></message>
-    <message><source>below about {0} (inferred)</source>
-        <translation>en dessous d'environ {0} (déduit)</translation></message>
-    <message><source>Learned: the board stores a calibration of its own for it.</source>
-        <translation>Apprise : la carte a enregistré un étalonnage propre à cette voie.</translation></message>
+    <message><source>is ignored: it is held at neutral, whatever its input is</source>
+        <translation>est ignorée : elle est maintenue au neutre, quelle que soit son entrée</translation></message>
+    <message><source>In RC and analog mode it {1}.</source>
+        <translation>En mode RC ou analogique, elle {1}.</translation></message>
     <message><source>The board reads {0} now, and only shows and accepts calibrations for them. To see these, make it read {1}: set Channel Input Source, apply, and switch the board off and on.</source>
         <translation>La carte lit actuellement : {0} ; elle n'affiche et n'accepte que les étalonnages correspondants. Pour voir ceux-ci, faites-lui lire : {1}. Réglez « Source des entrées des voies », appliquez, puis coupez et remettez l'alimentation de la carte.</translation></message>
     <message><source>applied {0}</source>
@@ -1479,8 +1473,6 @@
         <translation>La zone morte ({0} de chaque côté du neutre) atteint le minimum et le maximum : il n'y a rien entre 0 et la sortie maximale.</translation></message>
     <message><source>is ignored: it is held off, whatever its input is</source>
         <translation>est ignorée : elle est maintenue inactive, quelle que soit son entrée</translation></message>
-    <message><source>is ignored: it is held at neutral, whatever its input is</source>
-        <translation>est ignorée : elle est maintenue au neutre, quelle que soit son entrée</translation></message>
     <message><source>Does not drive now: serial commands override it. Otherwise it {1}.</source>
         <translation>Ne commande rien maintenant : les commandes série ont priorité. Sinon, elle {1}.</translation></message>
     <message><source>The board reads {0} now, and only shows and accepts calibrations for them. To see these: switch it off, put the mode jumper to RC, switch it on.</source>
@@ -1491,6 +1483,10 @@
         <translation>Le minimum ({0}) et le maximum ({2}) sont hors de la plage de l'entrée : {3}. La sortie maximale n'est jamais atteinte.</translation></message>
     <message><source>The deadband ({0} to each side of neutral) reaches minimum: there is nothing between 0 and full output on that side.</source>
         <translation>La zone morte ({0} de chaque côté du neutre) atteint le minimum : il n'y a rien entre 0 et la sortie maximale de ce côté.</translation></message>
+    <message><source>below about {0} (inferred)</source>
+        <translation>en dessous d'environ {0} (déduit)</translation></message>
+    <message><source>above about {0} (inferred)</source>
+        <translation>au-dessus d'environ {0} (déduit)</translation></message>
     <message><source>On now. It {1}.</source>
         <translation>Active maintenant. Elle {1}.</translation></message>
     <message><source>Channel {0} {1}.</source>
@@ -1597,36 +1593,18 @@
         <translation>Un réglage de la carte a changé ; les moteurs ont donc été arrêtés.</translation></message>
     <message><source>The board was restarted, so the motors were stopped.</source>
         <translation>La carte a été redémarrée ; les moteurs ont donc été arrêtés.</translation></message>
-    <message><source>Setpoint: none</source>
-        <translation>Consigne : aucune</translation></message>
+    <message><source>coast</source>
+        <translation>roue libre</translation></message>
     <message><source>Serial timeout is off: motors keep turning if the cable or this computer fails.</source>
         <translation>Le délai série est désactivé : les moteurs continuent de tourner si le câble ou cet ordinateur tombe en panne.</translation></message>
-    <message><source>Setpoint: coast</source>
-        <translation>Consigne : roue libre</translation></message>
-    <message><source>Setpoint: {0}</source>
-        <translation>Consigne : {0}</translation></message>
-    <message><source>Channel {0}: {1}</source>
-        <translation>Voie {0} : {1}</translation></message>
-    <message><source>Board: N/A</source>
-        <translation>Carte : N/D</translation></message>
-    <message><source>Board: {0}</source>
-        <translation>Carte : {0}</translation></message>
     <message><source>Serial timeout is off, and the guardian process could not be started: motors keep turning if the cable, this computer or this program fails.</source>
         <translation>Le délai série est désactivé, et le processus gardien n'a pas pu être démarré : les moteurs continuent de tourner si le câble, cet ordinateur ou ce programme tombe en panne.</translation></message>
-    <message><source>Setpoint: brake, {0:.0f} %</source>
-        <translation>Consigne : freinage, {0:.0f} %</translation></message>
+    <message><source>brake, {0}</source>
+        <translation>freinage, {0}</translation></message>
     <message><source>forward</source>
         <translation>avant</translation></message>
     <message><source>reverse</source>
         <translation>arrière</translation></message>
-    <message><source>Channel {0}: N/A</source>
-        <translation>Voie {0} : N/D</translation></message>
-    <message><source>Channel {0}: no signal</source>
-        <translation>Voie {0} : pas de signal</translation></message>
-    <message><source>serial in control</source>
-        <translation>liaison série aux commandes</translation></message>
-    <message><source>serial not in control</source>
-        <translation>liaison série pas aux commandes</translation></message>
     <message><source>no current sensing in joint mode</source>
         <translation>pas de mesure de courant en mode jumelé</translation></message>
     <message><source>Serial timeout is on, but it did not stop the motors of this board when it was tried: they keep turning if the cable or this computer fails.</source>
@@ -1983,6 +1961,8 @@
         <translation>(déduit) : aucun document ne le confirme.</translation></message>
     <message><source>PWM Frequency</source>
         <translation>Fréquence PWM</translation></message>
+    <message><source>Takes effect when the board is switched off and on.</source>
+        <translation>Prend effet quand l'alimentation de la carte est coupée puis remise.</translation></message>
     <message><source>{0} to {1}</source>
         <translation>{0} à {1}</translation></message>
     <message><source>{0} PWM Frequency</source>
@@ -1991,22 +1971,16 @@
         <translation>non indiqué</translation></message>
     <message><source>not read</source>
         <translation>non lu</translation></message>
-    <message><source>Takes effect when the board is switched off and on.</source>
-        <translation>Prend effet quand l'alimentation de la carte est coupée puis remise.</translation></message>
-    <message><source>The board rejects any value that it does not support.</source>
-        <translation>La carte rejette toute valeur qu'elle ne prend pas en charge.</translation></message>
-    <message><source>The vendor's documents or staff confirm range and default.</source>
-        <translation>Les documents ou le personnel du fabricant confirment la plage et la valeur par défaut.</translation></message>
+    <message><source>{0}, was {1}</source>
+        <translation>{0}, avant {1}</translation></message>
+    <message><source>{0} · default: {1}</source>
+        <translation>{0} · par défaut : {1}</translation></message>
     <message><source>User's guide of the board</source>
         <translation>Guide d'utilisation de la carte</translation></message>
     <message><source>{0} differs: {1}.</source>
         <translation>{0} diffère : {1}.</translation></message>
     <message><source>Reset to default: {0}</source>
         <translation>Réinitialiser à la valeur par défaut : {0}</translation></message>
-    <message><source>Stored: {0}.</source>
-        <translation>Enregistré : {0}.</translation></message>
-    <message><source>nothing</source>
-        <translation>rien</translation></message>
     <message><source>{0}: {1}.</source>
         <translation>{0} : {1}.</translation></message>
     <message><source>{0:.0f} Hz</source>
@@ -2019,6 +1993,8 @@
         <translation>Valeur par défaut : {0}{1}.</translation></message>
     <message><source>User's guide, section {0}</source>
         <translation>Guide d'utilisation, section {0}</translation></message>
+    <message><source>wire {0}</source>
+        <translation>valeur transmise {0}</translation></message>
     <message><source>Wire value: {0}.</source>
         <translation>Valeur transmise : {0}.</translation></message>
     <message><source>No source says what the wire values mean{0}.</source>
@@ -2267,8 +2243,6 @@
         <translation>toutes les voies</translation></message>
     <message><source>no channel</source>
         <translation>aucune voie</translation></message>
-    <message><source>coast</source>
-        <translation>roue libre</translation></message>
     <message><source>yes</source>
         <translation>oui</translation></message>
     <message><source>no</source>
@@ -2517,8 +2491,6 @@
         <translation>{0} (valeur transmise : {1} à {2})</translation></message>
     <message><source>{0} s to full speed</source>
         <translation>{0} s jusqu'à la pleine vitesse</translation></message>
-    <message><source>wire {0}</source>
-        <translation>valeur transmise {0}</translation></message>
     <message><source>Which bytes? Give them in hexadecimal, such as 86 1F.</source>
         <translation>Quels octets ? Donnez-les en hexadécimal, par exemple 86 1F.</translation></message>
     <message><source>device {0}: {1}</source>
@@ -2667,6 +2639,8 @@
         <translation>1 paramètre sur {total} manque : {names}</translation></message>
     <message><source>{count} of {total} parameters are missing: {names}</source>
         <translation>{count} paramètres sur {total} manquent : {names}</translation></message>
+    <message><source>nothing</source>
+        <translation>rien</translation></message>
     <message><source>channels 1 to 5</source>
         <translation>voies 1 à 5</translation></message>
     <message><source>a list</source>
@@ -2759,56 +2733,6 @@
         <translation>ce nombre est illisible ; {0}</translation></message>
     <message><source>merge keys (&lt;&lt;) are not allowed; {0}</source>
         <translation>les clés de fusion (&lt;&lt;) ne sont pas autorisées ; {0}</translation></message>
-    <message><source>Each checked board gets these settings, one board after the other, with a snapshot before. Each keeps its device number and its serial settings. The first error while writing ends the work.</source>
-        <translation>Chaque carte cochée reçoit ces réglages, l'une après l'autre, avec un instantané au préalable. Chacune garde son numéro d'appareil et ses réglages série. La première erreur d'écriture met fin à l'opération.</translation></message>
-    <message><source>Boards to write to</source>
-        <translation>Cartes dans lesquelles écrire</translation></message>
-    <message><source>nothing to write</source>
-        <translation>rien à écrire</translation></message>
-    <message numerus="yes"><source>&amp;Write to %n board(s)</source>
-        <translation><numerusform>Écrire &amp;dans %n carte</numerusform><numerusform>Écrire &amp;dans %n cartes</numerusform></translation></message>
-    <message><source>&amp;End after this board</source>
-        <translation>&amp;Terminer après cette carte</translation></message>
-    <message><source>Close</source>
-        <translation>Fermer</translation></message>
-    <message><source>This file cannot be used: it has errors. Nothing was changed.</source>
-        <translation>Ce fichier est inutilisable : il contient des erreurs. Rien n'a été modifié.</translation></message>
-    <message><source>Stored</source>
-        <translation>Enregistré</translation></message>
-    <message><source>File</source>
-        <translation>Fichier</translation></message>
-    <message><source>Changes</source>
-        <translation>Modifications</translation></message>
-    <message numerus="yes"><source>%n setting(s)</source>
-        <translation><numerusform>%n réglage</numerusform><numerusform>%n réglages</numerusform></translation></message>
-    <message><source>read, with warnings</source>
-        <translation>lue, avec avertissements</translation></message>
-    <message><source>read</source>
-        <translation>lue</translation></message>
-    <message><source>waiting</source>
-        <translation>en attente</translation></message>
-    <message><source>being read …</source>
-        <translation>lecture …</translation></message>
-    <message><source>being written …</source>
-        <translation>écriture …</translation></message>
-    <message><source>written and verified</source>
-        <translation>écrite et vérifiée</translation></message>
-    <message><source>not tried</source>
-        <translation>non essayée</translation></message>
-    <message><source>&amp;Write to boards</source>
-        <translation>Écrire &amp;dans les cartes</translation></message>
-    <message><source>Changes of board {0}</source>
-        <translation>Modifications de la carte {0}</translation></message>
-    <message><source>Stop was pressed, which has ended the work.</source>
-        <translation>L'arrêt a été demandé, ce qui a mis fin à l'opération.</translation></message>
-    <message numerus="yes"><source>Written to %n board(s).</source>
-        <translation><numerusform>Écrit dans %n carte.</numerusform><numerusform>Écrit dans %n cartes.</numerusform></translation></message>
-    <message numerus="yes"><source>%n board(s) left out; the reason is beside each.</source>
-        <translation><numerusform>%n carte omise ; la raison est indiquée à côté.</numerusform><numerusform>%n cartes omises ; la raison est indiquée à côté de chacune.</numerusform></translation></message>
-    <message><source>Apply {0} to several boards</source>
-        <translation>Appliquer {0} à plusieurs cartes</translation></message>
-    <message><source>Board {0}: {1}</source>
-        <translation>Carte {0} : {1}</translation></message>
     <message><source>Channel input</source>
         <translation>Entrée de la voie</translation></message>
     <message><source>{value}, {distance} above neutral</source>
@@ -2819,12 +2743,6 @@
         <translation>Sortie</translation></message>
     <message><source>{value} of {full}</source>
         <translation>{value} sur {full}</translation></message>
-    <message><source>{value}, limit {limit:.2f} A</source>
-        <translation>{value}, limite {limit:.2f} A</translation></message>
-    <message><source>{value}, near the limit of {limit:.2f} A</source>
-        <translation>{value}, proche de la limite de {limit:.2f} A</translation></message>
-    <message><source>{value}, over the limit of {limit:.2f} A</source>
-        <translation>{value}, au-dessus de la limite de {limit:.2f} A</translation></message>
     <message><source>min</source>
         <translation>min</translation></message>
     <message><source>max</source>
@@ -3025,6 +2943,20 @@
         <translation>Enregistré sous {0}.</translation></message>
     <message><source>Settled within {0:.0f} % after</source>
         <translation>Stabilisé à ±{0:.0f} % après</translation></message>
+    <message><source>Mode: off</source>
+        <translation>Mode : retiré</translation></message>
+    <message><source>put it on</source>
+        <translation>à mettre</translation></message>
+    <message><source>remove it</source>
+        <translation>à retirer</translation></message>
+    <message><source>Mix: on</source>
+        <translation>Mixage : en place</translation></message>
+    <message><source>Mix: off</source>
+        <translation>Mixage : retiré</translation></message>
+    <message><source>SO–G: on</source>
+        <translation>SO–G : en place</translation></message>
+    <message><source>SO–G: off</source>
+        <translation>SO–G : retiré</translation></message>
     <message><source>sticks learned</source>
         <translation>manches appris</translation></message>
     <message><source>current limits</source>
@@ -3107,16 +3039,12 @@
         <translation>pour les modes RC et analogique</translation></message>
     <message><source>SO–G: not known</source>
         <translation>SO–G : inconnu</translation></message>
-    <message><source>SO–G: off</source>
-        <translation>SO–G : retiré</translation></message>
     <message><source>flickers</source>
         <translation>scintille</translation></message>
     <message><source>{0:.0f} reads/s, {1:.1f} % answered</source>
         <translation>{0:.0f} lectures/s, {1:.1f} % répondues</translation></message>
     <message><source>CH{0}</source>
         <translation>V{0}</translation></message>
-    <message><source>Mode: off</source>
-        <translation>Mode : retiré</translation></message>
     <message><source>serial mode</source>
         <translation>mode série</translation></message>
     <message><source>RC</source>
@@ -3125,10 +3053,6 @@
         <translation>Analogique</translation></message>
     <message><source>channel 5 hands over</source>
         <translation>la voie 5 passe la main</translation></message>
-    <message><source>Mix: on</source>
-        <translation>Mixage : en place</translation></message>
-    <message><source>Mix: off</source>
-        <translation>Mixage : retiré</translation></message>
     <message><source>limit {0:.1f} A</source>
         <translation>limite {0:.1f} A</translation></message>
     <message><source>Channel {0}, {1}</source>
@@ -3199,6 +3123,162 @@
         <translation>Numéro {0} sur {1} …</translation></message>
     <message><source>Taken: {0}.</source>
         <translation>Déjà pris : {0}.</translation></message>
+    <message><source>nothing to write</source>
+        <translation>rien à écrire</translation></message>
+    <message><source>Boards to write to</source>
+        <translation>Cartes dans lesquelles écrire</translation></message>
+    <message numerus="yes"><source>&amp;Write to %n board(s)</source>
+        <translation><numerusform>Écrire &amp;dans %n carte</numerusform><numerusform>Écrire &amp;dans %n cartes</numerusform></translation></message>
+    <message><source>&amp;End after this board</source>
+        <translation>&amp;Terminer après cette carte</translation></message>
+    <message><source>This file cannot be used: it has errors. Nothing was changed.</source>
+        <translation>Ce fichier est inutilisable : il contient des erreurs. Rien n'a été modifié.</translation></message>
+    <message numerus="yes"><source>%n setting(s)</source>
+        <translation><numerusform>%n réglage</numerusform><numerusform>%n réglages</numerusform></translation></message>
+    <message><source>read, with warnings</source>
+        <translation>lue, avec avertissements</translation></message>
+    <message><source>read</source>
+        <translation>lue</translation></message>
+    <message><source>waiting</source>
+        <translation>en attente</translation></message>
+    <message><source>being read …</source>
+        <translation>lecture …</translation></message>
+    <message><source>being written …</source>
+        <translation>écriture …</translation></message>
+    <message><source>written and verified</source>
+        <translation>écrite et vérifiée</translation></message>
+    <message><source>not tried</source>
+        <translation>non essayée</translation></message>
+    <message><source>Changes</source>
+        <translation>Modifications</translation></message>
+    <message><source>Each checked board gets these settings, one board after the other, with a snapshot before. Each keeps its device number and its serial settings. The first error while writing ends the work.</source>
+        <translation>Chaque carte cochée reçoit ces réglages, l'une après l'autre, avec un instantané au préalable. Chacune garde son numéro d'appareil et ses réglages série. La première erreur d'écriture met fin à l'opération.</translation></message>
+    <message><source>Close</source>
+        <translation>Fermer</translation></message>
+    <message><source>Stop was pressed, which has ended the work.</source>
+        <translation>L'arrêt a été demandé, ce qui a mis fin à l'opération.</translation></message>
+    <message numerus="yes"><source>Written to %n board(s).</source>
+        <translation><numerusform>Écrit dans %n carte.</numerusform><numerusform>Écrit dans %n cartes.</numerusform></translation></message>
+    <message numerus="yes"><source>%n board(s) left out; the reason is beside each.</source>
+        <translation><numerusform>%n carte omise ; la raison est indiquée à côté.</numerusform><numerusform>%n cartes omises ; la raison est indiquée à côté de chacune.</numerusform></translation></message>
+    <message><source>Apply {0} to several boards</source>
+        <translation>Appliquer {0} à plusieurs cartes</translation></message>
+    <message><source>File</source>
+        <translation>Fichier</translation></message>
+    <message><source>&amp;Write to boards</source>
+        <translation>Écrire &amp;dans les cartes</translation></message>
+    <message><source>Board {0}: {1}</source>
+        <translation>Carte {0} : {1}</translation></message>
+    <message><source>Board {0}</source>
+        <translation>Carte {0}</translation></message>
+    <message><source>{0}: beyond a limit that no document confirms (inferred). The board decides: it may reject the value, or store another one.</source>
+        <translation>{0} : au-delà d'une limite qu'aucun document ne confirme (déduit). C'est la carte qui décide : elle peut rejeter la valeur, ou en enregistrer une autre.</translation></message>
+    <message><source>Write an&amp;yway</source>
+        <translation>Écrire &amp;quand même</translation></message>
+    <message><source>&amp;Edit the file instead</source>
+        <translation>&amp;Modifier plutôt le fichier</translation></message>
+    <message><source>For a {0}: {1} carried over, {2} changed, {3} left out.</source>
+        <translation>Pour un {0} : {1} repris, {2} modifiés, {3} omis.</translation></message>
+    <message><source>For a {0}; the board is a {1}. Checked changes become edits.</source>
+        <translation>Pour un {0} ; la carte est un {1}. Les changements cochés deviennent des modifications.</translation></message>
+    <message numerus="yes"><source>{0}: %n change(s) pending: review them to write them.</source>
+        <translation><numerusform>{0} : %n modification en attente ; vérifiez-la pour l'écrire.</numerusform><numerusform>{0} : %n modifications en attente ; vérifiez-les pour les écrire.</numerusform></translation></message>
+    <message numerus="yes"><source>%n setting(s) differ, {0} match.</source>
+        <translation><numerusform>%n réglage diffère, {0} identiques.</numerusform><numerusform>%n réglages diffèrent, {0} identiques.</numerusform></translation></message>
+    <message><source>{0}, firmware {1}</source>
+        <translation>{0}, firmware {1}</translation></message>
+    <message><source>Board to convert for</source>
+        <translation>Carte cible de la conversion</translation></message>
+    <message><source>Opens the converted settings as a new file, with the comments of this one. {0} stays as it is.</source>
+        <translation>Ouvre les réglages convertis dans un nouveau fichier, avec les commentaires de celui-ci. {0} reste inchangé.</translation></message>
+    <message><source>&amp;Convert</source>
+        <translation>&amp;Convertir</translation></message>
+    <message><source>Load settings from {0}</source>
+        <translation>Charger les réglages : {0}</translation></message>
+    <message numerus="yes"><source>&amp;Load %n change(s)</source>
+        <translation><numerusform>&amp;Charger %n modification</numerusform><numerusform>&amp;Charger %n modifications</numerusform></translation></message>
+    <message numerus="yes"><source>&amp;Copy %n value(s) to {0}</source>
+        <translation><numerusform>&amp;Copier %n valeur vers {0}</numerusform><numerusform>&amp;Copier %n valeurs vers {0}</numerusform></translation></message>
+    <message><source>Convert &amp;for:</source>
+        <translation>Convertir &amp;pour :</translation></message>
+    <message><source>Board, as shown</source>
+        <translation>Carte, telle qu'affichée</translation></message>
+    <message><source>Not in the file, so they stay as they are: {0}.</source>
+        <translation>Absents du fichier, donc inchangés : {0}.</translation></message>
+    <message><source>Convert {0}</source>
+        <translation>Convertir {0}</translation></message>
+    <message><source>In the file</source>
+        <translation>Dans le fichier</translation></message>
+    <message><source>{0} was not loaded: the board is no longer connected.</source>
+        <translation>{0} n'a pas été chargé : la carte n'est plus connectée.</translation></message>
+    <message><source>Load {0}</source>
+        <translation>Charger {0}</translation></message>
+    <message><source>Copy values from {0}</source>
+        <translation>Copier des valeurs depuis {0}</translation></message>
+    <message numerus="yes"><source>%n value(s) copied from {0}.</source>
+        <translation><numerusform>%n valeur copiée depuis {0}.</numerusform><numerusform>%n valeurs copiées depuis {0}.</numerusform></translation></message>
+    <message><source>For a {0}</source>
+        <translation>Pour un {0}</translation></message>
+    <message><source>Every parameter, by the board's own command, at its next start</source>
+        <translation>Tous les paramètres, par la commande propre de la carte, à son prochain démarrage</translation></message>
+    <message><source>&amp;Let the board reset itself…</source>
+        <translation>&amp;Laisser la carte se réinitialiser…</translation></message>
+    <message><source>At its next start the board will reset every parameter, including those cleared here. Its present settings are saved first (File, History). Unapplied changes are discarded; Undo restores them.</source>
+        <translation>À son prochain démarrage, la carte réinitialisera tous les paramètres, y compris ceux décochés ici. Ses réglages actuels sont d'abord sauvegardés (Fichier, Historique). Les modifications non appliquées sont abandonnées ; « Annuler » les restaure.</translation></message>
+    <message><source>It gets device number {0}, which another board on this line has: both would reply at once, and neither could be read. Give that board another number first.</source>
+        <translation>Elle prendra le numéro d'appareil {0}, qu'une autre carte de cette liaison porte déjà : les deux répondraient en même temps et aucune ne serait lisible. Donnez d'abord un autre numéro à cette autre carte.</translation></message>
+    <message><source>Writing. Leave the power on.</source>
+        <translation>Écriture en cours. Ne coupez pas l'alimentation.</translation></message>
+    <message><source>A snapshot of all settings is saved first. Each value is read back.</source>
+        <translation>Un instantané de tous les réglages est enregistré d'abord. Chaque valeur est relue.</translation></message>
+    <message><source>{0} (device number {1}, {2})</source>
+        <translation>{0} (numéro d'appareil {1}, {2})</translation></message>
+    <message><source>Progress of writing</source>
+        <translation>Progression de l'écriture</translation></message>
+    <message><source>Reset the &amp;board</source>
+        <translation>Réinitialiser la &amp;carte</translation></message>
+    <message><source>{0} of {1} could not be verified; still pending.</source>
+        <translation>{0} sur {1} n'ont pas pu être vérifiés ; ils restent en attente.</translation></message>
+    <message><source>The value that was being written when the connection was lost may be the old one, the new one or, after a power cut, the default. It will be read again.</source>
+        <translation>La valeur en cours d'écriture au moment de la perte de connexion peut être l'ancienne, la nouvelle ou, après une coupure d'alimentation, la valeur par défaut. Elle sera relue.</translation></message>
+    <message><source>Before</source><comment>value</comment>
+        <translation>Avant</translation></message>
+    <message><source>After</source><comment>value</comment>
+        <translation>Après</translation></message>
+    <message numerus="yes"><source>Write %n setting(s) to the board</source>
+        <translation><numerusform>Écrire %n réglage dans la carte</numerusform><numerusform>Écrire %n réglages dans la carte</numerusform></translation></message>
+    <message><source>There is nothing to write.</source>
+        <translation>Il n'y a rien à écrire.</translation></message>
+    <message numerus="yes"><source>%n setting(s) written and verified.</source>
+        <translation><numerusform>%n réglage écrit et vérifié.</numerusform><numerusform>%n réglages écrits et vérifiés.</numerusform></translation></message>
+    <message><source>Saving a snapshot. Nothing is written yet.</source>
+        <translation>Enregistrement d'un instantané. Rien n'est encore écrit.</translation></message>
+    <message><source>No board is responding. The edits are kept.</source>
+        <translation>Aucune carte ne répond. Les modifications sont conservées.</translation></message>
+    <message><source>The board will reset itself at its next start and would lose what is written now. Switch it off and on first (Device, Make stored settings active).</source>
+        <translation>La carte va se réinitialiser à son prochain démarrage et perdrait ce qui serait écrit maintenant. Coupez et remettez d'abord son alimentation (Appareil, Rendre actifs les réglages enregistrés).</translation></message>
+    <message><source>These calibrations stay pending until the board uses their input source again: {0}.</source>
+        <translation>Ces étalonnages restent en attente jusqu'à ce que la carte utilise de nouveau leur source des entrées : {0}.</translation></message>
+    <message><source>Active only after the board is switched off and on: {0}.</source>
+        <translation>Actif seulement après avoir coupé et remis l'alimentation de la carte : {0}.</translation></message>
+    <message><source>Restore factory defaults</source>
+        <translation>Restaurer les réglages d'usine</translation></message>
+    <message><source>Restore serial defaults</source>
+        <translation>Restaurer les réglages série par défaut</translation></message>
+    <message numerus="yes"><source>&amp;Write %n setting(s)</source>
+        <translation><numerusform>Écrire %n &amp;réglage</numerusform><numerusform>Écrire %n &amp;réglages</numerusform></translation></message>
+    <message><source>The channel calibrations stay.</source>
+        <translation>Les étalonnages des voies restent.</translation></message>
+    <message><source>The connection was lost.</source>
+        <translation>La connexion a été perdue.</translation></message>
+    <message><source>{0} of {1}: {2}</source>
+        <translation>{0} sur {1} : {2}</translation></message>
+    <message><source>Board now</source>
+        <translation>Carte actuelle</translation></message>
+    <message><source>not attempted</source>
+        <translation>non tenté</translation></message>
+    <message><source>No source confirms the default of: {0}.</source>
+        <translation>Aucune source ne confirme la valeur par défaut de : {0}.</translation></message>
     <message><source>Both off</source>
         <translation>Les deux éteintes</translation></message>
     <message><source>No power</source>
@@ -3235,6 +3315,8 @@
         <translation>Chargeur d'amorçage, en attente d'un nouveau firmware</translation></message>
     <message><source>Switch the board off and on, with the jumpers removed.</source>
         <translation>Coupez et remettez l'alimentation de la carte, cavaliers retirés.</translation></message>
+    <message><source>Mode may also be on: the board responds in every mode.</source>
+        <translation>Le cavalier de mode peut aussi être en place : la carte répond dans tous les modes.</translation></message>
     <message><source>Jumpers</source>
         <translation>Cavaliers</translation></message>
     <message><source>Switch the board off. Remove the mode jumper. Put the mix and SO–G jumpers on.</source>
@@ -3273,72 +3355,34 @@
         <translation>Cinq clignotements, puis la rouge reste allumée.</translation></message>
     <message><source>The TReX responds at the factory settings.</source>
         <translation>Le TReX répond avec les réglages d'usine.</translation></message>
-    <message><source>Search with Find first: it finds a board at any of its settings. If that fails, these steps from Pololu's support forum restore the serial settings of the factory (inferred). One user saw the LEDs alternate for three seconds only, and nothing was restored: then begin again. Compare the other settings with your last snapshot afterwards (Ctrl+H).</source>
-        <translation>Lancez d'abord « Rechercher… » : cela trouve une carte quels que soient ses réglages. En cas d'échec, ces étapes, tirées du forum d'assistance de Pololu, restaurent les réglages série d'usine (déduit). Un utilisateur n'a vu les LED alterner que pendant trois secondes, et rien n'a été restauré : dans ce cas, recommencez. Comparez ensuite les autres réglages avec votre dernier instantané (Ctrl+H).</translation></message>
-    <message><source>Ways to a board that responds</source>
-        <translation>Moyens d'obtenir une réponse de la carte</translation></message>
-    <message><source>&amp;Back</source>
-        <translation>Précéden&amp;t</translation></message>
-    <message><source>&amp;Next</source>
-        <translation>&amp;Suivant</translation></message>
-    <message><source>What the LEDs show</source>
-        <translation>Ce que montrent les LED</translation></message>
-    <message><source>What this computer receives</source>
-        <translation>Ce que reçoit cet ordinateur</translation></message>
+    <message><source>Restores the serial settings of the factory (inferred). If the LEDs alternate for three seconds only, begin again.</source>
+        <translation>Rétablit les réglages série d'usine (déduit). Si les LED n'alternent que pendant trois secondes, recommencez.</translation></message>
     <message><source>Board does not respond</source>
         <translation>La carte ne répond pas</translation></message>
-    <message><source>Mode may also be on: the board responds in every mode.</source>
-        <translation>Le cavalier de mode peut aussi être en place : la carte répond dans tous les modes.</translation></message>
-    <message><source>&amp;What the board shows</source>
-        <translation>Ce que &amp;montre la carte</translation></message>
-    <message><source>&amp;Lost serial settings</source>
-        <translation>&amp;Réglages série perdus</translation></message>
-    <message><source>W&amp;iring</source>
-        <translation>Câb&amp;lage</translation></message>
-    <message><source>&amp;Find now</source>
-        <translation>Rec&amp;hercher maintenant</translation></message>
-    <message><source>&amp;Connect at factory settings</source>
-        <translation>&amp;Connecter avec les réglages d'usine</translation></message>
     <message><source>19200 baud, without parity and CRC, whatever the device number</source>
         <translation>19200 bauds, sans parité ni CRC, quel que soit le numéro d'appareil</translation></message>
-    <message><source>Show &amp;matching settings, too</source>
-        <translation>Afficher aussi les réglages &amp;identiques</translation></message>
+    <message><source>&amp;Connect at factory settings</source>
+        <translation>&amp;Connecter avec les réglages d'usine</translation></message>
+    <message><source>What the LEDs show</source>
+        <translation>Ce que montrent les LED</translation></message>
+    <message><source>Jumpers and LEDs</source>
+        <translation>Cavaliers et LED</translation></message>
+    <message><source>What this computer receives</source>
+        <translation>Ce que reçoit cet ordinateur</translation></message>
+    <message><source>&amp;Find now</source>
+        <translation>Rec&amp;hercher maintenant</translation></message>
+    <message><source>LEDs</source>
+        <translation>LED</translation></message>
+    <message><source>&amp;Next</source>
+        <translation>&amp;Suivant</translation></message>
+    <message><source>Show wire values, and settings that match</source>
+        <translation>Afficher les valeurs transmises et les réglages identiques</translation></message>
     <message><source>Select &amp;all</source>
         <translation>&amp;Tout sélectionner</translation></message>
-    <message><source>Select &amp;none</source>
-        <translation>&amp;Ne rien sélectionner</translation></message>
+    <message><source>Deta&amp;ils</source>
+        <translation>Déta&amp;ils</translation></message>
     <message><source>Comparison of settings</source>
         <translation>Comparaison des réglages</translation></message>
-    <message><source>Before</source><comment>value</comment>
-        <translation>Avant</translation></message>
-    <message><source>After</source><comment>value</comment>
-        <translation>Après</translation></message>
-    <message><source>Converted settings</source>
-        <translation>Réglages convertis</translation></message>
-    <message><source>For a {0}: {1} carried over, {2} changed, {3} left out.</source>
-        <translation>Pour un {0} : {1} repris, {2} modifiés, {3} omis.</translation></message>
-    <message><source>Opens the converted settings as a new file, with the comments of this one. {0} stays as it is.</source>
-        <translation>Ouvre les réglages convertis dans un nouveau fichier, avec les commentaires de celui-ci. {0} reste inchangé.</translation></message>
-    <message><source>Changed.</source>
-        <translation>Modifié.</translation></message>
-    <message><source>Left out.</source>
-        <translation>Omis.</translation></message>
-    <message><source>Carried over.</source>
-        <translation>Repris.</translation></message>
-    <message><source>In the file</source>
-        <translation>Dans le fichier</translation></message>
-    <message><source>{0}, firmware {1}</source>
-        <translation>{0}, firmware {1}</translation></message>
-    <message><source>Board to convert for</source>
-        <translation>Carte cible de la conversion</translation></message>
-    <message><source>&amp;Convert</source>
-        <translation>&amp;Convertir</translation></message>
-    <message><source>For a {0}</source>
-        <translation>Pour un {0}</translation></message>
-    <message><source>Convert &amp;for:</source>
-        <translation>Convertir &amp;pour :</translation></message>
-    <message><source>Convert {0}</source>
-        <translation>Convertir {0}</translation></message>
     <message numerus="yes"><source>%n count(s)</source>
         <translation><numerusform>%n count</numerusform><numerusform>%n counts</numerusform></translation></message>
     <message><source>Enter 0 to {0}, such as 2.5 V, 2500 mV or 512 counts.</source>
@@ -3521,16 +3565,14 @@
         <translation>Défaut du driver du moteur {0}</translation></message>
     <message><source>Overrun</source>
         <translation>Débordement</translation></message>
-    <message><source>{0}: beyond a limit that no document confirms (inferred). The board decides: it may reject the value, or store another one.</source>
-        <translation>{0} : au-delà d'une limite qu'aucun document ne confirme (déduit). C'est la carte qui décide : elle peut rejeter la valeur, ou en enregistrer une autre.</translation></message>
     <message><source>Findings about the settings</source>
         <translation>Constats sur les réglages</translation></message>
+    <message numerus="yes"><source>and %n more</source>
+        <translation><numerusform>et encore %n</numerusform><numerusform>et encore %n</numerusform></translation></message>
     <message><source>Accept</source>
         <translation>Accepter</translation></message>
-    <message><source>Write an&amp;yway</source>
-        <translation>Écrire &amp;quand même</translation></message>
-    <message><source>Add this change to the edits; nothing is written until you click Apply</source>
-        <translation>Ajouter cette modification ; rien n'est écrit tant que vous ne cliquez pas sur « Appliquer les réglages »</translation></message>
+    <message><source>Show line {0}</source>
+        <translation>Afficher la ligne {0}</translation></message>
     <message><source>Save a copy as a settings file</source>
         <translation>Enregistrer une copie comme fichier de réglages</translation></message>
     <message><source>There are no snapshots yet.
@@ -3543,6 +3585,8 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation><numerusform>Supprimer définitivement %n instantané ({0}) ?</numerusform><numerusform>Supprimer définitivement %n instantanés (le plus récent : {0}) ?</numerusform></translation></message>
     <message><source>Search times, boards, adapters (Ctrl+F)</source>
         <translation>Rechercher heures, cartes, adaptateurs (Ctrl+F)</translation></message>
+    <message><source>How many snapshots are kept</source>
+        <translation>Nombre d'instantanés conservés</translation></message>
     <message numerus="yes"><source>Permanently remove the oldest %n of {0} snapshots?</source>
         <translation><numerusform>Supprimer définitivement %n instantané sur {0}, le plus ancien ?</numerusform><numerusform>Supprimer définitivement %n instantanés sur {0}, les plus anciens ?</numerusform></translation></message>
     <message><source>History</source>
@@ -3559,16 +3603,10 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Instantanés</translation></message>
     <message><source>No snapshot matches the search.</source>
         <translation>Aucun instantané ne correspond à la recherche.</translation></message>
-    <message><source>Which snapshots are kept</source>
-        <translation>Quels instantanés sont conservés</translation></message>
-    <message><source>How many snapshots are kept</source>
-        <translation>Nombre d'instantanés conservés</translation></message>
-    <message><source>&amp;Set</source>
-        <translation>&amp;Définir</translation></message>
-    <message><source>the newest</source>
-        <translation>les derniers</translation></message>
     <message><source>all</source>
         <translation>tous</translation></message>
+    <message><source>&amp;Set</source>
+        <translation>&amp;Définir</translation></message>
     <message><source>&amp;Keep</source>
         <translation>&amp;Conserver</translation></message>
     <message><source>snapshots</source>
@@ -3581,106 +3619,70 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Les instantanés se trouvent dans {0}.</translation></message>
     <message><source>Nothing was saved. {0}</source>
         <translation>Rien n'a été enregistré. {0}</translation></message>
-    <message><source>SO–G: on</source>
-        <translation>SO–G : en place</translation></message>
-    <message><source>Push every stick forward or right first, all the way; then the other way. Move switches to all positions.</source>
-        <translation>Poussez d'abord chaque manche à fond vers l'avant ou vers la droite, puis dans l'autre sens. Mettez les interrupteurs dans toutes leurs positions.</translation></message>
-    <message><source>Hold each end until its check mark appears, for at least {0:.1f} s: this line ({1} baud) carries only {2:.1f} measurements per second. Then click Next.</source>
-        <translation>Maintenez chaque extrémité jusqu'à l'apparition de sa coche, pendant au moins {0:.1f} s : cette liaison ({1} bauds) ne transmet que {2:.1f} mesures par seconde. Cliquez ensuite sur « Suivant ».</translation></message>
-    <message><source>Push every stick to all its ends, then release it. Move every switch to all its positions. The motors stay off: in serial mode the sticks do not drive them.</source>
-        <translation>Poussez chaque manche vers toutes ses extrémités, puis relâchez-le. Mettez chaque interrupteur dans toutes ses positions. Les moteurs restent à l'arrêt : en mode série, les manches ne les commandent pas.</translation></message>
+    <message><source>Push every stick forward or right first, all the way; then the other way. Move switches to all positions. Hold each end until it is ticked, then click Next.</source>
+        <translation>Poussez d'abord chaque manche à fond vers l'avant ou vers la droite, puis dans l'autre sens. Mettez les interrupteurs dans toutes leurs positions. Maintenez chaque extrémité jusqu'à l'apparition de sa coche, puis cliquez sur « Suivant ».</translation></message>
+    <message><source>This takes at least {0:.1f} s: at {1} baud only {2:.1f} measurements arrive per second.</source>
+        <translation>Cela prend au moins {0:.1f} s : à {1} bauds, seules {2:.1f} mesures arrivent par seconde.</translation></message>
+    <message><source>Push every stick to all its ends, then release it. Move every switch to all its positions. The motors stay off.</source>
+        <translation>Poussez chaque manche vers toutes ses extrémités, puis relâchez-le. Mettez chaque interrupteur dans toutes ses positions. Les moteurs restent à l'arrêt.</translation></message>
     <message><source>If a channel does not get a good result, learn its values again.</source>
         <translation>Si une voie ne donne pas un bon résultat, apprenez à nouveau ses valeurs.</translation></message>
     <message numerus="yes"><source>&amp;Learn channel(s) {0} again</source>
         <translation><numerusform>&amp;Réapprendre la voie {0}</numerusform><numerusform>&amp;Réapprendre les voies {0}</numerusform></translation></message>
-    <message><source>Try &amp;again</source>
-        <translation>Réess&amp;ayer</translation></message>
-    <message><source>Stop the motors again and begin again.</source>
-        <translation>Arrêter à nouveau les moteurs et recommencer.</translation></message>
-    <message><source>The new values are in the board. The test does not start by itself, because the motors may be running: it has to stop them first.</source>
-        <translation>Les nouvelles valeurs sont dans la carte. Le test ne démarre pas de lui-même, car les moteurs tournent peut-être : il doit d'abord les arrêter.</translation></message>
+    <message><source>The new values are in the board. Their test has to stop the motors first.</source>
+        <translation>Les nouvelles valeurs sont dans la carte. Leur test doit d'abord arrêter les moteurs.</translation></message>
     <message><source>The board sends no measurements: the line is busy or disturbed. Waiting …</source>
         <translation>La carte n'envoie aucune mesure : la liaison est occupée ou perturbée. Attente …</translation></message>
-    <message><source>The motors are stopped. Release every stick and set every switch to off. Then click Next to measure the rest positions.</source>
-        <translation>Les moteurs sont arrêtés. Relâchez tous les manches et mettez tous les interrupteurs en position inactive. Cliquez ensuite sur « Suivant » pour mesurer les positions de repos.</translation></message>
-    <message><source>No channel is at rest. Correct the problems below, then click “Sample again”.</source>
-        <translation>Aucune voie n'est au repos. Corrigez les problèmes ci-dessous, puis cliquez sur « Refaire la mesure ».</translation></message>
-    <message><source>Check the new values. You can change them; clear the check box of a channel to keep its old values. Nothing is written yet: you confirm all changes in the next window.</source>
-        <translation>Vérifiez les nouvelles valeurs. Vous pouvez les modifier ; décochez la case d'une voie pour garder ses anciennes valeurs. Rien n'est encore écrit : vous confirmez toutes les modifications dans la fenêtre suivante.</translation></message>
-    <message><source>&amp;Use these values…</source>
-        <translation>&amp;Utiliser ces valeurs…</translation></message>
-    <message><source>Stop the motors and &amp;test</source>
-        <translation>Arrêter les moteurs et &amp;tester</translation></message>
-    <message><source>Measurements</source>
-        <translation>Mesures</translation></message>
-    <message><source>Hands off the sticks</source>
-        <translation>Lâcher les manches</translation></message>
-    <message><source>All sticks to all ends</source>
-        <translation>Tous les manches à toutes les extrémités</translation></message>
-    <message><source>Review</source>
-        <translation>Vérifier</translation></message>
-    <message><source>Test every stick</source>
-        <translation>Tester chaque manche</translation></message>
-    <message><source>Stop the motors</source>
-        <translation>Arrêter les moteurs</translation></message>
-    <message><source>Stopping the motors. The next step comes when the board has confirmed the stop and no current flows.</source>
-        <translation>Arrêt des moteurs. L'étape suivante vient quand la carte a confirmé l'arrêt et qu'aucun courant ne circule.</translation></message>
-    <message><source>Not every channel is at rest. Correct the problems below and click “Sample again”, or click Next to continue without channel {0}.</source>
-        <translation>Toutes les voies ne sont pas au repos. Corrigez les problèmes ci-dessous et cliquez sur « Refaire la mesure », ou cliquez sur « Suivant » pour continuer sans la voie {0}.</translation></message>
-    <message><source>Hold each end for a moment, then click Next.</source>
-        <translation>Maintenez chaque extrémité un instant, puis cliquez sur « Suivant ».</translation></message>
-    <message><source>Nothing was learned. The reason is below. Go back, or start over.</source>
-        <translation>Rien n'a été appris. La raison est indiquée ci-dessous. Revenez en arrière, ou recommencez.</translation></message>
-    <message><source>Nothing was learned, so there are no values to use.</source>
-        <translation>Rien n'a été appris, il n'y a donc aucune valeur à utiliser.</translation></message>
-    <message><source>No channel is selected. Select each channel whose new values to use.</source>
-        <translation>Aucune voie n'est sélectionnée. Sélectionnez chaque voie dont il faut utiliser les nouvelles valeurs.</translation></message>
+    <message><source>Release every stick and set every switch to off. Then click Next.</source>
+        <translation>Relâchez tous les manches et mettez tous les interrupteurs en position inactive. Cliquez ensuite sur « Suivant ».</translation></message>
+    <message><source>No channel is at rest. Click “Sample again”.</source>
+        <translation>Aucune voie n'est au repos. Cliquez sur « Refaire la mesure ».</translation></message>
+    <message><source>Nothing was learned. Go back, or start over.</source>
+        <translation>Rien n'a été appris. Revenez en arrière ou recommencez.</translation></message>
     <message><source>No channel is selected.</source>
         <translation>Aucune voie n'est sélectionnée.</translation></message>
-    <message><source>Use the values of all selected channels. Nothing is written yet.</source>
-        <translation>Utiliser les valeurs de toutes les voies sélectionnées. Rien n'est encore écrit.</translation></message>
-    <message><source>Everything is as it should be.</source>
-        <translation>Tout est en ordre.</translation></message>
-    <message><source>There is nothing to test: the board ignores this input, so it holds it at neutral. See the setting Ignored Channels.</source>
-        <translation>Il n'y a rien à tester : la carte ignore cette entrée et la maintient donc au neutre. Voir le réglage « Voies ignorées ».</translation></message>
-    <message><source>The tested channels are good. But in {0} mode the motors would not start. {1}</source>
-        <translation>Les voies testées sont bonnes. Mais en mode {0}, les moteurs ne démarreraient pas. {1}</translation></message>
-    <message><source>Test the sticks</source>
-        <translation>Tester les manches</translation></message>
-    <message><source>The motors are stopped: co&amp;ntinue</source>
-        <translation>Les moteurs sont à l'arrêt : &amp;continuer</translation></message>
-    <message><source>Sample &amp;again</source>
-        <translation>Re&amp;faire la mesure</translation></message>
-    <message><source>Measure the rest positions of all channels once more.</source>
-        <translation>Mesurer encore une fois les positions de repos de toutes les voies.</translation></message>
-    <message><source>&amp;Forget these ends</source>
-        <translation>&amp;Oublier ces extrémités</translation></message>
-    <message><source>Forget the ends reached so far. The rest positions are kept.</source>
-        <translation>Oublier les extrémités atteintes jusqu'ici. Les positions de repos sont conservées.</translation></message>
-    <message><source>&amp;Start over</source>
-        <translation>&amp;Recommencer</translation></message>
-    <message><source>Forget everything measured and go back to the rest positions.</source>
-        <translation>Oublier toutes les mesures et revenir aux positions de repos.</translation></message>
-    <message><source>Test &amp;again</source>
-        <translation>&amp;Tester à nouveau</translation></message>
-    <message><source>Forget what was tested so far and begin the test again.</source>
-        <translation>Oublier ce qui a été testé jusqu'ici et recommencer le test.</translation></message>
-    <message><source>Hands off. Sampling … {0:.1f} s</source>
-        <translation>Lâchez les manches. Mesure … {0:.1f} s</translation></message>
     <message><source>The board would reject the values of channel {0}: change them, or clear its check box.</source>
         <translation>La carte rejetterait les valeurs de la voie {0} : modifiez-les, ou décochez sa case.</translation></message>
-    <message><source>The board would reject the values of channel {0}.</source>
-        <translation>La carte rejetterait les valeurs de la voie {0}.</translation></message>
-    <message><source>The low end was not held. Push it there again and hold it for {0:.1f} s.</source>
-        <translation>L'extrémité basse n'a pas été maintenue. Poussez-y à nouveau et maintenez pendant {0:.1f} s.</translation></message>
-    <message><source>The high end was not held. Push it there again and hold it for {0:.1f} s.</source>
-        <translation>L'extrémité haute n'a pas été maintenue. Poussez-y à nouveau et maintenez pendant {0:.1f} s.</translation></message>
-    <message><source>No end reached yet.</source>
-        <translation>Aucune extrémité encore atteinte.</translation></message>
-    <message><source>Calculated from the values in the board, for each channel by itself. From the manual: full output at and beyond the ends, 0 in the deadband, and what safe-start waits for. Assumed: up to 8 of 127 counts as neutral; the switching points of switches.</source>
-        <translation>Calculé à partir des valeurs de la carte, pour chaque voie séparément. D'après le manuel : sortie maximale aux extrémités et au-delà, 0 dans la zone morte, et ce qu'attend le démarrage sécurisé. Supposé : jusqu'à 8 sur 127 compte comme neutre ; les points de basculement des interrupteurs.</translation></message>
-    <message><source>not sampled yet</source>
-        <translation>pas encore mesuré</translation></message>
+    <message><source>Check the new values. Nothing is written yet.</source>
+        <translation>Vérifiez les nouvelles valeurs. Rien n'est encore écrit.</translation></message>
+    <message><source>Test the sticks</source>
+        <translation>Tester les manches</translation></message>
+    <message><source>Hands off</source>
+        <translation>Lâcher</translation></message>
+    <message><source>All ends</source>
+        <translation>Extrémités</translation></message>
+    <message><source>Review</source>
+        <translation>Vérifier</translation></message>
+    <message><source>Stop the motors</source>
+        <translation>Arrêter les moteurs</translation></message>
+    <message><source>Sample &amp;again</source>
+        <translation>Re&amp;faire la mesure</translation></message>
+    <message><source>Start this step &amp;again</source>
+        <translation>&amp;Recommencer l'étape</translation></message>
+    <message><source>&amp;Start over</source>
+        <translation>&amp;Recommencer</translation></message>
+    <message><source>Test &amp;again</source>
+        <translation>&amp;Tester à nouveau</translation></message>
+    <message><source>Stopping the motors. The board has to confirm the stop.</source>
+        <translation>Arrêt des moteurs. La carte doit confirmer l'arrêt.</translation></message>
+    <message><source>Not every channel is at rest. Click “Sample again”, or Next to go on without channel {0}.</source>
+        <translation>Toutes les voies ne sont pas au repos. Cliquez sur « Refaire la mesure », ou sur « Suivant » pour continuer sans la voie {0}.</translation></message>
+    <message><source>Everything is as it should be.</source>
+        <translation>Tout est en ordre.</translation></message>
+    <message><source>Nothing to test: the board ignores this input (Ignored Channels).</source>
+        <translation>Rien à tester : la carte ignore cette entrée (« Voies ignorées »).</translation></message>
+    <message><source>The channels are good. But in {0} mode the motors would not start. {1}</source>
+        <translation>Les voies sont bonnes. Mais en mode {0}, les moteurs ne démarreraient pas. {1}</translation></message>
+    <message><source>Stop the motors and &amp;test</source>
+        <translation>Arrêter les moteurs et &amp;tester</translation></message>
+    <message><source>The motors are stopped: co&amp;ntinue</source>
+        <translation>Les moteurs sont à l'arrêt : &amp;continuer</translation></message>
+    <message><source>Try &amp;again</source>
+        <translation>Réess&amp;ayer</translation></message>
+    <message><source>Hands off. Sampling … {0:.1f} s</source>
+        <translation>Lâchez les manches. Mesure … {0:.1f} s</translation></message>
+    <message><source>&amp;Use these values…</source>
+        <translation>&amp;Utiliser ces valeurs…</translation></message>
     <message><source>{0} end: not reached yet</source>
         <translation>Extrémité {0} : pas encore atteinte</translation></message>
     <message><source>{0} end: hold it there</source>
@@ -3689,10 +3691,14 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Extrémité {0} : atteinte</translation></message>
     <message><source>{0} end: not needed</source>
         <translation>Extrémité {0} : pas nécessaire</translation></message>
+    <message><source>Calculated from the values in the board, for each channel by itself. Assumed: up to 8 of 127 counts as neutral; the switching points of switches.</source>
+        <translation>Calculé à partir des valeurs de la carte, pour chaque voie séparément. Supposé : jusqu'à 8 sur 127 compte comme neutre ; les points de basculement des interrupteurs.</translation></message>
+    <message><source>not sampled yet</source>
+        <translation>pas encore mesuré</translation></message>
     <message><source>Hold it there …</source>
         <translation>Maintenez cette position …</translation></message>
-    <message><source>Not moved yet. Move the switch to every position.</source>
-        <translation>Pas encore bougé. Mettez l'interrupteur dans chaque position.</translation></message>
+    <message><source>No end reached yet.</source>
+        <translation>Aucune extrémité encore atteinte.</translation></message>
     <message><source>low</source>
         <translation>basse</translation></message>
     <message><source>high</source>
@@ -3701,16 +3707,12 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Omise : sa position de repos n'est pas connue.</translation></message>
     <message><source>Raw input of channel {0}</source>
         <translation>Entrée brute de la voie {0}</translation></message>
-    <message><source>at rest: {0}, noise {1}</source>
-        <translation>au repos : {0}, bruit {1}</translation></message>
-    <message><source>Both ends reached: {0} and {1}.</source>
-        <translation>Les deux extrémités sont atteintes : {0} et {1}.</translation></message>
+    <message><source>Not held. Hold it there for {0:.1f} s.</source>
+        <translation>Non maintenu. Maintenez-le là pendant {0:.1f} s.</translation></message>
     <message><source>Reached: {0}.</source>
         <translation>Atteint : {0}.</translation></message>
-    <message><source>Low end reached: {0}. Now the other way.</source>
-        <translation>Extrémité basse atteinte : {0}. Maintenant dans l'autre sens.</translation></message>
-    <message><source>High end reached: {0}. Now the other way.</source>
-        <translation>Extrémité haute atteinte : {0}. Maintenant dans l'autre sens.</translation></message>
+    <message><source>at rest: {0}, noise {1}</source>
+        <translation>au repos : {0}, bruit {1}</translation></message>
     <message><source>Output of channel {0}</source>
         <translation>Sortie de la voie {0}</translation></message>
     <message><source>Input now {0}; output {1}.</source>
@@ -3789,36 +3791,10 @@ avant {1}</translation></message>
         <translation>Nu&amp;méros des autres appareils :</translation></message>
     <message><source>&amp;Restore defaults</source>
         <translation>Restaurer les valeurs par &amp;défaut</translation></message>
-    <message><source>&amp;Edit the file instead</source>
-        <translation>&amp;Modifier plutôt le fichier</translation></message>
-    <message numerus="yes"><source>{0}: %n change(s) pending: review them to write them.</source>
-        <translation><numerusform>{0} : %n modification en attente ; vérifiez-la pour l'écrire.</numerusform><numerusform>{0} : %n modifications en attente ; vérifiez-les pour les écrire.</numerusform></translation></message>
-    <message><source>Checked changes become edits. Nothing is written to the board until you click Apply.</source>
-        <translation>Les changements cochés deviennent des modifications. Rien n'est écrit dans la carte tant que vous ne cliquez pas sur « Appliquer les réglages ».</translation></message>
-    <message><source>Board, as shown</source>
-        <translation>Carte, telle qu'affichée</translation></message>
-    <message><source>{0}: settings for a {1} with firmware {2}; the board has {3}.</source>
-        <translation>{0} : réglages pour un {1}, firmware {2} ; la carte a le firmware {3}.</translation></message>
-    <message><source>{0}: settings for a {1}; the board is a {2}.</source>
-        <translation>{0} : réglages pour un {1} ; la carte est un {2}.</translation></message>
-    <message><source>{0}: settings for a {1} with firmware {2}.</source>
-        <translation>{0} : réglages pour un {1}, firmware {2}.</translation></message>
-    <message numerus="yes"><source>&amp;Load %n change(s)</source>
-        <translation><numerusform>&amp;Charger %n modification</numerusform><numerusform>&amp;Charger %n modifications</numerusform></translation></message>
-    <message><source>{0} was not loaded: the board is no longer connected.</source>
-        <translation>{0} n'a pas été chargé : la carte n'est plus connectée.</translation></message>
-    <message><source>Load settings from {0}</source>
-        <translation>Charger les réglages : {0}</translation></message>
-    <message><source>{0}, converted</source>
-        <translation>{0}, converti</translation></message>
-    <message><source>{0}: settings for a {1}.</source>
-        <translation>{0} : réglages pour un {1}.</translation></message>
-    <message><source>Load {0}</source>
-        <translation>Charger {0}</translation></message>
-    <message><source>Not in the file, so they stay as they are: {0}.</source>
-        <translation>Absents du fichier, donc inchangés : {0}.</translation></message>
-    <message><source>“Arm without” is remembered for this board. Cut the power by hand then if the cable falls out.</source>
-        <translation>« Activer sans délai » est mémorisé pour cette carte. Coupez alors l'alimentation à la main si le câble se débranche.</translation></message>
+    <message><source>Arming without one is remembered for this board. Cut the power by hand then if the cable falls out.</source>
+        <translation>L'activation sans délai est mémorisée pour cette carte. Coupez alors l'alimentation à la main si le câble se débranche.</translation></message>
+    <message><source>Arm with&amp;out a timeout</source>
+        <translation>Activer &amp;sans délai</translation></message>
     <message><source>Write the serial timeout</source>
         <translation>Écrire le délai série</translation></message>
     <message><source>Writes Serial Timeout and UART-Error Shutdown now: the board should stop its motors {0} s after the last byte. Other changes stay pending.</source>
@@ -3833,8 +3809,6 @@ avant {1}</translation></message>
         <translation>Rien à appli&amp;quer</translation></message>
     <message><source>Write the changed parameters into the board (Ctrl+Enter)</source>
         <translation>Écrire les paramètres modifiés dans la carte (Ctrl+Entrée)</translation></message>
-    <message><source>Channels control the motors: serial commands do not reach them.</source>
-        <translation>Les voies commandent les moteurs : les commandes série ne les atteignent pas.</translation></message>
     <message><source>Arm the motors</source>
         <translation>Activer les moteurs</translation></message>
     <message><source>Writing …</source>
@@ -3847,40 +3821,38 @@ avant {1}</translation></message>
         <translation>&amp;Activer les moteurs</translation></message>
     <message><source>Lets both motors and the auxiliary be driven; nothing moves yet</source>
         <translation>Permet de piloter les deux moteurs et l'auxiliaire ; rien ne bouge encore</translation></message>
-    <message><source>The board driven before may still turn its motors. Cut their power.</source>
-        <translation>Les moteurs de la carte pilotée auparavant tournent peut-être encore. Coupez leur alimentation.</translation></message>
     <message><source>Channels control the motors: Stop does not affect them.</source>
         <translation>Les voies commandent les moteurs : « Arrêter les moteurs » n'agit pas sur eux.</translation></message>
-    <message><source>Several boards on this line: select the one to drive.</source>
-        <translation>Plusieurs cartes sur cette liaison : sélectionnez celle à piloter.</translation></message>
-    <message><source>Not armed: nothing is sent to the motors.</source>
-        <translation>Moteurs non activés : rien ne leur est envoyé.</translation></message>
     <message><source>&amp;Write {0:g} s and arm</source>
         <translation>É&amp;crire {0:g} s et activer</translation></message>
-    <message><source>Arm with&amp;out</source>
-        <translation>Activer &amp;sans délai</translation></message>
     <message><source>The board did not store the serial timeout.</source>
         <translation>La carte n'a pas enregistré le délai série.</translation></message>
     <message><source>Armed. Drive them on the Motors page.</source>
         <translation>Moteurs activés. Pilotez-les sur la page Moteurs.</translation></message>
-    <message><source>Stopping …</source>
-        <translation>Arrêt en cours …</translation></message>
     <message><source>Write &amp;{0} s</source>
         <translation>Écrire &amp;{0} s</translation></message>
     <message><source>Write a serial timeout of {0} s</source>
         <translation>Écrire un délai série de {0} s</translation></message>
     <message><source>Armed. Sent: {0}</source>
         <translation>Moteurs activés. Envoyé : {0}</translation></message>
-    <message><source>Stopped. Motors are locked for {0} s.</source>
-        <translation>Arrêt effectué. Les moteurs sont verrouillés pendant {0} s.</translation></message>
     <message><source>Why this value? Kept on this computer and in files.</source>
         <translation>Pourquoi cette valeur ? Conservé sur cet ordinateur et dans les fichiers.</translation></message>
     <message><source>Note</source>
         <translation>Note</translation></message>
+    <message><source>Input source</source>
+        <translation>Source des entrées</translation></message>
+    <message><source>edited</source>
+        <translation>modifiée</translation></message>
+    <message><source>Channel {0}: {1}</source>
+        <translation>Voie {0} : {1}</translation></message>
+    <message><source>the calibration of {0}</source>
+        <translation>l'étalonnage de la {0}</translation></message>
     <message><source>&amp;All other channels</source>
         <translation>&amp;Toutes les autres voies</translation></message>
     <message><source>&amp;Reset to factory defaults</source>
         <translation>&amp;Réinitialiser aux réglages d'usine</translation></message>
+    <message><source>&amp;Discard the edits of this channel</source>
+        <translation>Re&amp;jeter les modifications de cette voie</translation></message>
     <message><source>&amp;Load calibrations from a file…</source>
         <translation>&amp;Charger des étalonnages depuis un fichier…</translation></message>
     <message><source>&amp;Copy to</source>
@@ -3915,30 +3887,6 @@ avant {1}</translation></message>
         <translation>Étalonnages de {0}</translation></message>
     <message><source>The calibrations shown were saved in {0}.</source>
         <translation>Les étalonnages affichés ont été enregistrés dans {0}.</translation></message>
-    <message><source>Minimum</source>
-        <translation>Minimum</translation></message>
-    <message><source>Neutral</source>
-        <translation>Neutre</translation></message>
-    <message><source>Maximum</source>
-        <translation>Maximum</translation></message>
-    <message><source>Its handles can be dragged; the fields below set the same values.</source>
-        <translation>Vous pouvez faire glisser ses poignées ; les champs ci-dessous règlent les mêmes valeurs.</translation></message>
-    <message><source>Curve of the channel</source>
-        <translation>Courbe de la voie</translation></message>
-    <message><source>Now</source>
-        <translation>Maintenant</translation></message>
-    <message><source>Input of the last 10 seconds</source>
-        <translation>Entrée des 10 dernières secondes</translation></message>
-    <message><source>The input of the last 10 seconds; the newest is at the top</source>
-        <translation>L'entrée des 10 dernières secondes ; la plus récente est en haut</translation></message>
-    <message><source>flip on</source>
-        <translation>retournement actif</translation></message>
-    <message><source>override on</source>
-        <translation>priorité active</translation></message>
-    <message><source>Ne&amp;utral</source>
-        <translation>Ne&amp;utre</translation></message>
-    <message><source>Dead&amp;band ±</source>
-        <translation>&amp;Zone morte ±</translation></message>
     <message><source>Re&amp;versed</source>
         <translation>Inver&amp;sée</translation></message>
     <message><source>The output changes its sign: forward and reverse are swapped</source>
@@ -3961,34 +3909,10 @@ avant {1}</translation></message>
         <translation>Rendre act&amp;if…</translation></message>
     <message><source>Its values have not been read yet.</source>
         <translation>Ses valeurs n'ont pas encore été lues.</translation></message>
-    <message><source>, problem</source>
-        <translation>, problème</translation></message>
-    <message><source>, edited</source>
-        <translation>, modifiée</translation></message>
-    <message><source>not learned yet: will be after Apply</source>
-        <translation>pas encore apprise : le sera après application</translation></message>
-    <message><source>not learned: defaults</source>
-        <translation>non apprise : valeurs par défaut</translation></message>
-    <message><source>Analog voltages</source>
-        <translation>Tensions analogiques</translation></message>
-    <message><source>stored now</source>
-        <translation>enregistré actuellement</translation></message>
-    <message><source>after Apply</source>
-        <translation>après application</translation></message>
-    <message><source>stored in the board</source>
-        <translation>enregistré dans la carte</translation></message>
-    <message><source>not learned</source>
-        <translation>non apprise</translation></message>
-    <message><source>Input source</source>
-        <translation>Source des entrées</translation></message>
-    <message><source>learned: has its own calibration</source>
-        <translation>apprise : a son propre étalonnage</translation></message>
-    <message><source>No board responds.</source>
-        <translation>Aucune carte ne répond.</translation></message>
-    <message><source>Live value</source>
-        <translation>Valeur en direct</translation></message>
-    <message><source>as last seen</source>
-        <translation>dernière valeur connue</translation></message>
+    <message><source>Ne&amp;utral</source>
+        <translation>Ne&amp;utre</translation></message>
+    <message><source>Dead&amp;band ±</source>
+        <translation>&amp;Zone morte ±</translation></message>
     <message><source>Stored: the board reads {0} after the next power cycle.</source>
         <translation>Enregistré : après la prochaine coupure et remise de l'alimentation, la carte lira : {0}.</translation></message>
     <message><source>The values below were {0}.</source>
@@ -3997,80 +3921,60 @@ avant {1}</translation></message>
         <translation>Lire {0} après la prochaine coupure et remise de l'alimentation</translation></message>
     <message><source>Edited: apply it, then power-cycle the board to read {0}.</source>
         <translation>Modifié : appliquez, puis coupez et remettez l'alimentation de la carte pour qu'elle lise : {0}.</translation></message>
-    <message><source>{0} (active)</source>
-        <translation>{0} (source active)</translation></message>
-    <message><source>Connect to a board to see and change its calibrations.</source>
-        <translation>Connectez une carte pour voir et modifier ses étalonnages.</translation></message>
+    <message><source>Minimum</source>
+        <translation>Minimum</translation></message>
+    <message><source>Neutral</source>
+        <translation>Neutre</translation></message>
+    <message><source>Maximum</source>
+        <translation>Maximum</translation></message>
+    <message><source>Its handles can be dragged; the fields below set the same values.</source>
+        <translation>Vous pouvez faire glisser ses poignées ; les champs ci-dessous règlent les mêmes valeurs.</translation></message>
+    <message><source>Curve of the channel</source>
+        <translation>Courbe de la voie</translation></message>
+    <message><source>Now</source>
+        <translation>Maintenant</translation></message>
+    <message><source>Input of the last 10 seconds</source>
+        <translation>Entrée des 10 dernières secondes</translation></message>
+    <message><source>The input of the last 10 seconds; the newest is at the top</source>
+        <translation>L'entrée des 10 dernières secondes ; la plus récente est en haut</translation></message>
+    <message><source>flip on</source>
+        <translation>retournement actif</translation></message>
+    <message><source>override on</source>
+        <translation>priorité active</translation></message>
     <message><source>Learn &amp;this channel…</source>
         <translation>Apprendre cette &amp;voie…</translation></message>
+    <message><source>Inputs are read as {0}. They control the motors.</source>
+        <translation>Les entrées sont lues comme {0}. Elles commandent les moteurs.</translation></message>
     <message><source>Learn a&amp;ll…</source>
         <translation>Tout appr&amp;endre…</translation></message>
-    <message><source>Cop&amp;y, reset, files</source>
+    <message><source>Test stic&amp;ks…</source>
+        <translation>C&amp;ontrôler les manches…</translation></message>
+    <message><source>Live value</source>
+        <translation>Valeur en direct</translation></message>
+    <message><source>Cop&amp;y, reset and files</source>
         <translation>&amp;Copier, réinitialiser, fichiers</translation></message>
-    <message><source>Di&amp;scard</source>
-        <translation>Re&amp;jeter</translation></message>
-    <message><source>Discard the edits of this channel</source>
-        <translation>Rejeter les modifications de cette voie</translation></message>
     <message><source>No board responds. Edits are kept until a board of the same kind is connected.</source>
         <translation>Aucune carte ne répond. Les modifications sont conservées jusqu'à ce qu'une carte du même type soit connectée.</translation></message>
-    <message><source>no live value: the board reads the other source</source>
-        <translation>pas de valeur en direct : la carte lit l'autre source</translation></message>
-    <message><source>no live value</source>
-        <translation>pas de valeur en direct</translation></message>
-    <message><source>no signal now: the output is 0</source>
-        <translation>pas de signal actuellement : la sortie est à 0</translation></message>
-    <message><source>&amp;Note:</source>
-        <translation>N&amp;ote :</translation></message>
-    <message><source>For {0}, {1}: {2}</source>
-        <translation>Pour {0}, {1} : {2}</translation></message>
-    <message><source>Drag a handle of the curve, or type {0} or {1} counts. Nothing is written until you click Apply.</source>
-        <translation>Faites glisser une poignée de la courbe, ou tapez {0} ou {1} counts. Rien n'est écrit tant que vous ne cliquez pas sur « Appliquer les réglages ».</translation></message>
+    <message><source>Inputs are read as {0}. In serial mode they are shown only.</source>
+        <translation>Les entrées sont lues comme {0}. En mode série, elles sont seulement affichées.</translation></message>
+    <message><source>Connect to a board to see and change its calibrations.</source>
+        <translation>Connectez une carte pour voir et modifier ses étalonnages.</translation></message>
+    <message><source>Inputs are read as {0}. Serial commands override them now.</source>
+        <translation>Les entrées sont lues comme {0}. Les commandes série ont maintenant priorité.</translation></message>
     <message><source>input now {0} ({1}), output {2}</source>
         <translation>entrée actuelle {0} ({1}), sortie {2}</translation></message>
     <message><source>Discard edits of channel {0}</source>
         <translation>Abandonner les modifications de la voie {0}</translation></message>
-    <message><source>the calibration of {0}</source>
-        <translation>l'étalonnage de la {0}</translation></message>
-    <message><source>For {0}: not read yet</source>
-        <translation>Pour {0} : pas encore lu</translation></message>
-    <message><source>For {0}: {1}</source>
-        <translation>Pour {0} : {1}</translation></message>
-    <message><source>The board reads {0} now. Open their tab, or make the board read {1} first, as described above.</source>
-        <translation>La carte lit actuellement : {0}. Ouvrez cet onglet, ou faites d'abord lire {1} à la carte, comme décrit ci-dessus.</translation></message>
-    <message><source>Connect to a board to see its inputs.</source>
-        <translation>Connectez une carte pour voir ses entrées.</translation></message>
-    <message><source>Joint mode: both drivers power motor 1, nothing is mixed.</source>
-        <translation>Mode jumelé : les deux drivers alimentent le moteur 1, rien n'est mixé.</translation></message>
-    <message><source>A count is 0.4 µs.</source>
-        <translation>Un count vaut 0,4 µs.</translation></message>
-    <message><source>A count is 4.89 mV.</source>
-        <translation>Un count vaut 4,89 mV.</translation></message>
+    <message><source>learned</source>
+        <translation>apprise</translation></message>
+    <message><source>factory calibration</source>
+        <translation>étalonnage d'usine</translation></message>
+    <message><source>problem</source>
+        <translation>problème</translation></message>
     <message><source>{0:.0f} to {1:.0f} counts</source>
         <translation>{0:.0f} à {1:.0f} counts</translation></message>
-    <message><source>Input and count</source>
-        <translation>Entrée et counts</translation></message>
-    <message><source>Raw, with its calibration</source>
-        <translation>Valeur brute et étalonnage</translation></message>
-    <message><source>The bar shows the raw input. Its marks are the channel's calibration: full output at min and max, none within the shaded deadband around neutral.</source>
-        <translation>La barre montre l'entrée brute. Ses repères sont l'étalonnage de la voie : sortie maximale à min et max, nulle dans la zone morte ombrée autour du neutre.</translation></message>
-    <message><source>Last 10 seconds</source>
-        <translation>10 dernières secondes</translation></message>
-    <message><source>The raw input on the scale of the bar, the newest at the right. Where there was no valid signal the line has a gap.</source>
-        <translation>L'entrée brute à l'échelle de la barre, la plus récente à droite. Là où il n'y avait pas de signal valide, la ligne est interrompue.</translation></message>
-    <message><source>Remapped (−127 to 127)</source>
-        <translation>Convertie (−127 à 127)</translation></message>
-    <message><source>What the board makes of the input. Those of channels 1 and 2 are the speeds for motors 1 and 2, after mixing and flip. The vendor's document gives channel 3 six bits, 0 to 63; the program reads seven (inferred).</source>
-        <translation>Ce que la carte fait de l'entrée. Pour les voies 1 et 2, ce sont les vitesses des moteurs 1 et 2, après mixage et retournement. Le document du fabricant donne six bits à la voie 3, de 0 à 63 ; le programme en lit sept (déduit).</translation></message>
-    <message><source>Input of channel {0} in the last 10 seconds</source>
-        <translation>Entrée de la voie {0} au cours des 10 dernières secondes</translation></message>
-    <message><source>Remapped channel {0}</source>
-        <translation>Voie {0} convertie</translation></message>
-    <message><source>The mix jumper is on.</source>
-        <translation>Le cavalier Mix est en place.</translation></message>
-    <message><source>The mix jumper is off.</source>
-        <translation>Le cavalier Mix est retiré.</translation></message>
-    <message><source>Moving channel 1 or 2 shows whether the mix jumper is on.</source>
-        <translation>Bouger la voie 1 ou 2 montre si le cavalier Mix est en place.</translation></message>
+    <message><source>{0}, remapped {1}</source>
+        <translation>{0}, converti : {1}</translation></message>
     <message><source>Connect to a board to see its motor currents.</source>
         <translation>Connectez une carte pour voir les courants de ses moteurs.</translation></message>
     <message><source>Motor currents</source>
@@ -4145,18 +4049,10 @@ avant {1}</translation></message>
 (doubtful)</source>
         <translation>{0}
 (douteux)</translation></message>
-    <message><source>Current of this motor; the red line is its limit, ⚠ means 80 % of it or more.</source>
-        <translation>Courant de ce moteur ; le trait rouge est sa limite, ⚠ signifie 80 % de celle-ci ou plus.</translation></message>
-    <message><source>From 0 to 127, full speed</source>
-        <translation>De 0 à 127, pleine vitesse</translation></message>
-    <message><source>From −127, full speed back, to 127, full speed forward</source>
-        <translation>De −127, pleine vitesse arrière, à 127, pleine vitesse avant</translation></message>
-    <message><source>Zero</source>
-        <translation>Zéro</translation></message>
+    <message><source>⚠ means 80 % of the limit or more.</source>
+        <translation>⚠ signifie 80 % de la limite ou plus.</translation></message>
     <message><source>Brake</source>
         <translation>Freiner</translation></message>
-    <message><source>Board: serial in control…</source>
-        <translation>Carte : liaison série aux commandes…</translation></message>
     <message><source>Speed 0: the motor is not driven and coasts</source>
         <translation>Vitesse 0 : le moteur n'est pas entraîné, il est en roue libre</translation></message>
     <message><source>{0}, speed</source>
@@ -4167,12 +4063,10 @@ avant {1}</translation></message>
         <translation>{0}, vitesse zéro</translation></message>
     <message><source>{0}, brake</source>
         <translation>{0}, freiner</translation></message>
-    <message><source>{0}, channel command</source>
-        <translation>{0}, commande de la voie</translation></message>
     <message><source>{0}, current</source>
         <translation>{0}, courant</translation></message>
-    <message><source>Up to {0}, the speed ceiling above</source>
-        <translation>Jusqu'à {0}, la vitesse maximale réglée ci-dessus</translation></message>
+    <message><source>Up to {0}, the speed ceiling</source>
+        <translation>Jusqu'à {0}, la vitesse maximale</translation></message>
     <message><source>Hold an arrow key to drive while the pad has the focus.</source>
         <translation>Maintenez une touche fléchée pour piloter tant que le pavé a le focus.</translation></message>
     <message><source>Hold Up or Down to drive; the motors cannot turn separately.</source>
@@ -4187,8 +4081,8 @@ avant {1}</translation></message>
         <translation>gauche</translation></message>
     <message><source>{0} {1:.0%}, {2} {3:.0%}.</source>
         <translation>{0} {1:.0%}, {2} {3:.0%}.</translation></message>
-    <message><source>forward, at most {0:.0f} %</source>
-        <translation>avant, au plus {0:.0f} %</translation></message>
+    <message><source>ceiling {0:.0f} %</source>
+        <translation>au plus {0:.0f} %</translation></message>
     <message><source>Full deflection is {0:.0f} % of full speed.</source>
         <translation>La pleine course correspond à {0:.0f} % de la pleine vitesse.</translation></message>
     <message><source>Push the stick for the left motor fully forward.</source>
@@ -4267,14 +4161,12 @@ avant {1}</translation></message>
         <translation>Consigne du moteur {0}</translation></message>
     <message><source>Gamepad</source>
         <translation>Manette</translation></message>
-    <message><source>Drive with a &amp;gamepad</source>
-        <translation>Pilot&amp;er avec une manette</translation></message>
+    <message><source>&amp;Gamepad</source>
+        <translation>&amp;Manette</translation></message>
     <message><source>Set &amp;up…</source>
         <translation>&amp;Configurer…</translation></message>
-    <message><source>Turn</source>
-        <translation>Rotation</translation></message>
-    <message><source>Stop whe&amp;n the window loses the focus</source>
-        <translation>Arrêter quand la fenêtre &amp;perd le focus</translation></message>
+    <message><source>Stop behi&amp;nd other windows</source>
+        <translation>Arrêter derrière d'autr&amp;es fenêtres</translation></message>
     <message><source>The gamepad is being set up and cannot drive.</source>
         <translation>La manette est en cours de configuration et ne peut pas piloter.</translation></message>
     <message><source>The gamepad drives only while the Motors page is open.</source>
@@ -4289,18 +4181,24 @@ avant {1}</translation></message>
         <translation>Vitesse la plus élevée que ce programme envoie à cette carte ; la pleine course du pavé, des touches et de la manette donne cette vitesse. L'augmenter n'accélère pas un moteur en marche.</translation></message>
     <message><source>&amp;Speed ceiling</source>
         <translation>&amp;Vitesse maximale</translation></message>
-    <message><source>Remembered for this board.</source>
-        <translation>Mémorisé pour cette carte.</translation></message>
+    <message><source>Raise it once the motors turn the right way.</source>
+        <translation>À augmenter quand le sens de rotation est bon.</translation></message>
+    <message><source>Held keys drive wherever the focus is on this page, except in number fields, tables and lists; sliders then get no arrow keys. In the pad they always drive.</source>
+        <translation>Les touches maintenues pilotent où que soit le focus sur cette page, sauf dans les champs numériques, les tableaux et les listes ; les curseurs ne reçoivent alors pas les touches fléchées. Dans le pavé, elles pilotent toujours.</translation></message>
+    <message><source>Arrow ke&amp;ys or WASD</source>
+        <translation>Flèches ou &amp;WASD</translation></message>
+    <message><source>Both motors &amp;linked</source>
+        <translation>Les deu&amp;x moteurs liés</translation></message>
+    <message><source>Either slider sets both motors; the robot does not turn</source>
+        <translation>L'un ou l'autre curseur règle les deux moteurs ; le robot ne tourne pas</translation></message>
+    <message><source>The motors run differently: stop both, or give both the same speed</source>
+        <translation>Les moteurs tournent différemment : arrêtez-les tous les deux ou donnez-leur la même vitesse</translation></message>
     <message><source>Accelerate along the board's ra&amp;mp</source>
         <translation>Accélérer &amp;selon la rampe de la carte</translation></message>
     <message><source>The board ramps speeds at the Acceleration setting and pauses for the brake duration before reversing</source>
         <translation>La carte fait varier les vitesses selon le réglage « Accélération » et marque une pause de la durée de freinage avant d'inverser le sens</translation></message>
     <message><source>Bypasses ramp and brake duration, and for a moment also the current limit</source>
         <translation>Contourne la rampe et la durée de freinage, et aussi, un instant, la limite de courant</translation></message>
-    <message><source>Held keys drive wherever the focus is on this page, except in number fields, tables and lists; sliders then get no arrow keys. In the pad they always drive.</source>
-        <translation>Les touches maintenues pilotent où que soit le focus sur cette page, sauf dans les champs numériques, les tableaux et les listes ; les curseurs ne reçoivent alors pas les touches fléchées. Dans le pavé, elles pilotent toujours.</translation></message>
-    <message><source>Drive with arrow &amp;keys or WASD</source>
-        <translation>Piloter avec les flèches ou &amp;WASD</translation></message>
     <message><source>How hard Brake and letting go of pad, keys and held sliders brake; Stop always brakes fully</source>
         <translation>Force du freinage par « Freiner » et au relâchement du pavé, des touches et des curseurs maintenus ; l'arrêt freine toujours à fond</translation></message>
     <message><source>&amp;Brake strength</source>
@@ -4309,60 +4207,74 @@ avant {1}</translation></message>
         <translation>Arrêter en quittant &amp;cette page</translation></message>
     <message><source>Stop both motors and the auxiliary when another page is shown or the window is minimised</source>
         <translation>Arrêter les deux moteurs et l'auxiliaire quand une autre page est affichée ou que la fenêtre est réduite</translation></message>
-    <message><source>Return slider to &amp;zero when it is released</source>
-        <translation>Remettre à &amp;zéro le curseur relâché</translation></message>
+    <message><source>Sliders return to &amp;zero</source>
+        <translation>Curseurs remis à &amp;zéro</translation></message>
     <message><source>A slider drives only while you hold it; letting go brakes its motor</source>
         <translation>Un curseur ne fait tourner son moteur que tant que vous le tenez ; le relâcher freine le moteur</translation></message>
+    <message><source>Loc&amp;k after Stop</source>
+        <translation>Verr&amp;ouillage après un arrêt</translation></message>
     <message><source>Seconds for which arming is locked after Stop</source>
         <translation>Secondes pendant lesquelles l'activation est verrouillée après un arrêt</translation></message>
-    <message><source>Either slider sets both motors; the robot does not turn</source>
-        <translation>L'un ou l'autre curseur règle les deux moteurs ; le robot ne tourne pas</translation></message>
-    <message><source>The motors run differently: stop both, or give both the same speed</source>
-        <translation>Les moteurs tournent différemment : arrêtez-les tous les deux ou donnez-leur la même vitesse</translation></message>
-    <message><source>New board: raise this once its motors turn the right way.</source>
-        <translation>Nouvelle carte : augmentez cette valeur une fois que ses moteurs tournent dans le bon sens.</translation></message>
+    <message><source>Drive with</source>
+        <translation>Piloter avec</translation></message>
+    <message><source>E&amp;xtra options</source>
+        <translation>A&amp;utres options</translation></message>
     <message><source>Options</source>
         <translation>Options</translation></message>
     <message><source>Se&amp;t at once</source>
         <translation>&amp;Régler immédiatement</translation></message>
-    <message><source>&amp;Link both motors</source>
-        <translation>Lier les deux &amp;moteurs</translation></message>
     <message><source>coast (0 %)</source>
         <translation>roue libre (0 %)</translation></message>
-    <message><source>L&amp;ock after Stop</source>
-        <translation>Verr&amp;ouillage après un arrêt</translation></message>
     <message><source>none (0 s)</source>
         <translation>aucun (0 s)</translation></message>
-    <message><source>{0}, as a number</source>
-        <translation>{0}, en chiffres</translation></message>
     <message><source>How long arming stays locked after Stop or Esc, so that a slider or key that is still held cannot restart a motor (0 to {0:g} s)</source>
         <translation>Durée pendant laquelle l'activation reste verrouillée après un arrêt ou Échap, pour qu'un curseur ou une touche encore maintenus ne puissent pas relancer un moteur (0 à {0:g} s)</translation></message>
-    <message><source>Auxiliary (one way)</source>
-        <translation>Auxiliaire (un seul sens)</translation></message>
-    <message><source>acceleration</source>
-        <translation>accélération</translation></message>
-    <message><source>brake duration</source>
-        <translation>durée de freinage</translation></message>
-    <message><source>current limit</source>
-        <translation>limite de courant</translation></message>
-    <message><source>Drive</source>
-        <translation>Conduite</translation></message>
-    <message><source>Stored settings; click a value to open its parameter</source>
-        <translation>Réglages enregistrés ; cliquez sur une valeur pour ouvrir son paramètre</translation></message>
-    <message><source>Both motors</source>
-        <translation>Les deux moteurs</translation></message>
+    <message><source>stop after {0}</source>
+        <translation>arrêt après {0}</translation></message>
+    <message><source>may keep turning</source>
+        <translation>continuent peut-être</translation></message>
+    <message><source>Motor currents, 10 s</source>
+        <translation>Courants des moteurs, 10 s</translation></message>
+    <message><source>Ramp</source>
+        <translation>Rampe</translation></message>
+    <message><source>Brake before reversal</source>
+        <translation>Freinage avant inversion</translation></message>
+    <message><source>Current limit</source>
+        <translation>Limite de courant</translation></message>
+    <message><source>&amp;Open plot</source>
+        <translation>Voir la cour&amp;be</translation></message>
+    <message><source>What the board does with them</source>
+        <translation>Ce que la carte en fait</translation></message>
+    <message><source>Armed: these controls move the motors.</source>
+        <translation>Moteurs activés : ces commandes les font tourner.</translation></message>
+    <message><source>Reconnect and stop</source>
+        <translation>Reconnecter et arrêter</translation></message>
     <message><source>Motor (joint)</source>
         <translation>Moteur (jumelé)</translation></message>
-    <message><source>Stored motor settings: not known</source>
-        <translation>Réglages moteur enregistrés : inconnus</translation></message>
-    <message><source>Brake with {0:.0f} % (see Brake strength below)</source>
-        <translation>Freiner à {0:.0f} % (voir « Intensité du freinage » ci-dessous)</translation></message>
-    <message><source>Joint mode: follows motor 1</source>
-        <translation>Mode jumelé : suit le moteur 1</translation></message>
+    <message><source>Brake with {0}</source>
+        <translation>Freiner à {0}</translation></message>
     <message><source>The Motors page was left while a control was held.</source>
         <translation>La page Moteurs a été quittée alors qu'une commande était maintenue.</translation></message>
+    <message><source>one way</source>
+        <translation>un seul sens</translation></message>
     <message><source>The Motors page was left.</source>
         <translation>La page Moteurs a été quittée.</translation></message>
+    <message><source>keep turning</source>
+        <translation>continuent de tourner</translation></message>
+    <message><source>Make each change to one motor to the other, too, in one step</source>
+        <translation>Reporter en une seule étape chaque modification d'un moteur sur l'autre</translation></message>
+    <message><source>No document confirms this limit. The board decides about other values.</source>
+        <translation>Aucun document ne confirme cette limite. La carte décide des autres valeurs.</translation></message>
+    <message><source>Detail&amp;s</source>
+        <translation>Détail&amp;s</translation></message>
+    <message><source>&amp;Both motors as one</source>
+        <translation>Les deux moteurs &amp;ensemble</translation></message>
+    <message><source>Wire value</source>
+        <translation>Valeur transmise</translation></message>
+    <message><source>&amp;Try this value</source>
+        <translation>&amp;Essayer cette valeur</translation></message>
+    <message><source>Selected parameter</source>
+        <translation>Paramètre sélectionné</translation></message>
     <message><source>{0}. The board stores the nearest time. Or speed steps, such as {1}.</source>
         <translation>{0}. La carte enregistre le temps le plus proche. Ou en pas de vitesse, par exemple {1}.</translation></message>
     <message><source>The PWM frequency is {0}, not {1}.</source>
@@ -4379,94 +4291,66 @@ avant {1}</translation></message>
         <translation>inconnu ({0})</translation></message>
     <message><source>{0}: channel {1}</source>
         <translation>{0} : voie {1}</translation></message>
-    <message><source>Search names and descriptions (Ctrl+F)</source>
-        <translation>Rechercher dans les noms et les descriptions (Ctrl+F)</translation></message>
-    <message><source>Group of parameters</source>
-        <translation>Groupe de paramètres</translation></message>
-    <message><source>Show only what you have changed</source>
-        <translation>Afficher seulement ce que vous avez modifié</translation></message>
-    <message><source>Show only values that differ from their default</source>
-        <translation>Afficher seulement les valeurs qui diffèrent de leur valeur par défaut</translation></message>
-    <message><source>Make each change to one motor to the other, too, in one step</source>
-        <translation>Reporter en une seule étape chaque modification d'un moteur sur l'autre</translation></message>
     <message><source>Search parameters</source>
         <translation>Rechercher des paramètres</translation></message>
-    <message><source>&amp;Modified only</source>
-        <translation>&amp;Modifiés seulement</translation></message>
-    <message><source>Not default onl&amp;y</source>
-        <translation>Hor&amp;s valeur par défaut</translation></message>
-    <message><source>&amp;Both motors as one</source>
-        <translation>Les deux moteurs &amp;ensemble</translation></message>
-    <message><source>None of {1} matches</source>
-        <translation>Aucun des {1} ne correspond</translation></message>
-    <message><source>{0} of {1}</source>
-        <translation>{0} sur {1}</translation></message>
-    <message><source>All groups</source>
-        <translation>Tous les groupes</translation></message>
-    <message><source>Click a value and type, or double-click it. Nothing is written until you click Apply.</source>
-        <translation>Cliquez sur une valeur et tapez, ou double-cliquez dessus. Rien n'est écrit tant que vous ne cliquez pas sur « Appliquer les réglages ».</translation></message>
+    <message><source>All</source>
+        <translation>Tous</translation></message>
+    <message><source>Changed {0}</source>
+        <translation>Modifiés {0}</translation></message>
+    <message><source>Not default {0}</source>
+        <translation>Hors défaut {0}</translation></message>
+    <message><source>Findings {0}</source>
+        <translation>Constats {0}</translation></message>
+    <message><source>Parameters</source>
+        <translation>Paramètres</translation></message>
+    <message><source>Edit, then review. Nothing is written before.</source>
+        <translation>Modifiez, puis vérifiez. Rien n'est écrit avant.</translation></message>
     <message><source>Show the steps for switching the board off and on</source>
         <translation>Afficher les étapes pour couper et remettre l'alimentation de la carte</translation></message>
-    <message><source>Discard edi&amp;ts</source>
-        <translation>A&amp;bandonner les modifications</translation></message>
-    <message><source>Re&amp;load</source>
-        <translation>&amp;Recharger</translation></message>
-    <message><source>Read every parameter from the board again</source>
-        <translation>Relire tous les paramètres de la carte</translation></message>
     <message><source>Connect to a board to see its parameters.</source>
         <translation>Connectez une carte pour voir ses paramètres.</translation></message>
     <message><source>No board is responding. Edits are kept until the same kind of board is connected.</source>
         <translation>Aucune carte ne répond. Les modifications sont conservées jusqu'à la connexion d'une carte du même type.</translation></message>
     <message><source>Factory defaults take effect after the next power cycle.</source>
         <translation>Les réglages d'usine prennent effet après avoir coupé et remis l'alimentation.</translation></message>
-    <message numerus="yes"><source>%n pending change(s): review them to write them.</source>
-        <translation><numerusform>%n modification en attente : vérifiez-la pour l'écrire.</numerusform><numerusform>%n modifications en attente : vérifiez-les pour les écrire.</numerusform></translation></message>
     <message><source>Stored, but not active until the board is switched off and on: {0}.</source>
         <translation>Enregistré, mais inactif tant que l'alimentation de la carte n'a pas été coupée puis remise : {0}.</translation></message>
-    <message><source>{0} of {1} could not be verified; marked below.</source>
-        <translation>{0} sur {1} n'ont pas pu être vérifiés ; ils sont repérés ci-dessous.</translation></message>
-    <message numerus="yes"><source>%n setting(s) written and verified.</source>
-        <translation><numerusform>%n réglage écrit et vérifié.</numerusform><numerusform>%n réglages écrits et vérifiés.</numerusform></translation></message>
-    <message><source>Switch the board off and on to make active: {0}.</source>
-        <translation>Coupez et remettez l'alimentation de la carte pour rendre actif : {0}.</translation></message>
-    <message><source>Rejected by the board: {0}</source>
-        <translation>Rejeté par la carte : {0}</translation></message>
+    <message><source>{0}: the motors stop.</source>
+        <translation>{0} : les moteurs s'arrêtent.</translation></message>
+    <message><source>{0}: the motors may not stop.</source>
+        <translation>{0} : les moteurs ne s'arrêtent peut-être pas.</translation></message>
+    <message><source>Speed after an accelerate command: {0}. It slows down at once.</source>
+        <translation>Vitesse après une commande d'accélération : {0}. Le ralentissement est immédiat.</translation></message>
+    <message><source>Reversal by an accelerate command: {0}, then the ramp.</source>
+        <translation>Inversion par une commande d'accélération : {0}, puis la rampe.</translation></message>
+    <message><source>Current of a motor that starts, limit: {0}</source>
+        <translation>Courant d'un moteur qui démarre, limite : {0}</translation></message>
+    <message><source>{0:.0f} Hz, {1:g} ms of it</source>
+        <translation>{0:.0f} Hz, sur {1:g} ms</translation></message>
+    <message><source>{0}: the motors keep running.</source>
+        <translation>{0} : les moteurs continuent de tourner.</translation></message>
+    <message><source>Speed over the stick, brake in the deadband: {0}</source>
+        <translation>Vitesse selon le manche, freinage en zone morte : {0}</translation></message>
     <message><source>&amp;Show all parameters</source>
         <translation>&amp;Afficher tous les paramètres</translation></message>
-    <message><source>N&amp;ote on the value:</source>
-        <translation>N&amp;ote sur la valeur :</translation></message>
     <message><source>No parameter matches.</source>
         <translation>Aucun paramètre ne correspond.</translation></message>
-    <message><source>No parameter is selected</source>
-        <translation>Aucun paramètre n'est sélectionné</translation></message>
-    <message><source>Restore stored value</source>
-        <translation>Restaurer la valeur enregistrée</translation></message>
-    <message><source>{0} is {1}{2}. No document confirms this limit. You can try any wire value from 0 to {3}. The board decides: it may reject the value, or store another one, and the program shows which. A value that the board stores is remembered for its firmware.</source>
-        <translation>{0} : {1}{2}. Aucun document ne confirme cette limite. Vous pouvez essayer de transmettre toute valeur de 0 à {3}. La carte décide : elle peut rejeter la valeur ou en enregistrer une autre, et le programme indique laquelle. Une valeur que la carte enregistre est mémorisée pour son firmware.</translation></message>
-    <message><source>Parameters</source>
-        <translation>Paramètres</translation></message>
-    <message><source>Edit</source>
-        <translation>Modifier</translation></message>
     <message><source>Try another &amp;wire value…</source>
         <translation>Essayer une autre valeur &amp;transmise…</translation></message>
+    <message><source>Edit</source>
+        <translation>Modifier</translation></message>
     <message><source>Leave out of the file</source>
         <translation>Ne pas inclure dans le fichier</translation></message>
+    <message><source>Und&amp;o edit</source>
+        <translation>Annule&amp;r</translation></message>
     <message><source>Pi&amp;n to the top</source>
         <translation>Épingler en &amp;haut</translation></message>
-    <message><source>Other &amp;value…</source>
-        <translation>Autre &amp;valeur…</translation></message>
     <message><source>Pi&amp;n</source>
         <translation>Épin&amp;gler</translation></message>
     <message><source>Defa&amp;ult</source>
         <translation>Valeur par défa&amp;ut</translation></message>
-    <message><source>Wire value</source>
-        <translation>Valeur transmise</translation></message>
-    <message><source>&amp;Try this value</source>
-        <translation>&amp;Essayer cette valeur</translation></message>
     <message><source>U&amp;npin</source>
         <translation>Déséping&amp;ler</translation></message>
-    <message><source>&amp;Wire value:</source>
-        <translation>&amp;Valeur transmise :</translation></message>
     <message><source>Copy as “{0}”</source>
         <translation>Copier comme « {0} »</translation></message>
     <message><source>Copy to {0}</source>
@@ -4533,114 +4417,48 @@ avant {1}</translation></message>
         <translation>Ouvrir un &amp;défaut ou un arrêt…</translation></message>
     <message><source>Open fault or stop</source>
         <translation>Ouvrir un défaut ou un arrêt</translation></message>
-    <message><source>Every parameter, by the board's own command, at its next start</source>
-        <translation>Tous les paramètres, par la commande propre de la carte, à son prochain démarrage</translation></message>
-    <message><source>&amp;Let the board reset itself…</source>
-        <translation>&amp;Laisser la carte se réinitialiser…</translation></message>
-    <message><source>At its next start the board will reset every parameter, including those cleared here. Its present settings are saved first (File, History). Unapplied changes are discarded; Undo restores them.</source>
-        <translation>À son prochain démarrage, la carte réinitialisera tous les paramètres, y compris ceux décochés ici. Ses réglages actuels sont d'abord sauvegardés (Fichier, Historique). Les modifications non appliquées sont abandonnées ; « Annuler » les restaure.</translation></message>
-    <message><source>The communication settings go back to their defaults. They become active when the board is switched off and on.</source>
-        <translation>Les réglages de communication reviennent à leurs valeurs par défaut. Ils deviennent actifs une fois l'alimentation de la carte coupée puis remise.</translation></message>
-    <message><source>Every parameter goes back to its default; the channel calibrations stay. Clear the check box of any parameter to keep. Nothing is written before the review.</source>
-        <translation>Chaque paramètre revient à sa valeur par défaut ; les étalonnages des voies restent. Décochez les paramètres à conserver. Rien n'est écrit avant la vérification.</translation></message>
-    <message><source>It gets device number {0}, which another board on this line has: both would reply at once, and neither could be read. Give that board another number first.</source>
-        <translation>Elle prendra le numéro d'appareil {0}, qu'une autre carte de cette liaison porte déjà : les deux répondraient en même temps et aucune ne serait lisible. Donnez d'abord un autre numéro à cette autre carte.</translation></message>
-    <message><source>Reset the &amp;board</source>
-        <translation>Réinitialiser la &amp;carte</translation></message>
-    <message><source>Restore factory defaults</source>
-        <translation>Restaurer les réglages d'usine</translation></message>
-    <message><source>Restore serial defaults</source>
-        <translation>Restaurer les réglages série par défaut</translation></message>
-    <message><source>Factory default</source>
-        <translation>Réglage d'usine</translation></message>
-    <message numerus="yes"><source>&amp;Review %n change(s)…</source>
-        <translation><numerusform>&amp;Vérifier %n modification…</numerusform><numerusform>&amp;Vérifier %n modifications…</numerusform></translation></message>
-    <message><source>No source confirms the default of: {0}.</source>
-        <translation>Aucune source ne confirme la valeur par défaut de : {0}.</translation></message>
     <message><source>I have &amp;switched it off and on</source>
         <translation>J'ai &amp;coupé et remis l'alimentation</translation></message>
     <message><source>The board has to be switched off and on.</source>
         <translation>Il faut couper et remettre l'alimentation de la carte.</translation></message>
-    <message><source>Switch the board off for at least one second.</source>
-        <translation>Coupez l'alimentation de la carte pendant au moins une seconde.</translation></message>
-    <message><source>The program reads the settings again.</source>
-        <translation>Le programme relit les réglages.</translation></message>
-    <message><source>Switch it on again.</source>
-        <translation>Remettez-la sous tension.</translation></message>
-    <message><source>Switch it on again. The program then reconnects at {0}.</source>
-        <translation>Remettez-la sous tension. Le programme se reconnecte ensuite à {0}.</translation></message>
+    <message><source>Switch off</source>
+        <translation>Couper</translation></message>
+    <message><source>Read again</source>
+        <translation>Relire</translation></message>
+    <message><source>Switch the board off and on</source>
+        <translation>Couper et remettre l'alimentation de la carte</translation></message>
     <message><source>Power cycle completed.</source>
         <translation>Alimentation coupée et remise.</translation></message>
     <message><source>Not active until the board is switched off and on: {0}.</source>
         <translation>Inactif tant que l'alimentation de la carte n'a pas été coupée puis remise : {0}.</translation></message>
-    <message><source>Switch the board off and on</source>
-        <translation>Couper et remettre l'alimentation de la carte</translation></message>
-    <message><source>The board has stopped responding. Waiting for it to respond again …</source>
-        <translation>La carte a cessé de répondre. Attente qu'elle réponde de nouveau …</translation></message>
+    <message><source>Switch it on again. Waiting for it to respond again …</source>
+        <translation>Remettez-la sous tension. Attente qu'elle réponde de nouveau …</translation></message>
     <message><source>The board is back, but these settings are still not active: {0}.</source>
         <translation>La carte est de retour, mais ces réglages ne sont toujours pas actifs : {0}.</translation></message>
     <message><source>The board still responds. A short interruption is not detected: leave the power off for a full second.</source>
         <translation>La carte répond encore. Une coupure brève n'est pas détectée : laissez l'alimentation coupée une seconde entière.</translation></message>
-    <message><source>Waiting for the board to stop responding …</source>
-        <translation>Attente que la carte cesse de répondre …</translation></message>
+    <message><source>Switch the board off for at least one second. Waiting for the board to stop responding …</source>
+        <translation>Coupez l'alimentation de la carte pendant au moins une seconde. Attente que la carte cesse de répondre …</translation></message>
     <message><source>The board is still not responding. Check its power and the cable. If both are fine, disconnect and press “Find…”, which tries every setting.</source>
         <translation>La carte ne répond toujours pas. Vérifiez son alimentation et le câble. Si les deux sont en ordre, déconnectez et cliquez sur « Rechercher… », qui essaie tous les réglages.</translation></message>
+    <message><source>The program then reconnects at {0}.</source>
+        <translation>Le programme se reconnecte ensuite à {0}.</translation></message>
     <message><source>The line was closed. Switch the board off and on, then connect again; “Find…” tries every setting.</source>
         <translation>La liaison a été fermée. Coupez et remettez l'alimentation de la carte, puis reconnectez ; « Rechercher… » essaie tous les réglages.</translation></message>
     <message><source>Connected again. The program cannot detect whether the board was switched off meanwhile: confirm it, or switch the board off and on now.</source>
         <translation>De nouveau connecté. Le programme ne peut pas détecter si l'alimentation de la carte a été coupée entre-temps : confirmez-le, ou coupez et remettez son alimentation maintenant.</translation></message>
     <message><source>The board is back, and all stored settings are active.</source>
         <translation>La carte est de retour et tous les réglages enregistrés sont actifs.</translation></message>
-    <message><source>Clear the check box of any setting you want to apply later.</source>
-        <translation>Décochez les réglages que vous voulez appliquer plus tard.</translation></message>
-    <message><source>{0} of {1} could not be verified; still pending.</source>
-        <translation>{0} sur {1} n'ont pas pu être vérifiés ; ils restent en attente.</translation></message>
-    <message numerus="yes"><source>%n finding(s). Accept a proposal, or leave the setting as it is.</source>
-        <translation><numerusform>%n constat. Acceptez la proposition ou laissez le réglage tel quel.</numerusform><numerusform>%n constats. Acceptez une proposition ou laissez le réglage tel quel.</numerusform></translation></message>
-    <message numerus="yes"><source>%n setting(s) of the {0} will change.</source>
-        <translation><numerusform>%n réglage du {0} va changer.</numerusform><numerusform>%n réglages du {0} vont changer.</numerusform></translation></message>
-    <message><source>{0} (device number {1}, {2})</source>
-        <translation>{0} (numéro d'appareil {1}, {2})</translation></message>
-    <message><source>Apply settings</source>
-        <translation>Appliquer les réglages</translation></message>
-    <message><source>Progress of writing</source>
-        <translation>Progression de l'écriture</translation></message>
-    <message><source>New value</source>
-        <translation>Nouvelle valeur</translation></message>
-    <message numerus="yes"><source>&amp;Write %n setting(s)</source>
-        <translation><numerusform>Écrire %n &amp;réglage</numerusform><numerusform>Écrire %n &amp;réglages</numerusform></translation></message>
-    <message><source>The board is in {0} mode and does not accept settings. Set its mode jumper to serial, then switch it off and on.</source>
-        <translation>La carte est en mode {0} et n'accepte pas de réglages. Retirez son cavalier de mode (mode série), puis coupez et remettez l'alimentation.</translation></message>
-    <message><source>The board's present settings are saved first (File, History). Each value is read back to verify it; serial settings are written last.</source>
-        <translation>Les réglages actuels de la carte sont d'abord sauvegardés (Fichier, Historique). Chaque valeur est relue pour vérification ; les réglages série sont écrits en dernier.</translation></message>
-    <message><source>These calibrations stay pending until the board uses their input source again: {0}.</source>
-        <translation>Ces étalonnages restent en attente jusqu'à ce que la carte utilise de nouveau leur source des entrées : {0}.</translation></message>
-    <message><source>Active only after the board is switched off and on: {0}.</source>
-        <translation>Actif seulement après avoir coupé et remis l'alimentation de la carte : {0}.</translation></message>
-    <message><source>In the board</source>
-        <translation>Dans la carte</translation></message>
-    <message><source>Will be written</source>
-        <translation>Sera écrit</translation></message>
-    <message><source>The connection was lost.</source>
-        <translation>La connexion a été perdue.</translation></message>
-    <message><source>The value that was being written when the connection was lost may be the old one, the new one or, after a power cut, the default. It will be read again.</source>
-        <translation>La valeur en cours d'écriture au moment de la perte de connexion peut être l'ancienne, la nouvelle ou, après une coupure d'alimentation, la valeur par défaut. Elle sera relue.</translation></message>
-    <message numerus="yes"><source>%n finding(s) left.</source>
-        <translation><numerusform>Il reste %n constat.</numerusform><numerusform>Il reste %n constats.</numerusform></translation></message>
-    <message><source>Saving the board's present settings before anything is written.</source>
-        <translation>Sauvegarde des réglages actuels de la carte avant toute écriture.</translation></message>
-    <message><source>There is nothing to write: no setting was changed.</source>
-        <translation>Il n'y a rien à écrire : aucun réglage n'a été modifié.</translation></message>
-    <message><source>No board is responding. The edits are kept.</source>
-        <translation>Aucune carte ne répond. Les modifications sont conservées.</translation></message>
-    <message><source>The board will reset itself at its next start and would lose what is written now. Switch it off and on first (Device, Make stored settings active).</source>
-        <translation>La carte va se réinitialiser à son prochain démarrage et perdrait ce qui serait écrit maintenant. Coupez et remettez d'abord son alimentation (Appareil, Rendre actifs les réglages enregistrés).</translation></message>
-    <message><source>{0} of {1}: {2}</source>
-        <translation>{0} sur {1} : {2}</translation></message>
-    <message><source>Writing. Each value is read back; leave the power on.</source>
-        <translation>Écriture en cours. Chaque valeur est relue ; ne coupez pas l'alimentation.</translation></message>
-    <message><source>not attempted</source>
-        <translation>non tenté</translation></message>
+    <message><source>Left wheel, forward</source>
+        <translation>Roue gauche, vers l'avant</translation></message>
+    <message><source>Left wheel, backward</source>
+        <translation>Roue gauche, vers l'arrière</translation></message>
+    <message><source>Right wheel, forward</source>
+        <translation>Roue droite, vers l'avant</translation></message>
+    <message><source>Right wheel, backward</source>
+        <translation>Roue droite, vers l'arrière</translation></message>
+    <message><source>front</source>
+        <translation>avant</translation></message>
     <message><source>{0} is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use it, too.</source>
         <translation>{0} fait maintenant partie des modifications en attente. La modification prend effet une fois l'alimentation de la carte coupée puis remise ; cette fenêtre suit alors. Les autres programmes de cette liaison doivent l'utiliser aussi.</translation></message>
     <message><source>CRC-7 is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use CRC-7, too.</source>
@@ -4649,68 +4467,12 @@ avant {1}</translation></message>
         <translation>Lire les réglages de la carte et abandonner les modifications faites ici ?</translation></message>
     <message><source>Discard and reload</source>
         <translation>Abandonner et recharger</translation></message>
-    <message><source>A board keeps two calibrations for each channel: one for RC pulses, one for analog voltages. Calibrations that are not in the file stay as they are on the board. The number without a unit is the count in the file.</source>
-        <translation>Une carte garde deux étalonnages par voie : un pour les impulsions RC, un pour les tensions analogiques. Les étalonnages absents du fichier restent tels quels sur la carte. Le nombre sans unité est le nombre de counts du fichier.</translation></message>
-    <message><source>&amp;Leave out selected</source>
-        <translation>&amp;Ne pas inclure la sélection</translation></message>
-    <message><source>Remove the calibrations of the selected channels from the file</source>
-        <translation>Retirer du fichier les étalonnages des voies sélectionnées</translation></message>
-    <message><source>Double-click a value to change it; type 1500, 1.5 ms, 2.5 V or 3750 counts.</source>
-        <translation>Double-cliquez sur une valeur pour la modifier ; tapez 1500, 1,5 ms, 2,5 V ou 3750 counts.</translation></message>
-    <message><source>Deadband</source>
-        <translation>Zone morte</translation></message>
-    <message><source>Channel</source>
-        <translation>Voie</translation></message>
-    <message><source>Calibrations</source>
-        <translation>Étalonnages</translation></message>
-    <message><source>&amp;Add selected</source>
-        <translation>&amp;Ajouter la sélection</translation></message>
-    <message><source>Add the default calibration for the selected channels</source>
-        <translation>Ajouter l'étalonnage par défaut pour les voies sélectionnées</translation></message>
-    <message><source>Leave out calibrations</source>
-        <translation>Ne pas inclure les étalonnages</translation></message>
-    <message><source>{0}: {1}. The order is minimum, neutral, maximum.</source>
-        <translation>{0} : {1}. L'ordre est minimum, neutre, maximum.</translation></message>
-    <message><source>N&amp;ote on the calibration:</source>
-        <translation>N&amp;ote sur l'étalonnage :</translation></message>
-    <message><source>Add calibrations</source>
-        <translation>Ajouter des étalonnages</translation></message>
-    <message numerus="yes"><source>%n setting(s) differ, {0} match.</source>
-        <translation><numerusform>%n réglage diffère, {0} identiques.</numerusform><numerusform>%n réglages diffèrent, {0} identiques.</numerusform></translation></message>
-    <message numerus="yes"><source>&amp;Copy %n value(s) to {0}</source>
-        <translation><numerusform>&amp;Copier %n valeur vers {0}</numerusform><numerusform>&amp;Copier %n valeurs vers {0}</numerusform></translation></message>
-    <message numerus="yes"><source>%n value(s) copied from {0}.</source>
-        <translation><numerusform>%n valeur copiée depuis {0}.</numerusform><numerusform>%n valeurs copiées depuis {0}.</numerusform></translation></message>
-    <message><source>Copy values from {0}</source>
-        <translation>Copier des valeurs depuis {0}</translation></message>
-    <message><source>Acce&amp;pt the proposal</source>
-        <translation>Acce&amp;pter la proposition</translation></message>
-    <message><source>Findings</source>
-        <translation>Constats</translation></message>
-    <message><source>No errors, warnings or suggestions.</source>
-        <translation>Aucune erreur, aucun avertissement, aucune suggestion.</translation></message>
-    <message numerus="yes"><source>%n error(s)</source>
-        <translation><numerusform>%n erreur</numerusform><numerusform>%n erreurs</numerusform></translation></message>
-    <message numerus="yes"><source>%n warning(s)</source>
-        <translation><numerusform>%n avertissement</numerusform><numerusform>%n avertissements</numerusform></translation></message>
-    <message numerus="yes"><source>%n suggestion(s)</source>
-        <translation><numerusform>%n suggestion</numerusform><numerusform>%n suggestions</numerusform></translation></message>
-    <message><source>Warning</source>
-        <translation>Avertissement</translation></message>
-    <message><source>Kind</source>
-        <translation>Type</translation></message>
-    <message><source>Line</source><comment>of a text</comment>
-        <translation>Ligne</translation></message>
-    <message><source>Message</source>
-        <translation>Message</translation></message>
-    <message><source>Double-click a finding to show its line.</source>
-        <translation>Double-cliquez sur un constat pour afficher sa ligne.</translation></message>
-    <message><source>A file with errors cannot be used.</source>
-        <translation>Un fichier qui contient des erreurs ne peut pas être utilisé.</translation></message>
-    <message><source>Suggestion</source>
-        <translation>Suggestion</translation></message>
-    <message><source>Proposal: {0}.</source>
-        <translation>Proposition : {0}.</translation></message>
+    <message><source>&amp;Add to the file</source>
+        <translation>&amp;Ajouter au fichier</translation></message>
+    <message><source>Leave out of the fi&amp;le</source>
+        <translation>&amp;Ne pas inclure dans le fichier</translation></message>
+    <message><source>Not in the file: the board keeps its own.</source>
+        <translation>Absent du fichier : la carte garde le sien.</translation></message>
     <message><source>Bold: differs from the factory default.</source>
         <translation>Gras : diffère du réglage d'usine.</translation></message>
     <message><source>Key</source>
@@ -4719,12 +4481,20 @@ avant {1}</translation></message>
         <translation>Valeur</translation></message>
     <message><source>Default</source>
         <translation>Valeur par défaut</translation></message>
+    <message><source>Channel</source>
+        <translation>Voie</translation></message>
+    <message><source>Deadband</source>
+        <translation>Zone morte</translation></message>
     <message><source>Printed {0} by TReX Studio.</source>
         <translation>Imprimé le {0} par TReX Studio.</translation></message>
     <message><source>Qt's printing is not installed here ({0}); save a PDF file instead.</source>
         <translation>Le module d'impression de Qt n'est pas installé ici ({0}) ; enregistrez plutôt un fichier PDF.</translation></message>
+    <message><source>Findings</source>
+        <translation>Constats</translation></message>
     <message><source>{0}, page {1} of {2}</source>
         <translation>{0}, page {1} sur {2}</translation></message>
+    <message><source>Calibrations</source>
+        <translation>Étalonnages</translation></message>
     <message><source>None are given.</source>
         <translation>Aucun n'est indiqué.</translation></message>
     <message><source>Write values with units as wire values, and numbers beyond their range as the nearest one in it; the file changes when you save it</source>
@@ -4795,8 +4565,6 @@ avant {1}</translation></message>
         <translation>Non enregistré. {0}</translation></message>
     <message><source>{0}[*] – TReX settings file</source>
         <translation>{0}[*] – Fichier de réglages TReX</translation></message>
-    <message><source>Findings ({0})</source>
-        <translation>Constats ({0})</translation></message>
     <message><source>Repaired: {0}.</source>
         <translation>Réparé : {0}.</translation></message>
     <message><source>The pages were saved in {0}.</source>
@@ -4819,36 +4587,16 @@ avant {1}</translation></message>
         <translation>&amp;Commencer le nouveau fichier avec :</translation></message>
     <message><source>The board as shown: {0}, firmware {1}</source>
         <translation>La carte telle qu'affichée : {0}, firmware {1}</translation></message>
+    <message><source>Applied</source>
+        <translation>Appliqué</translation></message>
     <message><source>Beginnings</source>
         <translation>Points de départ</translation></message>
     <message><source>Settings applied {0}</source>
         <translation>Réglages appliqués {0}</translation></message>
-    <message><source>Applied</source>
-        <translation>Appliqué</translation></message>
     <message><source>Sample: {0}</source>
         <translation>Exemple : {0}</translation></message>
-    <message><source>Go on without the changes of this step</source>
-        <translation>Continuer sans les modifications de cette étape</translation></message>
-    <message><source>Close the assistant; its changes stay until you apply or discard them</source>
-        <translation>Fermer l'assistant ; ses modifications restent jusqu'à ce que vous les appliquiez ou les abandonniez</translation></message>
-    <message><source>Next changes {0}. Nothing is written before you apply it.</source>
-        <translation>« Suivant » modifie {0}. Rien n'est écrit avant que vous ne l'appliquiez.</translation></message>
-    <message><source>&amp;Who drives</source>
-        <translation>&amp;Qui pilote</translation></message>
-    <message><source>&amp;Jumpers</source>
-        <translation>&amp;Cavaliers</translation></message>
-    <message><source>&amp;Sticks</source>
-        <translation>&amp;Manches</translation></message>
-    <message><source>Which &amp;motor is which</source>
-        <translation>&amp;Quel moteur est lequel</translation></message>
-    <message><source>&amp;Ramps and limits</source>
-        <translation>&amp;Rampes et limites</translation></message>
-    <message><source>Serial &amp;timeout</source>
-        <translation>Délai &amp;série</translation></message>
-    <message><source>S&amp;kip</source>
-        <translation>&amp;Passer</translation></message>
-    <message numerus="yes"><source>Next adds %n change(s). Nothing is written before you apply them.</source>
-        <translation><numerusform>« Suivant » ajoute %n modification. Rien n'est écrit avant que vous ne l'appliquiez.</numerusform><numerusform>« Suivant » ajoute %n modifications. Rien n'est écrit avant que vous ne les appliquiez.</numerusform></translation></message>
+    <message><source>Nothing</source>
+        <translation>Rien</translation></message>
     <message><source>Swap the pair of wires of motor 1 with that of motor 2 (keep their order).</source>
         <translation>Permutez la paire de fils du moteur 1 avec celle du moteur 2 (gardez leur ordre).</translation></message>
     <message><source>Swap the two wires of the left motor.</source>
@@ -4859,10 +4607,8 @@ avant {1}</translation></message>
         <translation>Aucun réglage ne fait cela pour les commandes série ; votre propre programme peut s'en charger.</translation></message>
     <message><source>No setting of the board does this.</source>
         <translation>Aucun réglage de la carte ne fait cela.</translation></message>
-    <message><source>The board has to know the middle and the ends of each stick. Learning measures them in about two minutes, in a separate window, and ends with a review. The motors stay off meanwhile. Learn before you go on: the next step, which motor is which, needs the directions of the sticks.</source>
-        <translation>La carte doit connaître le milieu et les extrémités de chaque manche. L'apprentissage les mesure en deux minutes environ, dans une fenêtre séparée, et se termine par une vérification. Les moteurs restent arrêtés pendant ce temps. Faites l'apprentissage avant de continuer : l'étape suivante, quel moteur est lequel, a besoin des sens des manches.</translation></message>
-    <message><source>Already learned? Then show which way the sticks go: push, hold and click. In serial mode they move no motor.</source>
-        <translation>Déjà appris ? Montrez alors dans quel sens vont les manches : poussez, maintenez et cliquez. En mode série, ils ne font bouger aucun moteur.</translation></message>
+    <message><source>About two minutes; the motors stay off. The next step needs the directions.</source>
+        <translation>Environ deux minutes ; les moteurs restent à l'arrêt. L'étape suivante a besoin des directions.</translation></message>
     <message><source>The stick is fully &amp;right now</source>
         <translation>Le manche est poussé à fond vers la &amp;droite maintenant</translation></message>
     <message><source>The stick is fully &amp;forward now</source>
@@ -4871,18 +4617,22 @@ avant {1}</translation></message>
         <translation>Les deux manches sont poussés à fond vers l'a&amp;vant maintenant</translation></message>
     <message><source>Channel 1 is for left and right of the stick, channel 2 for forward and back.</source>
         <translation>La voie 1 est pour la gauche et la droite du manche, la voie 2 pour l'avant et l'arrière.</translation></message>
-    <message><source>Short, weak pulses while you hold it with the mouse or the space bar</source>
-        <translation>Impulsions courtes et faibles tant que vous le maintenez avec la souris ou la barre d'espace</translation></message>
-    <message><source>The wheels are &amp;off the ground, and nothing can get caught in them</source>
-        <translation>&amp;Les roues ne touchent pas le sol et rien ne peut s'y prendre</translation></message>
+    <message><source>Nothing &amp;moved</source>
+        <translation>Rien n'a &amp;bougé</translation></message>
     <message><source>Wir&amp;es swapped – test again</source>
         <translation>Fils permutés – tester de &amp;nouveau</translation></message>
     <message><source>Forget both answers and find out again which motor is which</source>
         <translation>Oublier les deux réponses et chercher à nouveau quel moteur est lequel</translation></message>
+    <message><source>The wheels are &amp;off the ground</source>
+        <translation>&amp;Les roues ne touchent pas le sol</translation></message>
+    <message><source>Short, weak pulses while you hold it with the mouse or the space bar</source>
+        <translation>Impulsions courtes et faibles tant que vous le maintenez avec la souris ou la barre d'espace</translation></message>
     <message><source>Nothing has to change: the wheels follow the sticks.</source>
         <translation>Rien n'est à changer : les roues suivent les manches.</translation></message>
     <message><source>Switch the motors' power off.</source>
         <translation>Coupez l'alimentation des moteurs.</translation></message>
+    <message><source>The board learns your sticks</source>
+        <translation>La carte apprend vos manches</translation></message>
     <message><source>&amp;Learn channels…</source>
         <translation>Apprendre les &amp;voies…</translation></message>
     <message><source>Channel 1 is for motor 1, channel 2 for motor 2.</source>
@@ -4899,38 +4649,32 @@ avant {1}</translation></message>
         <translation>{0} : la valeur diminue.</translation></message>
     <message><source>{0}: the stick is still near its middle. Push it all the way.</source>
         <translation>{0} : le manche est encore proche de son milieu. Poussez-le à fond.</translation></message>
-    <message><source>Left wheel, forward</source>
-        <translation>Roue gauche, vers l'avant</translation></message>
-    <message><source>Right wheel, forward</source>
-        <translation>Roue droite, vers l'avant</translation></message>
-    <message><source>Left wheel, backward</source>
-        <translation>Roue gauche, vers l'arrière</translation></message>
-    <message><source>Right wheel, backward</source>
-        <translation>Roue droite, vers l'arrière</translation></message>
-    <message><source>Nothing</source>
-        <translation>Rien</translation></message>
-    <message><source>Armed. Hold a button: its motor is driven forward in short, weak pulses; the other one stays at rest. Then say below what turned.</source>
-        <translation>Moteurs activés. Maintenez un bouton : son moteur est entraîné vers l'avant par de courtes impulsions faibles ; l'autre reste à l'arrêt. Indiquez ensuite ci-dessous ce qui a tourné.</translation></message>
+    <message><source>Hold a button, then click what moved</source>
+        <translation>Maintenez un bouton, puis cliquez sur ce qui a bougé</translation></message>
+    <message><source>Click what this motor moved</source>
+        <translation>Cliquez sur ce que ce moteur a fait bouger</translation></message>
+    <message><source>Armed. The motor turns in short, weak pulses while you hold.</source>
+        <translation>Activé. Le moteur tourne par impulsions courtes et faibles tant que vous maintenez.</translation></message>
     <message><source>Motor {0} is driven in pulses. Release the button to stop it.</source>
         <translation>Le moteur {0} tourne par impulsions. Relâchez le bouton pour l'arrêter.</translation></message>
-    <message><source>Nothing turned: the next pulses are stronger (30 % instead of 20 %). If that does not help, check the battery and the wires of this motor.</source>
-        <translation>Rien n'a tourné : les impulsions suivantes sont plus fortes (30 % au lieu de 20 %). Si cela ne suffit pas, vérifiez la batterie et les fils de ce moteur.</translation></message>
+    <message><source>Nothing turned: the next pulses are stronger (30 %). If that does not help, check the battery and the wires of this motor.</source>
+        <translation>Rien n'a tourné : les impulsions suivantes sont plus fortes (30 %). Si cela ne suffit pas, vérifiez la batterie et les fils de ce moteur.</translation></message>
     <message><source>Motor 1 drives the left wheel, motor 2 the right one, both forward.</source>
         <translation>Le moteur 1 entraîne la roue gauche, le moteur 2 la roue droite, tous deux vers l'avant.</translation></message>
-    <message><source>No wires have to be swapped. Settings make the wheels follow the sticks, but those settings depend on the directions of the sticks, which are not known yet: go back to Sticks. Your answers are kept.</source>
-        <translation>Aucun fil n'est à permuter. Des réglages permettent aux roues de suivre les manches, mais ils dépendent des sens des manches, qui ne sont pas encore connus : revenez à « Manches ». Vos réponses sont conservées.</translation></message>
-    <message><source>Motor 1 drives the right wheel, motor 2 the left one.</source>
-        <translation>Le moteur 1 entraîne la roue droite, le moteur 2 la roue gauche.</translation></message>
+    <message><source>No wires have to be swapped, but the directions of the sticks are not known yet: go back to Sticks. Your answers are kept.</source>
+        <translation>Aucun fil n'est à permuter, mais les directions des manches ne sont pas encore connues : revenez à « Manches ». Vos réponses sont conservées.</translation></message>
     <message><source>Settings correct this; no wires have to be swapped.</source>
         <translation>Des réglages corrigent cela ; aucun fil n'est à permuter.</translation></message>
+    <message><source>Already learned? Push, hold and click:</source>
+        <translation>Déjà appris ? Poussez, maintenez et cliquez :</translation></message>
     <message><source>Channel 1 (turns)</source>
         <translation>Voie 1 (tourne)</translation></message>
     <message><source>Channel 2 (drives)</source>
         <translation>Voie 2 (avance)</translation></message>
     <message><source>{0}: no signal arrives.</source>
         <translation>{0} : aucun signal n'arrive.</translation></message>
-    <message><source>What turned, and which way?</source>
-        <translation>Qu'est-ce qui a tourné, et dans quel sens ?</translation></message>
+    <message><source>not tried yet</source>
+        <translation>pas encore essayé</translation></message>
     <message><source>Nothing turned: the pulses stay below the speed ceiling of the Motors page. Raise it, or check the battery and the wires of this motor.</source>
         <translation>Rien n'a tourné : les impulsions restent sous la vitesse maximale de la page Moteurs. Augmentez-la, ou vérifiez la batterie et les fils de ce moteur.</translation></message>
     <message><source>Two motors cannot drive the same wheel: try both buttons again.</source>
@@ -4939,36 +4683,48 @@ avant {1}</translation></message>
         <translation>Chacune est reliée à une sortie de votre récepteur.</translation></message>
     <message><source>Is the transmitter on?</source>
         <translation>L'émetteur est-il allumé ?</translation></message>
-    <message><source>Hold to pulse motor {0}</source>
-        <translation>Maintenir : impulsions au moteur {0}</translation></message>
-    <message><source>A transmitter or a joystick: forward and back, left and right with one stick. The board mixes both.</source>
-        <translation>Un émetteur ou un joystick : avant et arrière, gauche et droite avec un seul manche. La carte fait le mixage.</translation></message>
-    <message><source>One stick for each side of the robot, as in a tank.</source>
-        <translation>Un manche pour chaque côté du robot, comme sur un char.</translation></message>
-    <message><source>A program, a microcontroller or this window sends commands over the serial line.</source>
-        <translation>Un programme, un microcontrôleur ou cette fenêtre envoie des commandes par la liaison série.</translation></message>
-    <message><source>Each step can be skipped. The assistant writes nothing by itself: what you choose becomes unapplied changes, which you review at the end.</source>
-        <translation>Chaque étape peut être passée. L'assistant n'écrit rien de lui-même : vos choix deviennent des modifications non appliquées, que vous vérifiez à la fin.</translation></message>
-    <message><source>This board was started in {0} mode. Switch it off, remove the mode jumper and switch it on again. This statement then updates by itself.</source>
-        <translation>Cette carte a démarré en mode {0}. Coupez son alimentation, retirez le cavalier de mode et remettez l'alimentation. Cette indication se met alors à jour d'elle-même.</translation></message>
-    <message><source>The mix jumper is on: remove it, then push a stick again.</source>
-        <translation>Le cavalier Mix est en place : retirez-le, puis poussez de nouveau un manche.</translation></message>
-    <message><source>The mix jumper is off: put it on, then push a stick again.</source>
-        <translation>Le cavalier Mix n'est pas en place : mettez-le, puis poussez de nouveau un manche.</translation></message>
-    <message><source>Set the current that your motors can draw continuously; the values above are only examples. Speeds that are set at once, without a ramp, bypass the limit for a moment.</source>
-        <translation>Réglez le courant que vos moteurs peuvent absorber en continu ; les valeurs ci-dessus ne sont que des exemples. Les vitesses appliquées d'un coup, sans rampe, contournent la limite un instant.</translation></message>
-    <message><source>If the cable falls out or the computer fails, only the board itself can notice and stop the motors. Without a serial timeout they keep running at their last speed.</source>
-        <translation>Si le câble se débranche ou si l'ordinateur tombe en panne, seule la carte elle-même peut le remarquer et arrêter les moteurs. Sans délai série, ils continuent à tourner à leur dernière vitesse.</translation></message>
-    <message><source>Have the computer send something at least twice in that time; a status query will do. 0.5 s is a good value for most robots. UART-Error Shutdown is switched on with it, as the timeout may need it (twin).</source>
-        <translation>Faites envoyer quelque chose à l'ordinateur au moins deux fois pendant ce délai ; une demande d'état suffit. 0,5 s est une bonne valeur pour la plupart des robots. « Arrêt sur erreur UART » est activé en même temps, car le délai peut en avoir besoin (jumeau).</translation></message>
-    <message><source>The board stores: {0}.</source>
-        <translation>Valeur enregistrée dans la carte : {0}.</translation></message>
+    <message><source>Hold to turn motor {0}</source>
+        <translation>Maintenir : le moteur {0} tourne</translation></message>
+    <message><source>What did motor {0} move?</source>
+        <translation>Qu'est-ce que le moteur {0} a fait bouger ?</translation></message>
+    <message><source>Motor &amp;{0}</source>
+        <translation>Moteur &amp;{0}</translation></message>
+    <message numerus="yes"><source>Next adds %n change(s). Nothing is written before you apply them.</source>
+        <translation><numerusform>« Suivant » ajoute %n modification. Rien n'est écrit avant que vous ne l'appliquiez.</numerusform><numerusform>« Suivant » ajoute %n modifications. Rien n'est écrit avant que vous ne les appliquiez.</numerusform></translation></message>
+    <message><source>Driver</source>
+        <translation>Pilotage</translation></message>
+    <message><source>&amp;Jumpers</source>
+        <translation>&amp;Cavaliers</translation></message>
+    <message><source>&amp;Sticks</source>
+        <translation>&amp;Manches</translation></message>
+    <message><source>M&amp;otors</source>
+        <translation>M&amp;oteurs</translation></message>
+    <message><source>&amp;Limits</source>
+        <translation>&amp;Limites</translation></message>
+    <message><source>T&amp;imeout</source>
+        <translation>Déla&amp;i</translation></message>
+    <message><source>Write</source>
+        <translation>Écrire</translation></message>
     <message><source>Review and &amp;apply…</source>
         <translation>&amp;Vérifier et appliquer…</translation></message>
+    <message><source>Each step can be skipped. Nothing is written before you apply it at the end.</source>
+        <translation>Chaque étape peut être passée. Rien n'est écrit avant que vous l'appliquiez à la fin.</translation></message>
+    <message><source>Schematic: the user's guide shows where your board has them.</source>
+        <translation>Schéma : le guide d'utilisation montre où ils se trouvent sur votre carte.</translation></message>
+    <message><source>This board was started in {0} mode. Switch it off, remove the mode jumper and switch it on again.</source>
+        <translation>Cette carte a démarré en mode {0}. Coupez son alimentation, retirez le cavalier de mode et remettez l'alimentation.</translation></message>
+    <message><source>The mix jumper is on: remove it, then push a stick.</source>
+        <translation>Le cavalier Mix est en place : retirez-le, puis poussez un manche.</translation></message>
+    <message><source>The mix jumper is off: put it on, then push a stick.</source>
+        <translation>Le cavalier Mix est retiré : mettez-le en place, puis poussez un manche.</translation></message>
+    <message><source>Set what your motors can draw continuously: the presets are examples. Without a ramp, the current exceeds the limit for a moment.</source>
+        <translation>Réglez ce que vos moteurs peuvent absorber en continu : les préréglages sont des exemples. Sans rampe, le courant dépasse la limite un instant.</translation></message>
+    <message><source>Have the computer send something at least twice in that time. UART-Error Shutdown is switched on with it, as the timeout may need it (twin).</source>
+        <translation>Faites envoyer quelque chose à l'ordinateur au moins deux fois pendant ce délai. « Arrêt sur erreur UART » est activé en même temps, car le délai peut en avoir besoin (jumeau).</translation></message>
     <message numerus="yes"><source>%n change(s) not applied yet.</source>
         <translation><numerusform>%n modification pas encore appliquée.</numerusform><numerusform>%n modifications pas encore appliquées.</numerusform></translation></message>
-    <message><source>The changes for the motors were not taken over: open the step and click Next.</source>
-        <translation>Les modifications pour les moteurs n'ont pas été reprises : ouvrez l'étape et cliquez sur « Suivant ».</translation></message>
+    <message><source>Its changes were not added: open the step and click Next.</source>
+        <translation>Ses modifications n'ont pas été ajoutées : ouvrez l'étape et cliquez sur « Suivant ».</translation></message>
     <message><source>Drive first with the wheels off the ground: forward, back, left, right.</source>
         <translation>Pilotez d'abord avec les roues décollées du sol : avant, arrière, gauche, droite.</translation></message>
     <message><source>Switch the board off, put the mode jumper on {0}, {1}.</source>
@@ -4977,18 +4733,32 @@ avant {1}</translation></message>
         <translation>Allumez l'émetteur, puis la carte.</translation></message>
     <message><source>The motors stay off until the sticks are released (safe-start).</source>
         <translation>Les moteurs restent arrêtés jusqu'à ce que les manches soient relâchés (démarrage sécurisé).</translation></message>
-    <message><source>Schematic: the user's guide shows where your board has them.</source>
-        <translation>Schéma : le guide d'utilisation montre où ils se trouvent sur votre carte.</translation></message>
-    <message><source>Put the mix jumper on: channel 2 drives forward and back, channel 1 turns. It takes effect at once.</source>
-        <translation>Mettez le cavalier Mix : la voie 2 commande l'avance et le recul, la voie 1 la rotation. L'effet est immédiat.</translation></message>
-    <message><source>Remove the mix jumper: channel 1 drives motor 1, channel 2 drives motor 2. It takes effect at once.</source>
-        <translation>Retirez le cavalier Mix : la voie 1 commande le moteur 1, la voie 2 le moteur 2. L'effet est immédiat.</translation></message>
-    <message><source>The mix jumper does not matter: it has no effect on serial commands.</source>
-        <translation>Le cavalier Mix n'a pas d'importance : il est sans effet sur les commandes série.</translation></message>
-    <message><source>Remove the mode jumper and leave it off: the board then accepts settings and serial commands. It reads the jumper when it is switched on.</source>
-        <translation>Retirez le cavalier de mode et ne le remettez pas : la carte accepte alors les réglages et les commandes série. Elle lit le cavalier à la mise sous tension.</translation></message>
-    <message><source>Remove the mode jumper to set up the board: it accepts settings only without it. To drive, put it on RC, or on analog for a joystick with potentiometers. The board reads it when it is switched on.</source>
-        <translation>Retirez le cavalier de mode pour configurer la carte : elle n'accepte des réglages que sans lui. Pour piloter, placez-le sur RC, ou sur analogique pour un joystick à potentiomètres. La carte le lit à la mise sous tension.</translation></message>
+    <message><source>Who drives your robot?</source>
+        <translation>Qui pilote votre robot ?</translation></message>
+    <message><source>One stick drives and turns. The board mixes both.</source>
+        <translation>Un seul manche avance et tourne. La carte mélange les deux.</translation></message>
+    <message><source>One stick for each side of the robot, as in a tank.</source>
+        <translation>Un manche pour chaque côté du robot, comme sur un char.</translation></message>
+    <message><source>Commands come over the serial line.</source>
+        <translation>Les commandes arrivent par la liaison série.</translation></message>
+    <message><source>&amp;One stick</source>
+        <translation>&amp;Un manche</translation></message>
+    <message><source>&amp;Two sticks</source>
+        <translation>&amp;Deux manches</translation></message>
+    <message><source>&amp;A computer</source>
+        <translation>Un &amp;ordinateur</translation></message>
+    <message><source>Move the jumpers as drawn</source>
+        <translation>Placez les cavaliers comme sur le dessin</translation></message>
+    <message><source>How should the motors start and stop?</source>
+        <translation>Comment les moteurs doivent-ils démarrer et s'arrêter ?</translation></message>
+    <message><source>As &amp;it is</source>
+        <translation>I&amp;nchangé</translation></message>
+    <message><source>&amp;Tank</source>
+        <translation>&amp;Char</translation></message>
+    <message><source>Ro&amp;ver</source>
+        <translation>&amp;Rover</translation></message>
+    <message><source>&amp;Autonomous robot</source>
+        <translation>Robot &amp;autonome</translation></message>
     <message><source>Current limit of each motor</source>
         <translation>Limite de courant de chaque moteur</translation></message>
     <message><source>off</source><comment>limit</comment>
@@ -4997,10 +4767,14 @@ avant {1}</translation></message>
         <translation>En mode jumelé, la carte ne mesure aucun courant et ne peut donc pas le limiter.</translation></message>
     <message><source>This example was made for a {0}, which measures current in other units. Your board keeps its current limit.</source>
         <translation>Cet exemple a été fait pour un {0}, qui mesure le courant dans d'autres unités. Votre carte garde sa limite de courant.</translation></message>
+    <message><source>If the cable falls out, the board stops</source>
+        <translation>Si le câble se débranche, la carte s'arrête</translation></message>
     <message><source>Serial timeout in seconds</source>
         <translation>Délai série en secondes</translation></message>
-    <message><source>The jumpers are not as they have to be, or were not checked.</source>
-        <translation>Les cavaliers ne sont pas comme il le faut, ou n'ont pas été vérifiés.</translation></message>
+    <message><source>What is left to do</source>
+        <translation>Ce qu'il reste à faire</translation></message>
+    <message><source>Not as they have to be, or not checked.</source>
+        <translation>Pas comme il faut, ou non vérifiés.</translation></message>
     <message><source>The directions of the sticks are not known.</source>
         <translation>Les sens des manches ne sont pas connus.</translation></message>
     <message><source>Skipped, or its changes were undone.</source>
@@ -5015,60 +4789,34 @@ avant {1}</translation></message>
         <translation>mettez le cavalier Mix</translation></message>
     <message><source>leave the mix jumper off</source>
         <translation>laissez le cavalier Mix retiré</translation></message>
-    <message><source>&amp;One stick</source>
-        <translation>&amp;Un manche</translation></message>
-    <message><source>&amp;Two sticks</source>
-        <translation>&amp;Deux manches</translation></message>
-    <message><source>&amp;A computer</source>
-        <translation>Un &amp;ordinateur</translation></message>
-    <message><source>Who drives your robot?</source>
-        <translation>Qui pilote votre robot ?</translation></message>
-    <message><source>Now: to set up</source>
-        <translation>Maintenant : pour configurer</translation></message>
     <message><source>The board does not respond: it may be switched off.</source>
         <translation>La carte ne répond pas : elle est peut-être hors tension.</translation></message>
     <message><source>No board is connected, so its jumpers cannot be checked.</source>
         <translation>Aucune carte n'est connectée : ses cavaliers ne peuvent pas être vérifiés.</translation></message>
     <message><source>This board was started without the mode jumper (serial mode).</source>
         <translation>Cette carte a démarré sans le cavalier de mode (mode série).</translation></message>
-    <message><source>The mix jumper can be checked in serial mode only: in this mode a stick that you push would drive the motors.</source>
-        <translation>Le cavalier Mix ne peut être vérifié qu'en mode série : dans ce mode-ci, un manche poussé ferait tourner les moteurs.</translation></message>
-    <message><source>It is not known yet whether the mix jumper is on: the board cannot be asked. Push a stick to one side, and the answer appears here.</source>
-        <translation>On ne sait pas encore si le cavalier Mix est en place : la carte ne peut pas être interrogée à ce sujet. Poussez un manche d'un côté et la réponse apparaît ici.</translation></message>
-    <message><source>Keep w&amp;hat the board has</source>
-        <translation>&amp;Garder ce qu'a la carte</translation></message>
-    <message><source>Neither ramps nor limits change.</source>
-        <translation>Ni les rampes ni les limites ne changent.</translation></message>
-    <message><source>&amp;Tank</source>
-        <translation>&amp;Char</translation></message>
-    <message><source>Ro&amp;ver</source>
-        <translation>&amp;Rover</translation></message>
-    <message><source>&amp;Autonomous robot</source>
-        <translation>Robot &amp;autonome</translation></message>
-    <message><source>How should the motors start and stop?</source>
-        <translation>Comment les moteurs doivent-ils démarrer et s'arrêter ?</translation></message>
+    <message><source>The mix jumper can be checked in serial mode only: now a stick would drive the motors.</source>
+        <translation>Le cavalier Mix ne peut être vérifié qu'en mode série : maintenant, un manche ferait tourner les moteurs.</translation></message>
+    <message><source>The board does not report the mix jumper. Push a stick to one side to see it.</source>
+        <translation>La carte ne signale pas le cavalier Mix. Poussez un manche d'un côté pour le voir.</translation></message>
+    <message><source>The mix jumper is on.</source>
+        <translation>Le cavalier Mix est en place.</translation></message>
+    <message><source>The mix jumper is off.</source>
+        <translation>Le cavalier Mix est retiré.</translation></message>
     <message><source>Current &amp;limit of each motor</source>
         <translation>&amp;Limite de courant de chaque moteur</translation></message>
-    <message><source>Acceleration: {0}; brake before a reversal: {1}.</source>
-        <translation>Accélération : {0} ; freinage avant inversion : {1}.</translation></message>
     <message><source>&amp;Stop the motors after a silence of</source>
         <translation>&amp;Arrêter les moteurs après un silence de</translation></message>
-    <message><source>Still open:</source>
-        <translation>Encore à faire :</translation></message>
     <message><source>Go to this step</source>
         <translation>Aller à cette étape</translation></message>
     <message><source>Then, by hand:</source>
         <translation>Ensuite, à la main :</translation></message>
-    <message><source>All changes are stored.</source>
-        <translation>Toutes les modifications sont enregistrées dans la carte.</translation></message>
-    <message><source>Always</source>
-        <translation>Toujours</translation></message>
-    <message><source>Later: to drive</source>
-        <translation>Plus tard : pour piloter</translation></message>
+    <message><source>Nothing to write.</source>
+        <translation>Rien à écrire.</translation></message>
     <message><source>{0} Then test the motors again.</source>
         <translation>{0} Testez ensuite à nouveau les moteurs.</translation></message>
-    <message><source>Example of a current limit: {0}.</source>
-        <translation>Exemple de limite de courant : {0}.</translation></message>
+    <message><source>checked</source>
+        <translation>vérifié</translation></message>
     <message><source>is not a readable settings file.</source>
         <translation>n'est pas un fichier de réglages lisible.</translation></message>
     <message><source>Calibrations that the board does not show now were kept: {0}.</source>
@@ -5089,32 +4837,24 @@ avant {1}</translation></message>
         <translation>{0} n'a pas été écrit : {1}</translation></message>
     <message><source>holds settings of a {0}.</source>
         <translation>contient les réglages d'un {0}.</translation></message>
-    <message><source>&amp;Restore selected as edits</source>
-        <translation>&amp;Restaurer la sélection comme modifications</translation></message>
-    <message><source>Turn the selected values into edits and review them; only Apply writes them</source>
-        <translation>Transformer les valeurs sélectionnées en modifications et les vérifier ; seul « Appliquer les réglages » les écrit</translation></message>
-    <message><source>Reading…</source>
-        <translation>Lecture…</translation></message>
-    <message numerus="yes"><source>%n setting(s) not in the snapshot would stay.</source>
-        <translation><numerusform>%n réglage absent de l'instantané resterait inchangé.</numerusform><numerusform>%n réglages absents de l'instantané resteraient inchangés.</numerusform></translation></message>
-    <message numerus="yes"><source>%n setting(s) would become edits; nothing is written until you click Apply.</source>
-        <translation><numerusform>%n réglage deviendrait une modification ; rien n'est écrit tant que vous ne cliquez pas sur « Appliquer les réglages ».</numerusform><numerusform>%n réglages deviendraient des modifications ; rien n'est écrit tant que vous ne cliquez pas sur « Appliquer les réglages ».</numerusform></translation></message>
-    <message><source>This snapshot is of a {0}, and the board here is a {1}: it cannot be restored.</source>
-        <translation>Cet instantané est celui d'un {0}, et la carte ici est un {1} : il ne peut pas être restauré.</translation></message>
+    <message><source>Select a snapshot to see what it would restore.</source>
+        <translation>Sélectionnez un instantané pour voir ce qu'il restaurerait.</translation></message>
     <message><source>{0} is damaged and cannot be restored. {1}</source>
         <translation>{0} est endommagé et ne peut pas être restauré. {1}</translation></message>
+    <message><source>This snapshot is of a {0}, and the board here is a {1}: it cannot be restored.</source>
+        <translation>Cet instantané est celui d'un {0}, et la carte ici est un {1} : il ne peut pas être restauré.</translation></message>
+    <message><source>Note: this snapshot is of device number {0}, the board here is number {1}.</source>
+        <translation>Remarque : cet instantané est celui du numéro d'appareil {0}, la carte ici porte le numéro {1}.</translation></message>
+    <message><source>No setting differs.</source>
+        <translation>Aucun réglage ne diffère.</translation></message>
+    <message><source>Reading…</source>
+        <translation>Lecture…</translation></message>
     <message><source>{0}, before {1}</source>
         <translation>{0}, avant : {1}</translation></message>
-    <message numerus="yes"><source>%n setting(s) would be restored, {0} match.</source>
-        <translation><numerusform>%n réglage serait restauré, {0} identiques.</numerusform><numerusform>%n réglages seraient restaurés, {0} identiques.</numerusform></translation></message>
-    <message><source>Both are the same.</source>
-        <translation>Les deux sont identiques.</translation></message>
+    <message numerus="yes"><source>&amp;Restore %n setting(s)…</source>
+        <translation><numerusform>&amp;Restaurer %n réglage…</numerusform><numerusform>&amp;Restaurer %n réglages…</numerusform></translation></message>
     <message><source>Nothing is selected to be restored.</source>
         <translation>Rien n'est sélectionné pour la restauration.</translation></message>
-    <message><source>A damaged snapshot cannot be restored.</source>
-        <translation>Un instantané endommagé ne peut pas être restauré.</translation></message>
-    <message><source>The snapshot is being read.</source>
-        <translation>L'instantané est en cours de lecture.</translation></message>
     <message><source>To restore one of the two, select it alone.</source>
         <translation>Pour restaurer l'un des deux, sélectionnez-le seul.</translation></message>
     <message><source>To restore, compare with the board.</source>
@@ -5123,44 +4863,26 @@ avant {1}</translation></message>
         <translation>La carte ne répond pas : rien ne peut être restauré.</translation></message>
     <message><source>Settings are being written; wait until that is done.</source>
         <translation>Des réglages sont en cours d'écriture ; attendez la fin.</translation></message>
-    <message><source>There is nothing to restore.</source>
-        <translation>Il n'y a rien à restaurer.</translation></message>
-    <message><source>Select the settings to restore.</source>
-        <translation>Sélectionnez les réglages à restaurer.</translation></message>
     <message><source>No board is connected. Connect one to restore a snapshot.</source>
         <translation>Aucune carte n'est connectée. Connectez-en une pour restaurer un instantané.</translation></message>
-    <message><source>the board as it is now, with edits</source>
-        <translation>la carte telle qu'elle est maintenant, avec les modifications</translation></message>
-    <message><source>a settings file…</source>
-        <translation>un fichier de réglages…</translation></message>
-    <message><source>snapshot of {0}</source>
-        <translation>instantané ({0})</translation></message>
-    <message><source>snapshot of {0}, before {1}</source>
-        <translation>instantané ({0}), avant : {1}</translation></message>
     <message><source>Compare with a settings file</source>
         <translation>Comparer avec un fichier de réglages</translation></message>
     <message><source>{0} cannot be compared with: {1}</source>
         <translation>{0} ne peut pas être comparé : {1}</translation></message>
-    <message><source>This snapshot has no differences to restore.</source>
-        <translation>Cet instantané n'a aucune différence à restaurer.</translation></message>
-    <message><source>The board, with the edits made here, matches this snapshot.</source>
-        <translation>La carte, avec les modifications faites ici, correspond à cet instantané.</translation></message>
     <message><source>Compare &amp;with:</source>
         <translation>Comparer &amp;avec :</translation></message>
-    <message><source>Now, with edits</source>
-        <translation>Maintenant, avec les modifications</translation></message>
-    <message><source>Snapshot of {0}</source>
-        <translation>Instantané ({0})</translation></message>
-    <message><source>Select a snapshot to see what it would restore.</source>
-        <translation>Sélectionnez un instantané pour voir ce qu'il restaurerait.</translation></message>
     <message><source>Select one snapshot, or two to compare them.</source>
         <translation>Sélectionnez un instantané, ou deux pour les comparer.</translation></message>
-    <message numerus="yes"><source>There is no other snapshot of a {0} to compare with. This one has %n setting(s).</source>
-        <translation><numerusform>Il n'y a pas d'autre instantané d'un {0} pour comparer. Celui-ci contient %n réglage.</numerusform><numerusform>Il n'y a pas d'autre instantané d'un {0} pour comparer. Celui-ci contient %n réglages.</numerusform></translation></message>
+    <message><source>Now, with edits</source>
+        <translation>Maintenant, avec les modifications</translation></message>
+    <message><source>the board as it is now, with edits</source>
+        <translation>la carte telle qu'elle est maintenant, avec les modifications</translation></message>
+    <message><source>the snapshot beside it</source>
+        <translation>l'instantané voisin</translation></message>
+    <message><source>a settings file…</source>
+        <translation>un fichier de réglages…</translation></message>
     <message><source>Restore snapshot of {0}</source>
         <translation>Restaurer l'instantané ({0})</translation></message>
-    <message><source>Note: this snapshot is of device number {0}, the board here is number {1}.</source>
-        <translation>Remarque : cet instantané est celui du numéro d'appareil {0}, la carte ici porte le numéro {1}.</translation></message>
     <message><source>Nothing was restored: {0}</source>
         <translation>Rien n'a été restauré : {0}</translation></message>
     <message><source>Never connect RS-232 levels (±12 V) to SI and SO: they can destroy the board.</source>
@@ -5197,6 +4919,12 @@ avant {1}</translation></message>
         <translation>Ouvrir un fichier de réglage&amp;s…</translation></message>
     <message><source>&amp;Open recording…</source>
         <translation>&amp;Ouvrir un enregistrement…</translation></message>
+    <message><source>Go on without the changes of this step</source>
+        <translation>Continuer sans les modifications de cette étape</translation></message>
+    <message><source>&amp;Back</source>
+        <translation>Précéden&amp;t</translation></message>
+    <message><source>S&amp;kip</source>
+        <translation>&amp;Passer</translation></message>
     <message><source>First difference, line {0}: {1}. The simulated board: {2} ({3}).</source>
         <translation>Première différence, ligne {0} : {1}. La carte simulée : {2} ({3}).</translation></message>
     <message><source>Compare a traffic log</source>
@@ -5219,8 +4947,6 @@ avant {1}</translation></message>
         <translation>C&amp;arte</translation></message>
     <message><source>&amp;Channels</source>
         <translation>&amp;Voies</translation></message>
-    <message><source>Cali&amp;bration</source>
-        <translation>Étalonna&amp;ge</translation></message>
     <message><source>&amp;Motors</source>
         <translation>&amp;Moteurs</translation></message>
     <message><source>C&amp;urrents</source>
@@ -6047,6 +5773,8 @@ Réécrire le fichier à partir des réglages ? Ses commentaires seront perdus.
         <translation>OK</translation></message>
     <message><source>Not done</source>
         <translation>Non fait</translation></message>
+    <message><source>Warning</source>
+        <translation>Avertissement</translation></message>
     <message><source>{0} LED: {1}</source>
         <translation>LED {0} : {1}</translation></message>
     <message><source>Dismiss</source>
@@ -6067,8 +5795,12 @@ Réécrire le fichier à partir des réglages ? Ses commentaires seront perdus.
         <translation>Les arrêter maintenant</translation></message>
     <message><source>Connect with its settings</source>
         <translation>Connecter avec ses réglages</translation></message>
-    <message><source>{0}. Not done: {1}.</source>
-        <translation>{0}. Non fait : {1}.</translation></message>
+    <message><source>All steps are done.</source>
+        <translation>Toutes les étapes sont faites.</translation></message>
+    <message><source>Step {0} of {1}: {2}.</source>
+        <translation>Étape {0} sur {1} : {2}.</translation></message>
+    <message><source>Not done: {0}.</source>
+        <translation>Non fait : {0}.</translation></message>
     <message><source>Internal error while processing this file ({0}).</source>
         <translation>Erreur interne lors du traitement de ce fichier ({0}).</translation></message>
     <message><source>Another file is still being written.</source>
