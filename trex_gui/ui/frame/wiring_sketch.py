@@ -22,7 +22,7 @@ from trex_gui.ui.widgets.painted import Painted, Painter
 
 _COLORS = ("window_text", "accent", "outline")  # of the wires, from top to bottom
 _WIRES = 3.6  # lines of text above the first wire
-_LARGEST, _LARGEST_TEXT = 2.0, 1.2  # times the least size, where there is room
+_SMALLEST, _LARGEST, _LARGEST_TEXT = 0.85, 2.0, 1.2  # times the size that fits the font
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,11 +48,12 @@ class WiringSketch(Painted):
     def spoken_state(self) -> str:
         return ". ".join(text for text, _ in self._wiring.jumpers)
 
-    def minimumSizeHint(self) -> QSize:
+    def sizeHint(self) -> QSize:
         _, body = self._boxes()
         return QSize(round(body.right()) + 2, round(body.bottom()) + 2)
 
-    sizeHint = minimumSizeHint
+    def minimumSizeHint(self) -> QSize:
+        return self.sizeHint() * _SMALLEST
 
     def _boxes(self) -> tuple[QRectF, QRectF]:
         """Return where adapter and board are."""
@@ -73,13 +74,13 @@ class WiringSketch(Painted):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
-        least, line = self.minimumSizeHint(), self.fontMetrics().height()
+        whole, line = self.sizeHint(), self.fontMetrics().height()
         (adapter, body), (left, right) = self._boxes(), self._pin_widths()
-        scale = min(self.width() / least.width(), self.height() / least.height(), _LARGEST)
+        scale = min(self.width() / whole.width(), self.height() / whole.height(), _LARGEST)
         with Painter(self) as painter:
             painter.translate(
-                (self.width() - scale * least.width()) / 2,
-                (self.height() - scale * least.height()) / 2,
+                (self.width() - scale * whole.width()) / 2,
+                (self.height() - scale * whole.height()) / 2,
             )
             painter.scale(scale, scale)
             painter.setFont(scaled_font(self.font(), min(1.0, _LARGEST_TEXT / scale)))
