@@ -40,7 +40,13 @@ def test_panel_with_each_wiring_is_shown_while_nothing_is_connected(window: Wind
     window.click("startDemo")
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
     assert not status.find(QWidget, "startPanel").isVisible()
-    assert status.find(QWidget, "boardView").isVisible()
+    drawing = status.find(QWidget, "boardView")
+    assert drawing.isVisible()
+    height = drawing.height()
+    with window.qtbot.waitSignal(window.device.applied):
+        window.click("timeoutButton")
+    window.wait(lambda: not status.has("timeoutButton"))
+    assert drawing.height() == height, "the button keeps its room"
 
     window.disconnect()
     assert status.find(QWidget, "startPanel").isVisible()
