@@ -163,7 +163,7 @@ class StartPanel(QWidget):
         for button, file in zip_longest(self._files, files):
             button.setVisible(file is not None)
             if file is not None:
-                button.setText(ui.no_mnemonic(metrics.elidedText(file.title, end, room)))
+                button.setText(ui.no_mnemonic(metrics.elidedText(file.path.name, end, room)))
                 button.setToolTip(ui.plain(str(file.path)))
 
     def _on_port_clicked(self, at: int) -> None:

@@ -76,7 +76,8 @@ class WiringSketch(Painted):
         del event
         whole, line = self.sizeHint(), self.fontMetrics().height()
         (adapter, body), (left, right) = self._boxes(), self._pin_widths()
-        scale = min(self.width() / whole.width(), self.height() / whole.height(), _LARGEST)
+        height = self.height() - line  # some is left above and below
+        scale = min(self.width() / whole.width(), height / whole.height(), _LARGEST)
         with Painter(self) as painter:
             painter.translate(
                 (self.width() - scale * whole.width()) / 2,
