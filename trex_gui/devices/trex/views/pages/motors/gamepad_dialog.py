@@ -12,6 +12,7 @@ from trex_gui.devices.trex.model.gamepad import Gamepad, axis_text, button_text
 from trex_gui.devices.trex.model.momentary_drive import mix
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.views.bars import OutputBar
+from trex_gui.devices.trex.views.robot_view import RobotView
 from trex_gui.gamepad.pads import Pad, PadState
 from trex_gui.gamepad.profile import (
     WIDEST_DEAD_ZONE,
@@ -169,7 +170,8 @@ class GamepadDialog(ReusedDialog):
         self._name = ui.label(self, "gamepadName")
         live = ui.named(ui.Card(tr("Live state"), self), "gamepadLive")
         self._live = PadView(None, live)
-        self._live_layout = ui.column(self._live, 1, into=live)
+        self._robot = RobotView(live)
+        self._live_layout = ui.column(self._live, (self._robot, 1), into=live)
         uses = ui.Card(tr("Assignment"), self)
         mixed, tank = tr("One axis drives, one turns"), tr("An axis for each motor")
         self._style = ui.combo_box(
@@ -203,11 +205,6 @@ class GamepadDialog(ReusedDialog):
             highest=100,
             tip=tr("0 %: linear. 100 %: cubic, finest around the centre"),
         )
-        self._motors = []
-        for number in (1, 2):
-            accessible = tr("Setpoint of motor {0}").format(number)
-            bar = ui.named(PartBar(uses), f"gamepadMotor{number}Bar", accessible=accessible)
-            self._motors.append(bar)
         self._note = ui.named(Note(2, self), "gamepadSetUpNote")
         standard = QDialogButtonBox.StandardButton
         buttons = QDialogButtonBox(standard.RestoreDefaults | standard.Close, self)
@@ -242,8 +239,6 @@ class GamepadDialog(ReusedDialog):
         for row in buttons:
             form.addRow(row.label, row)
         ui.tab_order(self._style, first, second, self._dead_zone, self._expo, *buttons)
-        form.addRow(tr("Motor 1:"), self._motors[0])
-        form.addRow(tr("Motor 2:"), self._motors[1])
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
@@ -335,10 +330,10 @@ class GamepadDialog(ReusedDialog):
         if self._detector is not None and state is not None:
             self._on_detection_step(self._detector, state)
         if self.isVisible():
-            ask = self._gamepad.request
             self._live.show_state(state)
-            for bar, speed in zip(self._motors, mix(ask.forward, ask.turn), strict=True):
-                bar.set_part(None if state is None else speed / FULL_SCALE)
+            left, right = mix(self._gamepad.request.forward, self._gamepad.request.turn)
+            self._robot.show_wheel("left", left / FULL_SCALE, "motor1")
+            self._robot.show_wheel("right", right / FULL_SCALE, "motor2")
 
     def _show_note(self) -> None:
         text = self._prompt()

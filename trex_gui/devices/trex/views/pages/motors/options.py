@@ -139,7 +139,18 @@ class Options(ui.Card):
         self._brake = ui.named(brake, "brakeEntry", accessible=accessible, tip=tip)
         self._brake.setSpecialValueText(tr("coast (0 %)"))
         motors.set_release_brake(self._store.integer("motors/brake", FULL_SCALE, 0, FULL_SCALE))
-        self._lock = lock = self._make_lock()
+        tip = tr(
+            "How long arming stays locked after Stop or Esc, so that a slider or key that is "
+            "still held cannot restart a motor (0 to {0:g} s)"
+        ).format(Number(LONGEST))
+        lock_title = tr("Loc&k after Stop")
+        accessible = lock_title.replace("&", "")
+        lock = ui.named(SpeedEntry(self), "lockoutEntry", accessible=accessible, tip=tip)
+        self._lock = lock
+        lock.setRange(0, round(LONGEST))
+        lock.setSuffix(tr(" s"))
+        lock.setSpecialValueText(tr("none (0 s)"))
+        lock.setMinimumWidth(lock.sizeHint().width())  # as wide with any text
         # Off by default: who looks at Currents or changes a parameter may want the motors to go on.
         text = tr("Stop when you lea&ve this page")
         tip = tr(
@@ -152,7 +163,6 @@ class Options(ui.Card):
         self._return = self._make_stored("returnToZero", text, tip, "motors/return_to_zero")
 
         numbers = ui.grid(spacing=(_SPACING, _SPACING), stretch=[(0, 1)])
-        lock_title = tr("Loc&k after Stop")
         for line, (text, entry) in enumerate(((title, brake), (lock_title, lock))):
             label = ui.label(self, "", text, tip=entry.toolTip(), buddy=entry)
             numbers.addWidget(label, line, 0)
@@ -169,19 +179,6 @@ class Options(ui.Card):
         """Create a check box whose state is stored; it is cleared by default."""
         checked, store = self._store.flag(key, default=False), partial(self._store.set, key)
         return ui.check_box(self, name, text, tip=tip, checked=checked, on_toggle=store)
-
-    def _make_lock(self) -> SpeedEntry:
-        tip = tr(
-            "How long arming stays locked after Stop or Esc, so that a slider or key that is "
-            "still held cannot restart a motor (0 to {0:g} s)"
-        ).format(Number(LONGEST))
-        accessible = tr("Seconds for which arming is locked after Stop")
-        lock = ui.named(SpeedEntry(self), "lockoutEntry", accessible=accessible, tip=tip)
-        lock.setRange(0, round(LONGEST))
-        lock.setSuffix(tr(" s"))
-        lock.setSpecialValueText(tr("none (0 s)"))
-        lock.setMinimumWidth(lock.sizeHint().width())  # as wide with any text
-        return lock
 
     @property
     def returns_to_zero(self) -> bool:
