@@ -11,7 +11,7 @@ from trex_gui.ui.widgets.painted import Painter, never_mirror
 
 
 class PaintedSlider(QSlider, Spoken):
-    """Horizontal; subclasses paint the groove, and the area below the handle."""
+    """Subclasses paint the groove, and the area below the handle."""
 
     spoken_role = QAccessible.Role.Slider
     positions_per_unit = 1.0  # of the unit in which users and screen readers see the value
