@@ -40,4 +40,7 @@ class CurrentStrip(PlotCanvas):
             self._limits[motor].set_value(self._device.current_limit(motor) or None)
             highest = max(highest, float(amps[is_known].max(initial=0.0)))
         self._axis.fit([(0.0, highest)])
-        self.set_axes((-_SECONDS, 0.0), self._axis.reach, [], self._axis.labels())
+        labels = self._axis.labels()
+        if self.height() < 1.5 * len(labels) * self.fontMetrics().height():
+            labels = [labels[0], labels[-1]]
+        self.set_axes((-_SECONDS, 0.0), self._axis.reach, [], labels)
