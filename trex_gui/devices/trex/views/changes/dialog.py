@@ -122,6 +122,7 @@ class ChangesDialog(ReusedDialog):
         self.rows.setSizePolicy(policy.Preferred, policy.Expanding)
         self._findings_area.setSizePolicy(policy.Preferred, policy.Maximum)
         self.question = named(Question(self), f"{prefix}Question")
+        room = MessageRoom(self, self.question, lines=1)
         bar = ActionBar(device, f"{prefix}StopButton", self)
         self._close = button(self, names.close, on_click=self.close)
         self.action = button(self, names.action, confirms=True, on_click=self._on_action_clicked)
@@ -135,7 +136,7 @@ class ChangesDialog(ReusedDialog):
             *([above] if above is not None else []),
             self.rows,
             self._findings_area,
-            MessageRoom(self, self.question, lines=1),
+            room,
             margins=(_AROUND_BUTTONS, 0, _AROUND_BUTTONS, 0),
             spacing=14,
         )
@@ -155,8 +156,15 @@ class ChangesDialog(ReusedDialog):
 
     def _insert(self, into: QBoxLayout, place: int, part: QWidget, stretch: int = 0) -> None:
         into.insertWidget(place, part, stretch)
-        items = [each.itemAt(n) for each in (self._parts, self._bar) for n in range(each.count())]
-        tab_order(*(found for item in items if item and (found := item.widget())))
+        above, beside = (
+            [
+                found
+                for n in range(each.count())
+                if (item := each.itemAt(n)) and (found := item.widget())
+            ]
+            for each in (self._parts, self._bar)
+        )
+        tab_order(*above, self.question, *beside)
 
     @property
     def ticked(self) -> Rows:
