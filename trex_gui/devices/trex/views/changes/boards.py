@@ -166,6 +166,8 @@ class ApplyToSeveral(QObject):
         if written or BoardStep.FAILED in steps or self.work.was_stopped:
             self._report(steps, written)
         self._fill()
+        if self.dialog.isVisible():
+            self.dialog.fit()
 
     def _report(self, steps: list[BoardStep], written: int) -> None:
         """Say what was written and left out: in the dialog, or in the window if that is closed."""

@@ -191,10 +191,12 @@ class ChangesDialog(ReusedDialog):
         if self._is_rendering:
             return
         self._is_rendering = True
-        changes = self._describe(self.rows.table.ticked_of)
-        if changes is not None:
-            self._render(changes)
-        self._is_rendering = False
+        try:
+            changes = self._describe(self.rows.table.ticked_of)
+            if changes is not None:
+                self._render(changes)
+        finally:
+            self._is_rendering = False
         if changes is None:
             self.close()
 

@@ -1,1 +1,1 @@
-"""Before and after a write: review, factory defaults, power cycle."""
+"""After a write: the power cycle."""
