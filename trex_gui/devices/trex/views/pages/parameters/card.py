@@ -48,13 +48,15 @@ class ParameterCard(Card):
         super().__init__("", parent)
         named(self, "aboutParameters", accessible=tr("Selected parameter"))
         self._model, self._view, self._can_edit = draft.parameters, view, True
-        facts = named(QWidget(self), "parameterFacts")
+        self._facts = facts = named(QWidget(self), "parameterFacts")
         box = ScrollBox(facts, self)
         self._heading = label(facts, "parameterTitle", wrap=True, size="heading")
         self._value = label(facts, "parameterValue", wrap=True, bold=True)
         self._picture = ParameterPicture(facts)
         self._picture.setAccessibleName(self.accessibleName())
         self._notes = label(facts, "parameterNotes", wrap=True, bold=True)
+        text, tip = tr("Ma&ke active…"), tr("Show the steps for switching the board off and on")
+        self.activate = button(facts, "makeActiveButton", text, icon="power", tip=tip)
         self._help = label(facts, "parameterHelp", wrap=True, selectable=True)
         self._limits = named(Muted("", facts), "parameterLimits")
         self._fold = button(facts, "parameterDetailsButton", tr("Detail&s"), checkable=True)
@@ -75,21 +77,10 @@ class ParameterCard(Card):
         self._model.both_motors = both
         default, pin, undo = self._buttons = [_push_button(each, self) for each in view.tools]
         fold = row(self._fold, (self._summary, 1), spacing=4)
-        column(
-            column(self._heading, self._value, spacing=2),
-            *(
-                self._picture,
-                self._notes,
-                self._findings,
-                self._help,
-                self._limits,
-                fold,
-                self._details,
-            ),
-            *(self._wire, column(note, self._note, spacing=2), 1),
-            into=facts,
-            margins=0,
-        )
+        head = column(self._heading, self._value, self._picture, self._notes, spacing=4)
+        parts = self.activate, self._findings, self._help, self._limits, fold, self._details
+        notes = column(note, self._note, spacing=2)
+        column(head, *parts, self._wire, notes, 1, into=facts, margins=0)
         self._tools = row(row(default, pin), undo, 1)
         column((box, 1), self._both, self._tools, into=self)
 
@@ -138,7 +129,10 @@ class ParameterCard(Card):
         key, text = self._view.current_key, self._model.text
         self._picture.show_parameter(key, self._model.values)
         is_open = bool(key) and self._fold.isChecked()
-        self._fold.setVisible(bool(key))
+        for each in (self._facts, self._both):
+            each.setVisible(bool(key))
+        self.activate.setVisible(key in self._model.values.active)
+        self.activate.setEnabled(self._can_edit)
         self._details.setVisible(is_open)
         self._wire.setVisible(is_open and self._model.open_key(key) is not None)
         self._wire.setEnabled(self._can_edit)

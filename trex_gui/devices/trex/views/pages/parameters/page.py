@@ -9,7 +9,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.widgets.builders import button, column, named
+from trex_gui.ui.widgets.builders import column
 from trex_gui.ui.widgets.labels import PageHead
 
 
@@ -24,13 +24,11 @@ class ParametersPage(QWidget):
         self._device = device
         self._model = device.parameters
 
-        text, tip = tr("Ma&ke active…"), tr("Show the steps for switching the board off and on")
-        self._activate = button(self, "makeActiveButton", text, icon="power", tip=tip)
-        self._head = named(PageHead(tr("Parameters"), self, self._activate), "parametersHead")
+        self._head = PageHead(tr("Parameters"), self)
         self.table = ParameterTable(device.draft, linter, self, self._head)
         column((self.table, 1), into=self, margins=16)
 
-        self._activate.clicked.connect(self.power_cycle_requested)
+        self.table.power_cycle_requested.connect(self.power_cycle_requested)
         self._model.rejected.connect(device.notifier.error)
         self._model.rounded.connect(device.notifier.info)
         self._model.modelReset.connect(self._on_changed)
@@ -42,8 +40,6 @@ class ParametersPage(QWidget):
     @Slot()
     def _on_changed(self) -> None:
         connected = self._device.is_connected
-        waiting = bool(self._model.values.waiting_for_power) or self._device.draft.reset_pending
-        self._activate.setVisible(connected and waiting)
         # Edits go to the board with Apply only; a silent one interrupts nobody who is typing.
         is_silent = self._device.link is ConnectionState.NOT_RESPONDING
         can_edit = (connected or is_silent) and not self._device.writer.is_rejected

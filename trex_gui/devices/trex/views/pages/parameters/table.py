@@ -1,6 +1,6 @@
 """The parameters of a draft: filters, table, and the selected one; of a board or of a file."""
 
-from PySide6.QtCore import QModelIndex, Qt, Slot
+from PySide6.QtCore import QModelIndex, Qt, Signal, Slot
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from trex_gui.core.translation import tr
@@ -15,6 +15,8 @@ from trex_gui.ui.widgets.builders import button, column, label, named, row
 
 class ParameterTable(QWidget):
     """The parameters of a board or of a file; has no access to a board."""
+
+    power_cycle_requested = Signal()
 
     def __init__(
         self,
@@ -40,6 +42,7 @@ class ParameterTable(QWidget):
 
         self._view.selectionModel().currentChanged.connect(self._on_current_changed)
         self._view.clicked.connect(self._on_current_changed)
+        self._card.activate.clicked.connect(self.power_cycle_requested)
         linter.changed.connect(self._on_linter_changed)
         self._filters.entered.connect(self._view.setFocus)
         rows = self._rows
