@@ -1,15 +1,15 @@
 """The stop button and the row below the pages: what the robot is doing, and for how long."""
 
 from PySide6.QtCore import Slot
-from PySide6.QtWidgets import QFrame, QWidget
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.session.messages import Play, StepBegun
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import new_timer
-from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.action_frame import ActionFrame
 from trex_gui.ui.widgets.builders import RedButton
 from trex_gui.ui.widgets.labels import Note
 
@@ -35,13 +35,12 @@ class StopSequenceButton(RedButton):
         self.setEnabled(self._robot.link not in unavailable)
 
 
-class MotionBar(QFrame):
+class MotionBar(ActionFrame):
     """Says what the button can do: end what is sent, not what moves."""
 
     def __init__(self, robot: Robot, recording: QWidget, parent: QWidget) -> None:
         """`recording` is shown beside the texts."""
         super().__init__(parent)
-        set_look(self, "actions")
         self._robot = robot
         self._timer = new_timer(self, _REFRESH_MS, self._update)
 
@@ -60,13 +59,9 @@ class MotionBar(QFrame):
             "This link has no stop: a running motion ends only by itself, or by cutting the servo "
             "power."
         )
-        layout = ui.grid(self, margins=(12, 6, 12, 6), stretch=[(1, 1)])
-        layout.setVerticalSpacing(2)
-        layout.addWidget(stop, 0, 0, 2, 1)
-        layout.addWidget(self._activity, 0, 1)
-        layout.addWidget(ui.label(self, "aracnaHonestLabel", hint, wrap=True), 1, 1)
-        layout.addWidget(recording, 0, 2, 2, 1)
-        layout.addWidget(self._end, 0, 3, 2, 1)
+        hint_label = ui.label(self, "aracnaHonestLabel", hint, wrap=True)
+        texts = ui.column(self._activity, hint_label, spacing=2)
+        self.fill(stop, (texts, 1), recording, self._end)
 
         robot.changed.connect(self._update)
         self._update()

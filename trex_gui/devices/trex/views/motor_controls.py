@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QDialog, QFrame, QWidget
+from PySide6.QtWidgets import QDialog, QWidget
 
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.board.drive_status import drive_statuses
@@ -13,6 +13,7 @@ from trex_gui.devices.trex.model.drive_texts import TimeoutWarning, timeout_warn
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.theme import set_look, set_style_property
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.action_frame import ActionFrame
 from trex_gui.ui.widgets.behaviour import ConfirmButton, keep_room
 from trex_gui.ui.widgets.builders import RedButton
 from trex_gui.ui.widgets.labels import Note
@@ -164,13 +165,12 @@ class StopButton(RedButton):
         self.setEnabled(self._device.link not in inactive or self._device.may_stop_matter)
 
 
-class ActionBar(QFrame):
+class ActionBar(ActionFrame):
     """The row with the stop button at the bottom of a window; amber while motors are armed."""
 
     def __init__(self, device: Device, stop_name: str, parent: QWidget) -> None:
         super().__init__(parent)
         self._motors = device.motors
-        set_look(self, "actions")
         self.stop = StopButton(device, stop_name, self)
         self._motors.arming_changed.connect(self._show_armed)
         self._show_armed()
@@ -251,8 +251,7 @@ class ControlBar(ActionBar):
         ui.set_large(stop, run, self._apply)
         self._apply.setMinimumWidth(self._apply.sizeHint().width())  # nothing moves as it changes
 
-        parts = stop, run, (self._state, 1), recording, self._apply
-        ui.row(*parts, into=self, margins=(12, 6, 12, 6))
+        self.fill(stop, run, (self._state, 1), recording, self._apply)
 
         self._apply.clicked.connect(self.apply_requested)
         motors = device.motors
