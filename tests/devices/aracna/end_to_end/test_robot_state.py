@@ -49,7 +49,7 @@ def test_positions_are_unknown_after_reset_or_silence(connected_window: RobotWin
         assert robot.state.present == (None,) * 8, cause
         assert window.text("aracnaPresent0") == "–", cause
         assert window.text("aracnaMotionLabel") == UNSURE, cause
-        assert "positions are unknown" in window.text("aracnaReport"), cause
+        assert "positions are unknown" in window.text("aracnaTitle"), cause
         assert not window.is_enabled("aracnaCapture"), cause
         assert not window.action("aracna_capture").isEnabled(), cause
         assert "Connected to Aracna" in window.text("statusLabel"), cause
@@ -62,7 +62,7 @@ def test_moves_are_disabled_while_motor_is_stuck(connected_window: RobotWindow) 
     window, robot = connected_window, connected_window.robot
     window.move()
     window.block_and_lose_motor(3)
-    window.wait_for_text("aracnaReport", "is waiting for motor 3")
+    window.wait_for_text("aracnaTitle", "is waiting for motor 3")
     assert "servo power" in window.text("aracnaReport")
     assert "does not stop the servos" in window.text("aracnaReport")
     assert "motor 3" in window.text("aracnaMotionLabel")
@@ -83,7 +83,7 @@ def test_moves_are_disabled_while_motor_is_stuck(connected_window: RobotWindow) 
     window.control("servo 3 alive")
     window.wait(lambda: window.is_enabled("aracnaMoveButton"))
     assert "limits" in window.button("aracnaMoveButton").toolTip()
-    window.wait_for_text("aracnaReport", "has reached its goal")
+    window.wait_for_text("aracnaTitle", "has reached its goal")
 
     window.block_and_lose_motor(3)
     window.press_disconnect()

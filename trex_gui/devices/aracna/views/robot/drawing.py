@@ -9,7 +9,7 @@ import math
 from dataclasses import dataclass
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal, Slot
-from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QResizeEvent
+from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from trex_gui.core.translation import tr
@@ -103,11 +103,6 @@ class RobotDrawing(Painted):
     def minimumSizeHint(self) -> QSize:
         return QSize(170, 170)
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Stay no higher than wide, so that the text below is close."""
-        super().resizeEvent(event)
-        self.setMaximumHeight(max(self.width(), self.minimumSizeHint().height()))
-
     def follow(self, robot: Robot) -> None:
         """Draw the state and the targets of a robot from now on."""
         self._robot = robot
@@ -171,7 +166,8 @@ class RobotDrawing(Painted):
 
     def _place(self, point: Point) -> QPointF:
         scale = self._scale()
-        return QPointF(self.width() / 2 + point[0] * scale, (1.03 + point[1]) * scale)
+        x, y = point
+        return QPointF(self.width() / 2 + x * scale, self.height() / 2 + y * scale)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
@@ -180,10 +176,10 @@ class RobotDrawing(Painted):
             self._paint_body(painter)
             for index, leg in enumerate(solid):
                 is_known = None not in self._state.present[2 * index : 2 * index + 2]
-                self._paint_leg(painter, leg, theme().color("neutral"), dashed=not is_known)
+                self._paint_leg(painter, leg, theme().color("outline"), dashed=not is_known)
             for goal, leg in zip(drawn_legs(self._goals), solid, strict=False):
                 if _differ(goal, leg):
-                    self._paint_leg(painter, goal, theme().color("info"), dashed=True)
+                    self._paint_leg(painter, goal, theme().color("accent"), dashed=True)
             for motor in range(2 * len(solid)):
                 self._paint_joint(painter, motor)
 
@@ -191,12 +187,11 @@ class RobotDrawing(Painted):
         scale = self._scale()
         corner = self._place((-_BODY, -_BODY))
         body = QRectF(corner.x(), corner.y(), 2 * _BODY * scale, 2 * _BODY * scale)
-        painter.setPen(QPen(theme().color("neutral"), max(0.012 * scale, 1)))
-        painter.setBrush(theme().color("track_off"))
-        painter.drawRoundedRect(body, 0.06 * scale, 0.06 * scale)
+        painter.setPen(QPen(theme().color("board_edge"), 2))
+        painter.setBrush(theme().color("board"))
+        painter.drawRoundedRect(body, 10, 10)
         painter.setPen(theme().color("muted"))
-        above = QRectF(0, 0, self.width(), 1.4 * painter.fontMetrics().height())
-        painter.drawText(above, Qt.AlignmentFlag.AlignCenter, tr("▲ front*"))
+        painter.drawText(body, Qt.AlignmentFlag.AlignCenter, tr("▲ front*").replace(" ", "\n"))
 
     def _paint_leg(self, painter: QPainter, leg: DrawnLeg, color: QColor, *, dashed: bool) -> None:
         pen = QPen(color, max((0.018 if dashed else 0.05) * self._scale(), 1.5))
@@ -221,11 +216,11 @@ class RobotDrawing(Painted):
             or (state.held_speed(motor) or 0) < 0
         )
         is_awaited = state.moving is not None and state.awaited_motor == motor
-        edge = "danger" if is_bad else "info" if is_awaited else "mark"
-        painter.setPen(QPen(theme().color(edge), 3.5 if is_bad or is_awaited else 1.5))
-        painter.setBrush(theme().color("highlight" if marked else "track"))
+        edge = "danger" if is_bad else "accent" if is_awaited or marked else "outline"
+        painter.setPen(QPen(theme().color(edge), 4 if is_bad or is_awaited else 2))
+        painter.setBrush(theme().color("selected" if marked else "base"))
         painter.drawEllipse(place, radius, radius)
-        painter.setPen(theme().color("highlighted_text" if marked else "text"))
+        painter.setPen(theme().color("window_text"))
         box = QRectF(place.x() - radius, place.y() - radius, 2 * radius, 2 * radius)
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, f"{motor}!" if is_bad else str(motor))
 

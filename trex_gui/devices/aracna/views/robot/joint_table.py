@@ -59,7 +59,7 @@ class JointRow(QObject):
             decimals=1,
             suffix="°",
         )
-        ui.make_bare(self._degrees, "300.0°")
+        ui.make_bare(self._degrees, self._degrees.textFromValue(degrees(HIGHEST)) + "°")
         present = name(tr("present position"))
         self._present = LiveLabel(f"aracnaPresent{motor}", present, parent)
         widest = self._present.fontMetrics().horizontalAdvance(position_text(HIGHEST))

@@ -67,7 +67,7 @@ class JointSlider(PressSlider):
         return QSize(max(hint.width(), 200), hint.height() + _WEDGE)
 
     def minimumSizeHint(self) -> QSize:
-        return QSize(90, self.sizeHint().height())
+        return QSize(70, self.sizeHint().height())
 
     def room_below(self) -> int:
         return _WEDGE

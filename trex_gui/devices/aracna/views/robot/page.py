@@ -1,7 +1,7 @@
 """The robot page: a drawing, the joints in rows, and controls for all joints."""
 
 from PySide6.QtCore import Qt, Slot
-from PySide6.QtGui import QResizeEvent
+from PySide6.QtGui import QFontMetrics, QResizeEvent
 from PySide6.QtWidgets import QPushButton, QSizePolicy, QWidget
 
 from trex_gui.core.translation import Number, tr
@@ -19,16 +19,22 @@ from trex_gui.devices.aracna.views.robot.joint_table import JointTable
 from trex_gui.devices.aracna.views.robot.joint_widgets import CommonSpeedBox
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
-from trex_gui.ui.theme.theme import set_look
+from trex_gui.ui.theme.theme import (
+    CARD_PADDING,
+    follow_theme,
+    scaled_font,
+    set_look,
+    set_style_property,
+)
 from trex_gui.ui.translations import error_text
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import take_typed
-from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.labels import ElidedLabel, Note, Sign
 
-_GAP = 6  # pixels between drawing and table
 _WIDEST_RATE = 888.8
-_CAPTION_LINES = 6
-_MIN_SKETCH_WIDTH = 130  # pixels; in a narrower drawing the joints overlap
+_LEAST_DRAWING = 170  # pixels; in a narrower drawing the joints overlap
+_WIDEST_TABLE = 130  # average characters
+_TITLE, _LONG_TITLE = 1.6, 60  # times the size of the font, characters
 
 
 class RobotPage(QWidget):
@@ -42,21 +48,29 @@ class RobotPage(QWidget):
         self._start = start
         self._is_set_up_offline = False
         self._content = QWidget(self)
-        self._sketch = Sketch(robot, self)
-        table = JointTable(robot, self)
-        self._report = ui.named(Note(2, self), "aracnaReport")
-        self.controls = Controls(robot, table, self)
-        self._right = ui.column(table, self.controls, self._report, 1, spacing=10)
-        ui.row(
-            (self._sketch, 2),
-            (self._right, 7, Qt.AlignmentFlag.AlignTop),
-            into=self._content,
-            margins=0,
-            spacing=_GAP,
+        self._sign = Sign(self._content)
+        self._title = ui.named(ElidedLabel("", self._content), "aracnaTitle")
+        self._report = ui.named(Note(2, self._content), "aracnaReport")
+        self._drawn = ui.Card(parent=self._content)
+        self._drawn.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        drawing = RobotDrawing(robot.state, self._drawn)
+        drawing.follow(robot)
+        text = tr("Full lines: last reported; dashed: goal. A sketch: angles are drawn flat.")
+        caption = ui.label(
+            self._drawn, "aracnaCaption", f"{text}\n* {assumed_text()}", wrap=True, size="caption"
         )
-        ui.column(start, self._content, into=self)
+        ui.column((drawing, 1), caption, into=self._drawn)
+        self._joints = ui.Card(parent=self._content)
+        table = JointTable(robot, self._joints)
+        self.controls = Controls(robot, table, self._joints)
+        ui.column((table, 1), self.controls, into=self._joints, spacing=16)
+        texts = ui.column(self._title, self._report, spacing=2)
+        head = ui.row((self._sign, 0, Qt.AlignmentFlag.AlignTop), (texts, 1), spacing=8)
+        cards = ui.row((self._drawn, 2), (self._joints, 7), spacing=16)
+        ui.column(head, (cards, 1), into=self._content, margins=0, spacing=8)
+        ui.column(start, self._content, into=self, margins=16)
 
-        drawing = self._sketch.drawing
+        follow_theme(self._title, "room", self._make_room)
         for signal in (drawing.pointed, table.pointed):
             signal.connect(drawing.mark)
             signal.connect(table.mark)
@@ -64,12 +78,18 @@ class RobotPage(QWidget):
         robot.changed.connect(self._on_changed)
         self._on_changed()
 
+    def _make_room(self) -> None:
+        """Keep the room of a large title: a long one is smaller."""
+        font = scaled_font(self.font(), _TITLE)
+        self._title.setMinimumHeight(QFontMetrics(font).height())
+        widest = _WIDEST_TABLE * self.fontMetrics().averageCharWidth()
+        self._joints.setMaximumWidth(max(widest, self._joints.minimumSizeHint().width()))
+
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Hide the sketch where it has no room."""
+        """Hide the drawing where it has no room."""
         super().resizeEvent(event)
-        margins = self.contentsMargins()
-        taken = margins.left() + margins.right() + self._right.minimumSize().width() + _GAP
-        self._sketch.setVisible(self.width() - taken >= _MIN_SKETCH_WIDTH)
+        room = self.contentsRect().width() - self._joints.minimumSizeHint().width()
+        self._drawn.setVisible(room >= _LEAST_DRAWING + 3 * CARD_PADDING)
 
     def set_up_offline(self) -> None:
         """Show goals and limits instead of the start panel, until something was connected."""
@@ -84,13 +104,18 @@ class RobotPage(QWidget):
         self._start.setVisible(not shows_joints)
         self._content.setVisible(shows_joints)
         text, alarming = self._report_text()
-        self._report.show_note(text, alarming=alarming)
+        title, _, more = text.partition(". ")
+        self._sign.show_sign("warning" if alarming else "info", "warning" if alarming else "info")
+        self._title.show_text(title.removesuffix("."))
+        is_long = len(title) > _LONG_TITLE
+        set_style_property(self._title, "textSize", "heading" if is_long else "title")
+        self._report.show_note(more)
 
     def _report_text(self) -> tuple[str, bool]:
-        """Return what the robot did not do as commanded, or what is unknown; and if it alarms."""
+        """Return the state of the robot, in a first sentence and more, and if it alarms."""
         state = self._robot.state
         if self._robot.link not in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}:
-            return tr("No robot is connected; goals and limits can be set already."), False
+            return tr("No robot is connected. Goals and limits can be set already."), False
         if state.stuck is not None:
             return stuck_text(state.stuck.motor), True
         faults = [missed_goals_text(state)] if state.missed_goals else []
@@ -100,7 +125,7 @@ class RobotPage(QWidget):
             return " ".join(faults), True
         if state.uncertain:
             text = tr(
-                "Motor positions are unknown; the last motion may still be running. The next move "
+                "Motor positions are unknown. The last motion may still be running; the next move "
                 "will report them."
             )
             return text, True
@@ -108,43 +133,17 @@ class RobotPage(QWidget):
             return self._before_first_move_text(), False
         if state.moved is not None:
             return tr("Every motor has reached its goal within a few units."), False
-        return "", False
+        return self._robot.status, False
 
     def _before_first_move_text(self) -> str:
         text = tr(
-            "Motor positions are unknown before the first move: this robot reports them only in "
+            "Motor positions are unknown before the first move. This robot reports them only in "
             "its reply to one."
         )
         if self._robot.speeds_chosen:
             return text
         more = tr("That move runs at speed {0} ({1}), unless you choose other speeds.")
         return f"{text} {more.format(FIRST_SPEED, speed_text(FIRST_SPEED))}"
-
-
-class Sketch(QWidget):
-    """The drawing and its caption, as wide as the page has room for.
-
-    It never determines the height of the page: otherwise it would come and go with a scroll bar.
-    """
-
-    def __init__(self, robot: Robot, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self.drawing = RobotDrawing(robot.state, self)
-        self.drawing.follow(robot)
-        text = tr("Full lines: last reported; dashed: goal. A sketch: angles are drawn flat.")
-        caption = f"{text}\n* {assumed_text()}"
-        self._caption = ui.label(self, "aracnaCaption", caption, wrap=True)
-        self._caption.setForegroundRole(self._caption.palette().ColorRole.PlaceholderText)
-        self._caption.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
-        self._caption.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        ui.column((self.drawing, 1), self._caption, 0, into=self, margins=0)
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Make room for the whole caption, however often it wraps."""
-        super().resizeEvent(event)
-        lines = _CAPTION_LINES * self._caption.fontMetrics().lineSpacing()
-        self._caption.setMinimumHeight(max(lines, self._caption.heightForWidth(self.width())))
 
 
 class Controls(QWidget):
