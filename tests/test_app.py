@@ -109,7 +109,8 @@ def tour_pages() -> list[str]:
     setup_steps = ("driver", "jumpers", "sticks", "motors", "limits", "review")
     pages += [f"setup-{step}" for step in setup_steps]
     pages += ["errors", "trexLog", "transcript", "check-leds", "check-jumpers"]
-    robot_pages = ["aracnaRobot", "aracnaPoses", "aracnaLog", "aracnaTranscript"]
+    names = ("Robot", "Poses", "Errors", "Log", "Transcript")
+    robot_pages = [f"aracna{name}" for name in names]
     pages += [*robot_pages, *(f"{page}-moving" for page in robot_pages), "aracnaRobot-stuck"]
     return pages
 

@@ -2,101 +2,88 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLabel, QPlainTextEdit, QTableWidget, QTabWidget
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QLabel, QLineEdit, QPlainTextEdit, QTabWidget
 
 from tests.support.simulator import SimulatedDevice
-from tests.support.window import WidgetDriver, WindowDriver
+from tests.support.window import WindowDriver
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.plotting.export import ExportButton
-
-
-def row(page: WidgetDriver, error: str) -> dict[str, str]:
-    """Return the cells of an error by the title of their column."""
-    model = page.find(QTableWidget, "errorsTable").model()
-    titles = [
-        model.headerData(column, Qt.Orientation.Horizontal) for column in range(model.columnCount())
-    ]
-    for number in range(model.rowCount()):
-        cells = [str(model.index(number, column).data()) for column in range(len(titles))]
-        if cells[0] == error:
-            return dict(zip(titles, cells, strict=True))
-    raise AssertionError(f"no row {error}")
-
-
-def is_bold(page: WidgetDriver, error: str) -> bool:
-    (item,) = page.find(QTableWidget, "errorsTable").findItems(error, Qt.MatchFlag.MatchExactly)
-    return item.font().bold()
 
 
 def test_errors_are_shown_until_they_are_cleared_and_reset(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     page = window.open_page("errorsPage")
-    assert row(page, "Motor 2 fault")["Active now"] == "N/A"
-    assert row(page, "Motor 2 fault")["Stopping the motors"] == "N/A"
-    window.window.resize(1024, 600)
-    value = page.find(QLabel, "restartsValue")
-    page.wait(lambda: value.isVisible() and value.height() < 2 * value.fontMetrics().lineSpacing())
+
+    def title(bit: str) -> str:
+        """Return the title of a card; empty if there is none."""
+        labels = [one for one in page.find_all(QLabel) if one.objectName() == f"{bit}Title"]
+        return labels[0].text() if labels else ""
+
+    assert page.text("errorsNote") == "Nothing is connected."
+    assert page.text("errorsReading1") == "–"
     quick_simulator.do("fault 2 on")
     quick_simulator.do("fault 2 off")
     window.connect(quick_simulator.url)
-    assert page.text("rateValue") == "–", "short, so that it is in one line"
-    tabs, index = window.find(QTabWidget, "diagnosticsPage"), 0
-    page.wait(lambda: row(page, "Motor 2 fault")["Last seen"] == "before connecting")
-    assert row(page, "Motor 2 fault")["Count"] == "0"
+    tabs, index = window.find(QTabWidget, "diagnosticsTabs"), 0
+    page.wait(lambda: title("MOTOR2_FAULT") == "Motor 2 fault")
+    assert "before connecting" in page.text("MOTOR2_FAULTTimes")
     texts = [event.text for event in window.device.events.all]
     assert any(text.startswith("Latched before connecting") for text in texts)
-    assert tabs.tabText(index) == "Errors"
-    assert not page.is_enabled("clearErrorsButton")
+    assert tabs.tabText(index) == "Problems", "what is older than the connection does not count"
+    assert not page.button("MOTOR2_FAULTClear").isVisible()
     page.click("resetCountsButton")
-    assert row(page, "Motor 2 fault")["Last seen"] == "never"
-    fault = row(page, "Motor 1 fault")
-    assert [fault["Active now"], fault["Count"], fault["Last seen"]] == ["No", "0", "never"]
+    page.wait(lambda: not title("MOTOR2_FAULT"))
+    assert page.text("errorsNote").startswith("Nothing has gone wrong since ")
+    assert not page.is_enabled("resetCountsButton")
+    page.click("errorsList")
+    assert "Send buffer overrun" in page.text("errorsKinds")
 
     quick_simulator.do("fault 1 on")
-    page.wait(lambda: row(page, "Motor 1 fault")["Active now"] == "⚠ Yes")
-    fault = row(page, "Motor 1 fault")
-    assert fault["Stopping the motors"] == "⚠ Yes"
-    assert "let it cool" in fault["What it means, and what to do"]
-    assert "let it cool" not in row(page, "Motor 2 fault")["What it means, and what to do"]
-    assert is_bold(page, "Motor 1 fault")
-    assert not is_bold(page, "Motor 2 fault")
-    assert tabs.tabText(index) == "Errors (1)"
-    page.click("clearErrorsButton")
-    assert not is_bold(page, "Motor 1 fault")
-    page.wait(lambda: is_bold(page, "Motor 1 fault"))  # it is still active
+    page.wait(lambda: title("MOTOR1_FAULT") == "Motor 1 fault, active now, stops the motors")
+    assert "let it cool" in page.text("MOTOR1_FAULTText")
+    assert tabs.tabText(index) == "Problems (1)"
+    assert window.find(QTabWidget, "tabs").tabText(5) == "Diagnostics (1)"
+    window.find(QLineEdit, "diagnosticsSearch").setText("no such problem")
+    assert not page.find(QLabel, "MOTOR1_FAULTTitle").isVisible()
+    window.find(QLineEdit, "diagnosticsSearch").clear()
+    window.click("diagnosticsCopy")
+    assert "Motor 1 fault, active now" in QGuiApplication.clipboard().text()
 
     quick_simulator.do("fault 1 off")
-    page.wait(lambda: row(page, "Motor 1 fault")["Active now"] == "No")
-    count = row(page, "Motor 1 fault")["Count"]
-    assert int(count) > 2
-    page.click("clearErrorsButton")
-    assert tabs.tabText(index) == "Errors"
-    assert row(page, "Motor 1 fault")["Count"] == count
+    page.wait(lambda: title("MOTOR1_FAULT") == "Motor 1 fault, over")
+    page.click("MOTOR1_FAULTClear")
+    assert tabs.tabText(index) == "Problems"
+    assert title("MOTOR1_FAULT"), "what has occurred stays"
 
-    page.click("resetCountsButton")
-    assert row(page, "Motor 1 fault")["Count"] == "0"
-    assert row(page, "Motor 1 fault")["Last seen"] == "never"
-    assert not page.is_enabled("resetCountsButton")
-
-    page.wait(lambda: "good: " in page.text("qualityValue"))
-    assert int(page.text("rateValue")) > 100
-    assert page.text("connectedValue").startswith("0:00:")
-    assert page.text("returnsValue") == "0"
-    assert page.text("restartsValue") == "0"
+    page.wait(lambda: page.text("errorsReading1") == "100.0 %")
+    assert int(page.text("errorsReading2")) > 100
+    assert page.text("errorsReading4").startswith("0:00:")
     quick_simulator.do("power off")
     window.wait(lambda: window.device.link is ConnectionState.NOT_RESPONDING)
-    assert page.text("qualityValue") == "N/A"
+    assert page.text("errorsReading1") == "–"
     quick_simulator.do("power on")
-    page.wait(lambda: page.text("returnsValue") == "1")
+    restarts = page.find(QLabel, "errorsReading5")
+    page.wait(lambda: restarts.toolTip().endswith("Returned after silence: 1."))
     quick_simulator.do("jumper mode rc")
     quick_simulator.do("power cycle")
-    page.wait(lambda: page.text("restartsValue") == "1")
-
+    page.wait(lambda: restarts.text() == "1")
     window.disconnect()
-    assert page.text("connectedValue") == "N/A"
-    assert not page.is_enabled("errorsTable")
+    assert page.text("errorsReading4") == "–"
+
+
+def test_card_leads_to_more_about_the_problem(
+    window: WindowDriver, quick_simulator: SimulatedDevice
+) -> None:
+    page = window.open_page("errorsPage")
+    window.connect(quick_simulator.url)
+    quick_simulator.do("line error framing")
+    page.wait(lambda: window.has("FRAMINGShow"))
+    page.click("FRAMINGExplain")
+    window.wait(window.help.isVisible)
+    page.click("FRAMINGShow")
+    assert window.find(QTabWidget, "diagnosticsTabs").currentIndex() == 2
 
 
 def test_log_keeps_what_happened_over_disconnects(

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QAction, QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QCheckBox, QFileDialog, QLabel, QLineEdit, QPlainTextEdit
 
@@ -15,6 +15,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.ui.theme.theme import choose_font_size
 from trex_gui.ui.traffic.page import TrafficPage
 from trex_gui.ui.traffic.table import RECEIVED, SENT, WORDS, TrafficView
+from trex_gui.ui.widgets.labels import ElidedLabel, PageHead
 
 
 class TrafficDriver(WidgetDriver):
@@ -22,6 +23,7 @@ class TrafficDriver(WidgetDriver):
 
     def __init__(self, window: WindowDriver) -> None:
         super().__init__(window.open_page("transcriptPage").root, window.qtbot)
+        self._window = window
         self.view = self.find(TrafficView, "transcriptView")
         self._traffic = window.device.connection.traffic
 
@@ -58,7 +60,8 @@ class TrafficDriver(WidgetDriver):
 
     @property
     def summary(self) -> str:
-        return self.text("transcriptSummary")
+        """Return what the head of the place says about the page."""
+        return self._window.find(PageHead, "diagnosticsHead").findChildren(ElidedLabel)[-1].text()
 
     @property
     def faults(self) -> int:
@@ -106,7 +109,7 @@ def test_traffic_is_searched_and_filtered_by_faults(
     window.connect(simulator.url)
     page.wait_for_row("get Device Number")
     QTest.keyClick(page.root, Qt.Key.Key_F, Qt.KeyboardModifier.ControlModifier)
-    search = page.find(QLineEdit, "transcriptSearch")
+    search = window.find(QLineEdit, "diagnosticsSearch")
     QTest.keyClicks(search, "device number")
     page.wait(lambda: set(page.column(SENT)) <= {"9F 00", "80 07 1F 00"})
     search.setText("9f 00")
@@ -186,12 +189,12 @@ def test_rows_are_shown_in_detail_copied_and_saved(
     assert details.textCursor().selectedText() == selected, "to be copied"
 
     page.view.setFocus()
-    page.click("transcriptCopyButton")
+    window.click("diagnosticsCopy")
     text = QGuiApplication.clipboard().text()
     assert text.count("\n") == 1
     assert text.endswith("get signature → TReX 1.2\n")
     page.view.clearSelection()
-    page.click("transcriptCopyButton")
+    window.click("diagnosticsCopy")
     assert QGuiApplication.clipboard().text().count("\n") == page.rows
     page.view.selectRow(row)
     page.view.setFocus()
@@ -209,7 +212,7 @@ def test_rows_are_shown_in_detail_copied_and_saved(
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
     assert isinstance(page.root, TrafficPage)
     with window.qtbot.waitSignal(window.device.notifier.info):
-        page.click("transcriptSaveButton")
+        page.find(QAction, "transcriptSaveAction").trigger()
     text = path.with_suffix(".txt").read_text(encoding="utf-8")
     assert "get Device Number → 7" in text
     assert "get currents" not in text

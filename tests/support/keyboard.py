@@ -43,6 +43,7 @@ from tests.support.accessible_names import (
 from tests.support.catalogs import OTHER_LANGUAGES, translation, translation_of_qt
 from trex_gui.devices.trex.views.boards import BoardPanel
 from trex_gui.ui.devices.demo_panel import DemoDock
+from trex_gui.ui.diagnostics.problems import ProblemCard
 from trex_gui.ui.widgets.behaviour import HoldButton
 from trex_gui.ui.widgets.builders import RedButton
 from trex_gui.ui.widgets.messages import Banner, InlinePrompt
@@ -68,16 +69,14 @@ _WITHOUT_LETTER = (
 _INSIDE_WITHOUT_LETTER = (
     Banner,  # appears over every page, and would take letters from each
     InlinePrompt,  # the same, and has the focus
+    ProblemCard,  # one for each problem
     BoardPanel,  # what its buttons do is in the Device menu, with letters
     DemoDock,  # beside every page: there are not enough letters
     QToolBar,  # its buttons are in a menu
     QLineEdit,  # a sign in an editor, not a button
 )
 _NAMED_WITHOUT_LETTER = {
-    "aracnaFileMenu",  # in a menu with a letter, as the next three
-    "aracnaRedo",
-    "aracnaUndo",
-    "lineButton",
+    "lineButton",  # in a menu with a letter
     "aracna_startPort",  # one for each port
     "aracna_startRecent",  # one for each file
     "startPort",

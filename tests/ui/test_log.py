@@ -1,11 +1,10 @@
 """The events of a board, and the log of a workspace: what was said and happened, with its time."""
 
 from datetime import datetime
-from pathlib import Path
 
 import pytest
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QFileDialog, QLineEdit, QPlainTextEdit
+from PySide6.QtWidgets import QPlainTextEdit
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import WidgetDriver
@@ -14,9 +13,11 @@ from trex_gui.core.events import EventKind
 from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.model.board_events import BoardEvents
 from trex_gui.devices.trex.model.motors import Motors
+from trex_gui.ui.diagnostics.log_page import LogPage
+from trex_gui.ui.diagnostics.view import copy_lines
 from trex_gui.ui.event_log import MOST_EVENTS, EventLog
 from trex_gui.ui.help.messages import MessageHelp
-from trex_gui.ui.log import MOST_ENTRIES, Log, LogPage
+from trex_gui.ui.log import MOST_ENTRIES, Log
 from trex_gui.ui.notifier import Notifier
 
 NOON = datetime(2026, 11, 23, 12, 0, 0).astimezone().timestamp()
@@ -92,11 +93,9 @@ def test_log_is_bounded(qtbot: QtBot, clocks: Clocks) -> None:
     assert len(log.entries[0].text) < 2100
 
 
-def test_lines_are_filtered_copied_and_saved(
-    qtbot: QtBot, clocks: Clocks, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_lines_are_filtered_and_copied(qtbot: QtBot, clocks: Clocks) -> None:
     log, notifier = clocks.log(), Notifier()
-    page = LogPage(log, "trex", notifier, MessageHelp({}))
+    page = LogPage(log, "trex", MessageHelp({}))
     qtbot.addWidget(page)
     driver = WidgetDriver(page, qtbot)
     text = driver.find(QPlainTextEdit, "trexLog")
@@ -109,39 +108,17 @@ def test_lines_are_filtered_copied_and_saved(
     log.add("The line is gone.", is_problem=True)
     log.add("The board stopped responding", is_problem=True)
     assert shown() == ["Stop: Esc", "⚠ The line is gone.", "⚠ The board stopped responding"]
-    driver.type_into("trexLogSearch", "STOP", enter=False)
+    page.search(" STOP")
     assert shown() == ["Stop: Esc", "⚠ The board stopped responding"]
     driver.click("trexLogProblems")
     log.add("Stop: screen locked")
     assert shown() == ["⚠ The board stopped responding"]
-
-    driver.click("trexLogCopy")
+    copy_lines(page.lines(), notifier)
     line = "2026-11-23 12:00:00  ⚠ The board stopped responding\n"
     assert QGuiApplication.clipboard().text() == line
-    asked: list[Path] = []
-
-    def choose(_page: object, _title: str, proposal: str, _kinds: str) -> tuple[str, str]:
-        asked.append(Path(proposal))
-        return str(tmp_path / "mine"), ""
-
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", choose)
-    said: list[str] = []
-    notifier.info.connect(said.append)
-    driver.click("trexLogSave")
-    driver.wait_for_files()
-    assert asked[0].name.startswith(f"trex_log_{datetime.now().astimezone():%Y-%m-}")
-    assert (tmp_path / "mine.txt").read_text(encoding="utf-8") == line
-    assert said == [f"The log was written to {tmp_path / 'mine.txt'}."]
-
     driver.click("trexLogProblems")
-    driver.find(QLineEdit, "trexLogSearch").clear()
+    page.search("")
     assert len(shown()) == 4
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "no/x.txt"), ""))
-    failed: list[str] = []
-    notifier.error.connect(failed.append)
-    driver.click("trexLogSave")
-    driver.wait_for_files()
-    assert "there is no folder" in failed[0]
 
 
 def test_stops_and_applied_settings_are_events(qtbot: QtBot) -> None:

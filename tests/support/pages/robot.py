@@ -15,7 +15,7 @@ from trex_gui.devices.aracna.session.messages import Moving, SpeedsHeld
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.program import Program
 
-ROBOT_PAGE, POSES_PAGE, LOG_PAGE = range(3)
+ROBOT_PAGE, POSES_PAGE, PROBLEMS_PAGE = range(3)
 
 
 class RobotWindow(WindowDriver):
@@ -130,7 +130,7 @@ class RobotWindow(WindowDriver):
 
     def show_page(self, index: int) -> None:
         """Turn to a page of the robot by its menu entry."""
-        key = ("robot", "poses", "log", "transcript")[index]
+        key = ("robot", "poses", "errors")[index]
         self.trigger(f"aracna_{key}")
         assert aracna(self.program).workspace.pages.currentIndex() == index
 

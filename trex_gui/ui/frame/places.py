@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QTabBar, QTabWidget, QWidget
 
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import follow_theme, theme
+from trex_gui.ui.widgets.builders import named
 from trex_gui.ui.widgets.painted import Painter
 
 _NARROW = 1100  # pixels for column and page, below which only icons are shown
@@ -121,3 +122,14 @@ class Places(QTabWidget):
             painter.fillRect(column, theme().color("base"))
             painter.setPen(QPen(theme().color("hairline"), 1))
             painter.drawLine(column.topRight(), column.bottomRight())
+
+
+class Place(QWidget):
+    """Pages that share a place, with tabs of their own."""
+
+    def __init__(self, name: str, title: str, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setObjectName(name)
+        self.title = title
+        self.tabs = named(QTabWidget(self), name.replace("Page", "Tabs"), accessible=title)
+        self.tabs.setDocumentMode(True)

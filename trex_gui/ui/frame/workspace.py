@@ -11,7 +11,7 @@ from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QStackedWidget, QTabWidget, QWidget
 
 from trex_gui.core.translation import tr
-from trex_gui.ui.frame.places import Places
+from trex_gui.ui.frame.places import Place, Places
 from trex_gui.ui.help.messages import MessageHelp
 from trex_gui.ui.log import Log
 from trex_gui.ui.notifier import Notifier
@@ -70,8 +70,7 @@ class PageInfo:
     title: str  # of its tab, with the mnemonic of its menu entry
     make: Callable[[], QWidget]  # called once: when it is first shown, or soon after the start
     icon: str = "info"  # beside the title
-    # Object name and title of the place that it shares with the pages next to it, if it does
-    place: tuple[str, str] | None = None
+    place: Place | None = None  # shared with the pages next to it, if it is
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,11 +123,12 @@ class Workspace(QWidget):
         self._infos = tuple(infos)
         self._missing = set(range(len(infos)))
         icons = []
-        holder: QTabWidget = self.pages
-        for before, info in zip((None, *infos), infos, strict=False):
-            if before is None or info.place is None or before.place != info.place:
+        for info in infos:
+            holder = self.pages if info.place is None else info.place.tabs
+            if info.place is None or not holder.count():
                 icons.append(info.icon)
-                holder = self._new_place(info)
+            if info.place is not None and not holder.count():
+                self.pages.addTab(info.place, info.place.title)
             holder.addTab(QWidget(self), info.title.replace("&", ""))
             self._holders.append((holder, holder.count() - 1))
         self.pages.bar.icons = icons
@@ -136,20 +136,11 @@ class Workspace(QWidget):
             holder.currentChanged.connect(self._on_current_changed)
         self._make_page(self.current)
 
-    def _new_place(self, info: PageInfo) -> QTabWidget:
-        """Return what has the tab of a page: the places, or one of them with tabs of its own."""
-        if info.place is None:
-            return self.pages
-        name, title = info.place
-        shared = ui.named(QTabWidget(self), name, accessible=title)
-        shared.setDocumentMode(True)
-        self.pages.addTab(shared, title)
-        return shared
-
     @property
     def current(self) -> int:
         """The number of the page that is shown, from 0."""
-        shown = {self.pages, self.pages.currentWidget()}
+        place = self.pages.currentWidget()
+        shown = {self.pages, place.tabs if isinstance(place, Place) else None}
         current = (
             number
             for number, (holder, index) in enumerate(self._holders)
@@ -189,7 +180,8 @@ class Workspace(QWidget):
             holder.removeTab(index + 1)
             holder.setCurrentIndex(current)
         # It was made after what is below the pages, and a plot is made later still.
-        order = partial(ui.tab_order, holder.tabBar(), box)
+        beside = filter(None, (holder.cornerWidget(),))
+        order = partial(ui.tab_order, holder.tabBar(), *beside, box)
         order()
         if isinstance(page, PlotPage):
             page.plot_added.connect(order)
@@ -210,8 +202,8 @@ class Workspace(QWidget):
     def show_number(self, number: int) -> None:
         holder, index = self._holders[number]
         holder.setCurrentIndex(index)
-        if holder is not self.pages:
-            self.pages.setCurrentWidget(holder)
+        if (place := self._infos[number].place) is not None:
+            self.pages.setCurrentWidget(place)
 
     def set_page_title(self, key: str, title: str) -> None:
         """Change the title on the tab of a page, and what follows it on that of its place.
@@ -224,7 +216,7 @@ class Workspace(QWidget):
             holder.setTabText(index, title)
             if info.place is not None:
                 more = title.removeprefix(info.title.replace("&", ""))
-                self.pages.setTabText(self.pages.indexOf(holder), f"{info.place[1]}{more}")
+                self.pages.setTabText(self.pages.indexOf(info.place), f"{info.place.title}{more}")
                 self.pages.bar.show_names()
 
     def _number_of(self, key: str) -> int:

@@ -23,6 +23,11 @@ def heading_of(text: str) -> str:
     return clause[:1].upper() + clause[1:] if clause != "…" else ""
 
 
+def message_topic(text: str) -> str:
+    """Return the topic of the section on a message, given in English."""
+    return f"{MESSAGES}#{anchor_of(heading_of(text))}"
+
+
 class MessageHelp:
     """Finds the help of the messages of a device, in the language of the window."""
 
@@ -45,7 +50,7 @@ class MessageHelp:
             size = sum(map(len, parts))
             pattern = ".+?".join(map(re.escape, parts)).removeprefix(".+?").removesuffix(".+?")
             if heading_of(text) and re.search(pattern, line):
-                yield size, f"{MESSAGES}#{anchor_of(heading_of(text))}"
+                yield size, message_topic(text)
 
 
 def texts_of(codes: Iterable[Enum]) -> list[str]:

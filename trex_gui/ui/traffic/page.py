@@ -5,13 +5,14 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QLocale, Qt, Slot
-from PySide6.QtGui import QGuiApplication, QHideEvent, QKeySequence, QShowEvent
-from PySide6.QtWidgets import QPushButton, QWidget
+from PySide6.QtGui import QHideEvent, QKeySequence, QShowEvent
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.code import Language
 from trex_gui.core.translation import tr
 from trex_gui.core.transport.row_code import rows_as_code
 from trex_gui.core.transport.traffic import Transaction
+from trex_gui.ui.diagnostics.view import View, copy_lines
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer
@@ -30,7 +31,7 @@ _MOST_CODE_ROWS = 1000  # copied as code at once: compilers take long for more
 _SAVE_TIMEOUT_MS = 3000  # longest wait for a file at the end of the program
 
 
-class TrafficPage(QWidget):
+class TrafficPage(View):
     """The table of transactions with its filters, and details of the selected row."""
 
     def __init__(
@@ -57,8 +58,6 @@ class TrafficPage(QWidget):
         self._table = TrafficTable(traffic, self)
         self._saver = FileSaver(self, finishing_ms=_SAVE_TIMEOUT_MS)
 
-        hint = tr("Search bytes and meanings (Ctrl+F)")
-        self._search = ui.search_field(self, f"{key}Search", tr("Search the traffic log"), hint)
         self._polling = ui.check_box(
             self,
             f"{key}Polling",
@@ -77,20 +76,24 @@ class TrafficPage(QWidget):
             tr("Pa&use"),
             tip=tr("Do not add rows for now; the traffic is still logged"),
         )
-        buttons = self._make_buttons(key)
+        clear = ui.button(
+            self,
+            f"{key}ClearButton",
+            tr("C&lear"),
+            icon="clear",
+            tip=tr("Remove every row"),
+            on_click=traffic.clear,
+        )
         self._view = ui.named(TrafficView(self._table, self), f"{key}View")
         self._details = ui.named(RowDetails(traffic, self._table, self), f"{key}Details")
-        self._summary = ui.label(self, f"{key}Summary")
         self._typing = new_timer(self, _TYPING_MS, self._apply_filter, single_shot=True)
 
-        above = ui.row((self._search, 1), self._polling, self._faults, self._paused)
-        above.addSpacing(above.spacing())
-        for button in buttons:
-            above.addWidget(button)
+        above = ui.row(self._polling, self._faults, self._paused, 1, clear, spacing=16)
         send = () if sender is None else (SendRow(sender, key, self),)
-        ui.column(above, (self._view, 1), self._details, *send, self._summary, into=self)
+        parts = above, (self._view, 1), self._details, *send
+        ui.column(*parts, into=self, margins=(0, 12, 0, 16))
 
-        self._add_action(f"{key}Copy", tr("&Copy"), QKeySequence.StandardKey.Copy, self._copy)
+        self._add_action(f"{key}Copy", tr("&Copy"), QKeySequence.StandardKey.Copy, self._copy_rows)
         for language, text, shortcut in (
             (Language.PYTHON, tr("Copy as &Python"), "Ctrl+Shift+P"),
             (Language.C, tr("Copy as C (&POSIX)"), "Ctrl+Shift+C"),
@@ -99,18 +102,18 @@ class TrafficPage(QWidget):
             copy_code = partial(self._copy_code, language)
             name = f"{key}Copy{language.value.capitalize()}"
             self._add_action(name, text, shortcut, copy_code)
+        self._add_action(f"{key}Save", tr("Sa&ve as text…"), "", self._ask_and_save)
         self._view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
-        self._search.textChanged.connect(self._typing.start)
         self._polling.toggled.connect(self._apply_filter)
         self._faults.toggled.connect(self._apply_filter)
         self._paused.toggled.connect(self._table.set_paused)
-        self._paused.toggled.connect(self._refresh)
+        self._paused.toggled.connect(self.refresh)
         self._view.selectionModel().currentRowChanged.connect(self._show_current)
         self._table.modelReset.connect(lambda: self._details.show_row(None))
         self._saver.saved.connect(self._on_saved)
         self._saver.failed.connect(self._notifier.error)
-        traffic.changed.connect(self._refresh)
-        traffic.cleared.connect(self._refresh)
+        traffic.changed.connect(self.refresh)
+        traffic.cleared.connect(self.refresh)
         self._polling.setChecked(self._store.flag(self._polling_key, default=False))
         self._apply_filter()
 
@@ -134,32 +137,10 @@ class TrafficPage(QWidget):
             )
         )
 
-    def _make_buttons(self, key: str) -> tuple[QPushButton, ...]:
-        copy = ui.button(
-            self,
-            f"{key}CopyButton",
-            tr("Cop&y"),
-            icon="copy",
-            tip=tr("Copy the selected rows (Ctrl+C), or all rows shown"),
-            on_click=self._copy,
-        )
-        save = ui.button(
-            self,
-            f"{key}SaveButton",
-            tr("Sa&ve…"),
-            icon="save",
-            tip=tr("Save the rows shown as text"),
-            on_click=self._ask_and_save,
-        )
-        clear = ui.button(
-            self,
-            f"{key}ClearButton",
-            tr("C&lear"),
-            icon="clear",
-            tip=tr("Remove every row"),
-            on_click=self._traffic.clear,
-        )
-        return copy, save, clear
+    @Slot(str)
+    def search(self, text: str) -> None:
+        self.searched = text.strip().casefold()
+        self._typing.start()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -181,7 +162,7 @@ class TrafficPage(QWidget):
         self._table.set_filter(
             polling=self._polling.isChecked(),
             faults=self._faults.isChecked(),
-            text=self._search.text(),
+            text=self.searched,
         )
         if not self._paused.isChecked():
             self._view.scrollToBottom()
@@ -189,7 +170,7 @@ class TrafficPage(QWidget):
 
     @Slot()
     @only_when_visible
-    def _refresh(self) -> None:
+    def refresh(self) -> None:
         if not self._paused.isChecked():
             follows = self._view.is_at_bottom
             self._table.refresh()
@@ -211,11 +192,11 @@ class TrafficPage(QWidget):
             parts.append(tr("paused"))
         if lost := traffic.log.lost:  # the GUI thread was blocked for too long
             parts.append(tr("events lost: {0}").format(count(lost)))
-        self._summary.setText(" · ".join(parts))
+        self.summarized.emit(" · ".join(parts))
         self._view.set_placeholder(self._placeholder())
 
     def _placeholder(self) -> str:
-        if self._traffic.everything.rows and self._search.text().strip():
+        if self._traffic.everything.rows and self.searched:
             return tr("No row matches the search.")
         if self._traffic.everything.rows and self._faults.isChecked():
             return tr("No faults so far.")
@@ -230,26 +211,21 @@ class TrafficPage(QWidget):
         self._details.show_row(self._table.rows[index.row()] if index.isValid() else None)
 
     @Slot()
-    def _copy(self) -> None:
-        rows = self._chosen_rows()
-        self._put_on_clipboard("".join(f"{self._traffic.line_of(row)}\n" for row in rows), rows)
+    def _copy_rows(self) -> None:
+        copy_lines(self.lines(), self._notifier)
 
     def _copy_code(self, language: Language) -> None:
         rows = self._chosen_rows()[:_MOST_CODE_ROWS]
-        self._put_on_clipboard(rows_as_code(rows, self._traffic.decoder, language), rows)
+        copy_lines(rows_as_code(rows, self._traffic.decoder, language).splitlines(), self._notifier)
+
+    def lines(self) -> Sequence[str]:
+        return list(map(self._traffic.line_of, self._chosen_rows()))
 
     def _chosen_rows(self) -> Sequence[Transaction]:
         """Return the selected rows, or all that are shown."""
         selected = sorted(index.row() for index in self._view.selectionModel().selectedRows())
         rows = self._table.rows
         return [rows[row] for row in selected] if selected else rows
-
-    def _put_on_clipboard(self, text: str, rows: Sequence[Transaction]) -> None:
-        if not rows:
-            self._notifier.error.emit(tr("No rows to copy."))
-            return
-        QGuiApplication.clipboard().setText(text)
-        self._notifier.info.emit(tr("Copied rows: {0}.").format(QLocale().toString(len(rows))))
 
     @Slot()
     def _ask_and_save(self) -> None:

@@ -240,7 +240,7 @@ class TrafficView(QTableView):
         ]
         for samples in _SAMPLES:
             widths = [
-                max(fonts.get(column, proportional).horizontalAdvance(text), title) + 3 * unit
+                max(fonts.get(column, proportional).horizontalAdvance(text), title) + 2 * unit
                 for column, (text, title) in enumerate(zip(samples, titles, strict=True))
             ]
             if sum(widths) + _MIN_MEANING * unit <= self.viewport().width():

@@ -5,15 +5,23 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractSpinBox, QCheckBox, QListView, QSlider, QSpinBox
+from PySide6.QtWidgets import (
+    QAbstractSpinBox,
+    QCheckBox,
+    QListView,
+    QSlider,
+    QSpinBox,
+    QTabWidget,
+)
 
 from tests.support.documents import save_now
-from tests.support.pages.robot import LOG_PAGE, POSES_PAGE, RobotWindow
+from tests.support.pages.robot import POSES_PAGE, PROBLEMS_PAGE, RobotWindow
 from tests.support.program import aracna
 from tests.support.window import LEFT
 from trex_gui.devices.aracna.poses.ppr import read_ppr
 from trex_gui.devices.aracna.session.messages import Play, Step
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.diagnostics.problems import ProblemCard
 
 
 def spin_box(window: RobotWindow, name: str) -> QSpinBox:
@@ -26,7 +34,7 @@ def is_dragging(window: RobotWindow) -> bool:
 
 def test_move_sends_goals_and_speeds(connected_window: RobotWindow) -> None:
     window = connected_window
-    assert "unknown before the first move" in window.text("aracnaReport")
+    assert "unknown before the first move" in window.text("aracnaTitle")
     assert "speed 100 (67 °/s)" in window.text("aracnaReport")
     assert window.text("aracnaPresent0") == "–"
     window.drag("aracnaSlider0", 300)
@@ -35,7 +43,7 @@ def test_move_sends_goals_and_speeds(connected_window: RobotWindow) -> None:
     assert window.goals == [(window.goal_box(0).value(), *(512,) * 7)]
     assert abs(window.goals[0][0] - 300) < 8, "a pixel is some units"
     assert window.text("aracnaPresent0").endswith("°")
-    assert "has reached its goal" in window.text("aracnaReport")
+    assert "has reached its goal" in window.text("aracnaTitle")
 
     spin_box(window, "aracnaSpeedAll").setValue(300)
     one = spin_box(window, "aracnaSpeed7")
@@ -169,25 +177,29 @@ def test_bar_shows_playback_until_it_is_stopped(connected_window: RobotWindow) -
     assert robot.link is ConnectionState.CONNECTED
 
 
-def test_log_page_counts_requests_and_line_failures(connected_window: RobotWindow) -> None:
+def test_problems_page_counts_replies_and_shows_what_went_wrong(
+    connected_window: RobotWindow,
+) -> None:
     window = connected_window
-    window.show_page(LOG_PAGE)
-    window.wait(lambda: window.text("aracnaTrafficValue").endswith("requests (100.00 %)"))
-    assert window.text("aracnaQualityValue").startswith(
-        "Timeouts: 0, corrupted: 0, unrecognized lines: 0"
-    )
-    assert window.is_enabled("aracnaTrafficValue")
+    window.show_page(PROBLEMS_PAGE)
+    window.wait(lambda: window.text("aracnaErrorsReading1") == "100.0 %")
+    assert window.text("aracnaErrorsNote").startswith("Nothing has gone wrong since ")
     assert window.robot.state.stats.replies > 0
 
     window.control("line mute on")
     window.wait(lambda: window.robot.link is ConnectionState.NOT_RESPONDING)
-    window.wait(lambda: not window.text("aracnaQualityValue").startswith("0 timeouts"))
+    card = window.find_all(ProblemCard)[0]
+    assert card.problem.title == "The robot is not responding"
+    assert card.problem.page == "robot"
+    tabs = window.find(QTabWidget, "aracnaDiagnosticsTabs")
+    assert tabs.tabText(0) == "Problems (1)"
+    window.click(f"{card.problem.key}Clear")
+    assert tabs.tabText(0) == "Problems"
     window.control("line mute off")
     window.wait_until_up()
 
     window.press_disconnect()
-    assert window.text("aracnaTrafficValue") == "N/A"
-    assert not window.is_enabled("aracnaTrafficValue")
+    assert window.text("aracnaErrorsReading1") == "–"
     assert window.robot.state.stats.replies == 0, "the next line counts anew"
 
 

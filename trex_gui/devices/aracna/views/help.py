@@ -8,8 +8,10 @@ TOPICS = {
     "aracna_startPanel": "aracna.md",
     "aracnaRobotPage": "aracna.md#robot",
     "aracnaPosesPage": "aracna.md#poses",
-    "aracnaLogPage": "aracna.md#log",
-    "aracnaTranscriptPage": "aracna.md#traffic",
+    "aracnaDiagnosticsPage": "traffic.md",
+    "aracnaErrorsPage": "traffic.md#problems",
+    "aracnaLogPage": "traffic.md#log",
+    "aracnaTranscriptPage": "traffic.md#traffic",
     "aracnaDemoPanel": "simulators.md#the-simulated-aracna",
     "aracnaPlaybackWindow": "aracna.md#recordings",
 }

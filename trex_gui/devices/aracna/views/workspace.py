@@ -18,12 +18,13 @@ from trex_gui.devices.aracna.poses.ppr import SUFFIX
 from trex_gui.devices.aracna.recording import FORMAT, Record, RobotHeader
 from trex_gui.devices.aracna.views.demo import DemoRobotView
 from trex_gui.devices.aracna.views.help import TOPICS, message_help
-from trex_gui.devices.aracna.views.log_page import RobotLogPage
 from trex_gui.devices.aracna.views.motion_bar import MotionBar
 from trex_gui.devices.aracna.views.poses.page import PosesPage
+from trex_gui.devices.aracna.views.problems import RobotProblemsPage
 from trex_gui.devices.aracna.views.robot.page import RobotPage
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.demo_panel import DemoDock
+from trex_gui.ui.diagnostics.place import Diagnostics
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.start_panel import StartPanel, StartTexts, StartWay
 from trex_gui.ui.frame.wiring_sketch import Wires
@@ -91,13 +92,13 @@ class AracnaWorkspace(Workspace):
         self._page = page = RobotPage(robot, self._make_start_panel(), self)
         self._poses = PosesPage(robot, self.library, self)
         traffic = TrafficPage(robot.traffic, "aracnaTranscript", tr("a robot"), self.notifier, self)
-        trouble = "aracnaDiagnosticsPage", tr("Diagnostics")
+        diagnostics = Diagnostics(self, "aracnaDiagnostics", frame.show_help)
+        problems = RobotProblemsPage(robot, self.log, self.message_help, self)
         self.add_pages(
             (
                 PageInfo("robot", tr("R&obot"), lambda: page, "board"),
                 PageInfo("poses", tr("Pos&es"), lambda: self._poses, "copy"),
-                PageInfo("log", tr("Lo&g"), self._make_log_page, "warning", trouble),
-                PageInfo("transcript", tr("&Traffic"), lambda: traffic, "", trouble),
+                *diagnostics.pages(lambda: problems, lambda: traffic),
             )
         )
         self.make_pages()  # those that are there already would cover the first
@@ -239,11 +240,6 @@ class AracnaWorkspace(Workspace):
                 Entry("aracna_demo", tr("&Demo Aracna panel"), self._demo.toggle, checkable=True),
             ),
         }
-
-    def _make_log_page(self) -> QWidget:
-        page = RobotLogPage(self._robot, self.log, self.message_help, self)
-        page.help_wanted.connect(self._frame.show_help)
-        return page
 
     def take_actions(self, actions: Mapping[str, QAction]) -> None:
         super().take_actions(actions)

@@ -5,11 +5,11 @@ again for as long as its cause lasts.
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 
-from trex_gui.core.translation import tr_noop
+from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.driving.blockers import DriveBlocker
 from trex_gui.devices.trex.protocol.flags import STATUS_MEANING, UART_MEANING, Status, UartError
@@ -34,20 +34,27 @@ class ErrorEntry:
     is_earlier: bool = False  # latched before the connection, which is not counted
 
 
+def error_names(entries: Sequence[ErrorEntry]) -> str:
+    """Return the names of errors; they are marked if all may come from corrupted replies."""
+    names = ", ".join(tr(entry.name) for entry in entries)
+    is_doubtful = all(entry.is_doubtful for entry in entries)
+    return tr("{0} (doubtful)").format(names) if is_doubtful else names
+
+
+_CHECK_LINE = tr_noop("Check cable and ground, and that no other program sends on this line.")
+
 _STATUS_REMEDIES = {
     Status.MOTOR1_FAULT: DriveBlocker.FAULT.remedy,
     Status.MOTOR1_OVER_LIMIT: DriveBlocker.OVER_LIMIT.remedy,
     Status.MOTOR2_FAULT: DriveBlocker.FAULT.remedy,
     Status.MOTOR2_OVER_LIMIT: DriveBlocker.OVER_LIMIT.remedy,
-    Status.UART_ERROR: tr_noop("See the rows below."),
+    Status.UART_ERROR: _CHECK_LINE,
 }
 """What to do about each status bit, in the order in which the bits are shown."""
 
 _UART_REMEDIES = {
     UartError.TIMEOUT: DriveBlocker.TIMEOUT.remedy,
-    UartError.FORMAT: tr_noop(
-        "Check cable and ground, and that no other program sends on this line."
-    ),
+    UartError.FORMAT: _CHECK_LINE,
     UartError.CRC: tr_noop(
         "Check cable and ground, and that every program on this line uses the same polynomial."
     ),
@@ -89,14 +96,22 @@ class ErrorCounts:
         self._others: dict[str, tuple[ErrorEntry, ...]] = {}  # of boards that are not selected
 
     @property
-    def uncleared(self) -> int:
-        """How many kinds of errors were reported since they were cleared.
+    def occurred(self) -> list[ErrorEntry]:
+        """The errors that were reported, or latched before connecting, the newest first.
 
-        The bit that announces UART errors does not count beside them.
+        The bit that announces UART errors is left out beside them.
         """
-        bits = [one.bit for one in self.entries if one.is_uncleared]
-        has_details = any(isinstance(bit, UartError) for bit in bits)
-        return sum(not (has_details and bit is Status.UART_ERROR) for bit in bits)
+        found = [one for one in self.entries if one.count or one.is_earlier]
+        details = [one for one in found if isinstance(one.bit, UartError)]
+        return sorted(
+            (
+                one
+                for one in found
+                if one.bit is not Status.UART_ERROR
+                or not any(detail.is_uncleared >= one.is_uncleared for detail in details)
+            ),
+            key=lambda one: -one.seen_at,
+        )
 
     @staticmethod
     def is_active(entry: ErrorEntry, now: float) -> bool:
@@ -146,9 +161,13 @@ class ErrorCounts:
         self.entries = self._others.pop(board, UNSEEN)
         self._changed()
 
-    def clear(self) -> None:
-        """Take the errors as known; counts stay, and what is still active is reported again."""
-        self.entries = tuple(replace(entry, is_uncleared=False) for entry in self.entries)
+    def clear(self, bit: Status | UartError) -> None:
+        """Take an error as known; its count stays, and if it is active it is reported again."""
+        known = {bit, Status.UART_ERROR} if isinstance(bit, UartError) else {bit}
+        self.entries = tuple(
+            replace(entry, is_uncleared=False) if entry.bit in known else entry
+            for entry in self.entries
+        )
         self._changed()
 
     def reset(self) -> None:

@@ -373,7 +373,7 @@ def _cable_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRow
     )
     error_tip = tr("An error of the serial line that the board reports")
     once_tip = tr(
-        "The next byte reaches the board with this error; the Errors page counts it. "
+        "The next byte reaches the board with this error; Problems counts it. "
         "Only a board with parity detects a parity error."
     )
     framing, parity = (tr("Framing error"), "framing"), (tr("Parity error"), "parity")

@@ -35,6 +35,7 @@ from trex_gui.devices.trex.views.start_texts import start_texts
 from trex_gui.devices.trex.views.steps import Steps
 from trex_gui.devices.trex.views.traffic_comparison import compare_traffic
 from trex_gui.ui.devices.undo import undo_titles
+from trex_gui.ui.diagnostics.place import Diagnostics
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.start_panel import StartPanel
 from trex_gui.ui.frame.workspace import (
@@ -47,13 +48,13 @@ from trex_gui.ui.frame.workspace import (
     PageInfo,
     Workspace,
 )
-from trex_gui.ui.log import LogPage
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.pages.currents_panel import PlotWindow
     from trex_gui.devices.trex.views.tools import Tools
+    from trex_gui.ui.traffic.page import TrafficPage
 
 
 class TrexWorkspace(Workspace):
@@ -79,7 +80,7 @@ class TrexWorkspace(Workspace):
         panel.file_requested.connect(self._apply_to_boards)
         tabs = ui.named(self.pages, "tabs", accessible=tr("Pages"))
         ui.tab_order(panel, tabs.tabBar())
-        trouble = "diagnosticsPage", tr("Diagnostics")
+        diagnostics = Diagnostics(self, "diagnostics", frame.show_help)
         make_errors = partial(ErrorsPage, device, self)
         self.add_pages(
             (
@@ -88,9 +89,7 @@ class TrexWorkspace(Workspace):
                 PageInfo("motors", tr("&Motors"), self._make_motors_page, "motor"),
                 PageInfo("currents", tr("C&urrents"), self._make_currents_page, "plot"),
                 PageInfo("parameters", tr("&Parameters"), self._make_parameters_page, "settings"),
-                PageInfo("errors", tr("&Errors"), make_errors, "warning", trouble),
-                PageInfo("log", tr("Lo&g"), self._make_log_page, "", trouble),
-                PageInfo("transcript", tr("T&raffic"), self._make_traffic_page, "", trouble),
+                *diagnostics.pages(make_errors, self._make_traffic_page),
             )
         )
 
@@ -134,7 +133,6 @@ class TrexWorkspace(Workspace):
             boards.changed,
         ):
             changed.connect(self._on_actions_changed)
-        device.errors_changed.connect(self._on_errors_changed)
         self._undo_watch = device.draft.undo.indexChanged.connect(self._on_actions_changed)
 
     def _make_board_page(self) -> QWidget:
@@ -180,12 +178,7 @@ class TrexWorkspace(Workspace):
         self._plot.show()
         self._plot.activateWindow()
 
-    def _make_log_page(self) -> QWidget:
-        page = LogPage(self.log, self.key, self.notifier, self.message_help, self)
-        page.help_wanted.connect(self._frame.show_help)
-        return page
-
-    def _make_traffic_page(self) -> QWidget:
+    def _make_traffic_page(self) -> "TrafficPage":
         from trex_gui.devices.trex.model.packet_sender import TrexPacketSender  # noqa: PLC0415
         from trex_gui.ui.traffic.page import TrafficPage  # noqa: PLC0415
 
@@ -349,12 +342,6 @@ class TrexWorkspace(Workspace):
             self._actions["keep_events"].setChecked(self.recordings.events.is_on)
         self.actions_changed.emit()
         self._question.reconsider()
-
-    @Slot()
-    def _on_errors_changed(self) -> None:
-        count = self._device.board.errors.uncleared
-        title = tr("Errors ({0})").format(count) if count else tr("Errors")
-        self.set_page_title("errors", title)
 
     def may_close(self, leave: Callable[[], object]) -> bool:
         return self._close_prompt.may_close(leave)

@@ -14,6 +14,7 @@ from trex_gui.devices.trex.board.drive_status import (
     SetpointSource,
     motor_setpoint,
 )
+from trex_gui.devices.trex.board.errors import error_names
 from trex_gui.devices.trex.board.quality import quality_text
 from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, PACKETS, led_patterns
 from trex_gui.devices.trex.model.device import Device
@@ -292,10 +293,8 @@ class BoardView(QWidget):
                 recent = device.board.errors.recent(number, now())
                 faults = [entry for entry in recent if isinstance(entry.bit, Status)]
             if faults:
-                is_doubtful = all(entry.is_doubtful for entry in faults)
-                names = ", ".join(tr(entry.name) for entry in faults)
-                lines.append(tr("{0} (doubtful)").format(names) if is_doubtful else names)
-                alarm = "warning" if is_doubtful else "danger"
+                lines.append(error_names(faults))
+                alarm = "warning" if all(entry.is_doubtful for entry in faults) else "danger"
             elif setpoint.may_turn:
                 lines.append(tr("may still turn"))
                 alarm = "danger"

@@ -1,0 +1,119 @@
+"""The place *Diagnostics* of a device."""
+
+from collections.abc import Callable
+from typing import TypeVar
+
+from PySide6.QtCore import QSignalBlocker, Slot
+from PySide6.QtWidgets import QWidget
+
+from trex_gui.core.translation import tr
+from trex_gui.ui.diagnostics.log_page import LogPage
+from trex_gui.ui.diagnostics.problems import ProblemsPage
+from trex_gui.ui.diagnostics.view import View, copy_lines
+from trex_gui.ui.frame.places import Place
+from trex_gui.ui.frame.workspace import PageInfo, Workspace
+from trex_gui.ui.theme.theme import follow_theme, set_look
+from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.labels import PageHead
+from trex_gui.ui.widgets.scroll_box import ScrollBox
+
+_SEARCH = 26  # average characters
+
+
+ViewT = TypeVar("ViewT", bound=View)
+
+
+class Diagnostics(Place):
+    """Problems, log and traffic, with one search, one copy and one save."""
+
+    def __init__(self, workspace: Workspace, name: str, show_help: Callable[[str], object]) -> None:
+        """`name` begins the object names; `show_help` opens a topic of the help."""
+        super().__init__(f"{name}Page", tr("Diagnostics"), workspace)
+        self._workspace, self._show_help = workspace, show_help
+        hint = tr("Search (Ctrl+F)")
+        self._search = ui.search_field(self, f"{name}Search", tr("Search this list"), hint)
+        copy = ui.button(
+            self,
+            f"{name}Copy",
+            tr("Cop&y"),
+            icon="copy",
+            tip=tr("Copy the selected rows, or all that is shown"),
+            on_click=self._copy,
+        )
+        report = ui.button(
+            self,
+            f"{name}Report",
+            tr("Sa&ve report…"),
+            icon="save",
+            tip=tr("Save a report for support; it is shown before it is written"),
+            on_click=lambda: workspace.trigger("report"),
+        )
+        self._head = ui.named(PageHead(tr("Diagnostics"), self, copy, report), f"{name}Head")
+        self.tabs.setCornerWidget(self._search)
+        set_look(self.tabs.tabBar(), "choices")
+        self.tabs.tabBar().setDrawBase(False)
+        ui.column(self._head, (self.tabs, 1), into=self, margins=(16, 16, 16, 0), spacing=8)
+        follow_theme(self._search, "room", self._make_room)
+        self._search.textChanged.connect(self._on_searched)
+        workspace.page_changed.connect(self._on_page_changed)
+
+    def _make_room(self) -> None:
+        width = _SEARCH * self._search.fontMetrics().averageCharWidth()
+        self._search.setMinimumWidth(width)
+
+    def pages(
+        self, problems: Callable[[], ProblemsPage], traffic: Callable[[], View]
+    ) -> tuple[PageInfo, ...]:
+        """Return the three pages; the arguments make the first and the last."""
+        owner = self._workspace
+
+        def make_problems() -> QWidget:
+            page = self._joined(problems())
+            page.page_wanted.connect(owner.show_page)
+            page.help_wanted.connect(self._show_help)
+            page.counted.connect(self._show_count)
+            page.show_problems()
+            return page
+
+        def make_log() -> QWidget:
+            page = self._joined(LogPage(owner.log, owner.key, owner.message_help, self))
+            page.help_wanted.connect(self._show_help)
+            return page
+
+        return (
+            PageInfo("errors", tr("Prob&lems"), make_problems, "pulse", self),
+            PageInfo("log", tr("Lo&g"), make_log, "", self),
+            PageInfo("transcript", tr("T&raffic"), lambda: self._joined(traffic()), "", self),
+        )
+
+    def _joined(self, page: ViewT) -> ViewT:
+        page.summarized.connect(self._head.show_state)
+        return page
+
+    @property
+    def _view(self) -> View | None:
+        box = self.tabs.currentWidget()
+        view = box.widget() if isinstance(box, ScrollBox) else None
+        return view if isinstance(view, View) else None
+
+    @Slot()
+    def _on_page_changed(self) -> None:
+        """Show what was searched on this page."""
+        if self._view is not None:
+            with QSignalBlocker(self._search):
+                self._search.setText(self._view.searched)
+
+    @Slot(str)
+    def _on_searched(self, text: str) -> None:
+        if self._view is not None:
+            self._view.search(text)
+
+    @Slot()
+    def _copy(self) -> None:
+        if self._view is not None:
+            copy_lines(self._view.lines(), self._workspace.notifier)
+
+    @Slot(int)
+    def _show_count(self, count: int) -> None:
+        title = tr("Problems ({0})").format(count) if count else tr("Problems")
+        self._workspace.set_page_title("errors", title)

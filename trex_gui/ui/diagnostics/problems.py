@@ -1,0 +1,281 @@
+"""What went wrong, as cards, and how good the connection is."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from datetime import datetime
+from html import escape
+
+from PySide6.QtCore import QPointF, QSize, Qt, Signal, Slot
+from PySide6.QtGui import QPaintEvent, QPen
+from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
+
+from trex_gui.core.translation import tr
+from trex_gui.ui.diagnostics.view import View
+from trex_gui.ui.runtime import now
+from trex_gui.ui.theme.theme import set_look, set_style_property, set_text_color, theme
+from trex_gui.ui.traffic.model import TrafficModel
+from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import only_when_visible
+from trex_gui.ui.widgets.labels import LiveLabel, Muted, Sign
+from trex_gui.ui.widgets.painted import Painted, Painter
+
+_MINUTE, _SLOT = 60.0, 0.5  # seconds that are drawn, and those of one point
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """A kind of problem that occurred; texts are for the user."""
+
+    key: str  # names it, also in the object names of its card
+    title: str  # with its state: "Motor 1 fault, active now"
+    text: str  # the meaning, and what to do
+    times: str  # count, and when last
+    is_active: bool = False
+    is_cleared: bool = False  # since it was last reported
+    page: str = ""  # key of the page with more about it, if there is one
+    topic: str = ""  # of the help, if there is one
+
+    @property
+    def line(self) -> str:
+        return " ".join(filter(None, (f"{self.title}.", self.text, self.times)))
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    caption: str
+    value: str
+    details: str = ""  # for the tool tip
+    is_bad: bool = False
+
+    def unknown(self) -> "Reading":
+        return Reading(self.caption, "–")
+
+
+class ProblemCard(ui.Card):
+    def __init__(self, key: str, page: "ProblemsPage") -> None:
+        super().__init__("", page)
+        self.setObjectName(f"{key}Problem")
+        self._sign = Sign(self)
+        self._name = ui.label(self, f"{key}Title", size="heading", wrap=True)
+        self._text = ui.label(self, f"{key}Text", wrap=True, selectable=True)
+        self._times = ui.label(self, f"{key}Times", size="caption", wrap=True)
+        self._show, self._clear, self._explain = buttons = [
+            ui.button(self, f"{key}{name}", text, confirms=True)
+            for name, text in (
+                ("Show", tr("Show it")),
+                ("Clear", tr("Clear")),
+                ("Explain", tr("Explain")),
+            )
+        ]
+        set_look(self._explain, "link")
+        self._show.clicked.connect(lambda: page.page_wanted.emit(self.problem.page))
+        self._clear.clicked.connect(lambda: page.clear(self.problem.key))
+        self._explain.clicked.connect(lambda: page.help_wanted.emit(self.problem.topic))
+        texts = ui.column(self._name, self._text, self._times, spacing=4)
+        sign = self._sign, 0, Qt.AlignmentFlag.AlignTop
+        ui.row(sign, (texts, 1), *buttons, into=self, spacing=12)
+
+    def show_problem(self, problem: Problem) -> None:
+        self.problem = problem
+        sign = ("error", "danger") if problem.is_active else ("warning", "warning")
+        self._sign.show_sign(*(("todo", "muted") if problem.is_cleared else sign))
+        for label, text in (
+            (self._name, problem.title),
+            (self._text, problem.text),
+            (self._times, problem.times),
+        ):
+            if label.text() != text:
+                label.setText(text)
+            label.setVisible(bool(text))
+        self.setAccessibleName(problem.title)
+        set_look(self._show, "primary" if problem.is_active else "")
+        for button, is_offered in (
+            (self._show, problem.page and not problem.is_cleared),
+            (self._clear, not problem.is_cleared),
+            (self._explain, problem.topic and not problem.is_cleared),
+        ):
+            button.setVisible(bool(is_offered))
+            button.setAccessibleDescription(problem.title)
+
+
+class Connection(ui.Card):
+    """Readings of the connection side by side, large, and the round trips of the last minute."""
+
+    def __init__(self, name: str, traffic: TrafficModel, parent: QWidget) -> None:
+        super().__init__(tr("Connection"), parent)
+        self._name = name
+        self._labels: list[tuple[QLabel, LiveLabel]] = []
+        self._grid: QGridLayout = ui.grid(margins=0, spacing=(16, 0))
+        self._line = RoundTrips(traffic, self)
+        self._caption = ui.label(self, f"{name}RoundTrip", size="caption")
+        ui.column(self._grid, (self._line, 1), self._caption, into=self, spacing=8)
+
+    def show_readings(self, readings: Sequence[Reading]) -> None:
+        for column in range(len(self._labels), len(readings)):
+            caption = ui.label(self, size="caption", wrap=True)
+            value = LiveLabel(f"{self._name}Reading{column + 1}", "", self)
+            set_style_property(value, "textSize", "title")
+            self._grid.addWidget(caption, 0, column, Qt.AlignmentFlag.AlignBottom)
+            self._grid.addWidget(value, 1, column)
+            self._grid.setColumnStretch(column, 1)
+            self._labels.append((caption, value))
+        for (caption, value), reading in zip(self._labels, readings, strict=True):
+            caption.setText(reading.caption)
+            value.setAccessibleName(reading.caption)
+            value.setText(reading.value)
+            set_text_color(value, "warning" if reading.is_bad else "window_text")
+            for label in (caption, value):
+                label.setToolTip(ui.plain(reading.details))
+        self._line.refresh()
+        text = tr("Round trips of the last minute: none")
+        if self._line.longest:
+            text = tr("Round trips of the last minute: up to {0:.0f} ms")
+        self._caption.setText(text.format(1000 * self._line.longest))
+
+
+class RoundTrips(Painted):
+    """The slowest poll of each half second as a line, from what the traffic log still has."""
+
+    def __init__(self, traffic: TrafficModel, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._traffic = traffic
+        self._seconds = dict[int, float]()  # by the number of the slot
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Expanding)
+
+    @property
+    def longest(self) -> float:
+        return max(self._seconds.values(), default=0.0)
+
+    def sizeHint(self) -> QSize:
+        return QSize(0, 3 * self.fontMetrics().height())
+
+    minimumSizeHint = sizeHint
+
+    def refresh(self) -> None:
+        self._seconds.clear()
+        since = now() - _MINUTE
+        for row in reversed(self._traffic.everything.rows):
+            if row.time < since:
+                break
+            if row.is_routine and row.seconds is not None:
+                slot = int((row.time - since) / _SLOT)
+                self._seconds[slot] = max(self._seconds.get(slot, 0.0), row.seconds)
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        del event
+        width, height = self.width() * _SLOT / _MINUTE, (self.height() - 3) / (self.longest or 1)
+        with Painter(self) as painter:
+            painter.setPen(theme().color("hairline"))
+            painter.drawLine(0, self.height() - 1, self.width(), self.height() - 1)
+            painter.setPen(QPen(theme().color("accent"), 1.5))
+            points = [
+                QPointF((slot + 0.5) * width, self.height() - 1.5 - seconds * height)
+                for slot, seconds in sorted(self._seconds.items())
+            ]
+            painter.drawPolyline(points)
+
+
+class ProblemsPage(View):
+    """What went wrong, newest first; below it the connection. A device gives the content."""
+
+    page_wanted = Signal(str)  # the key of the page
+    help_wanted = Signal(str)  # its topic
+    counted = Signal(int)  # problems that are not cleared, whenever problems were shown
+
+    def __init__(
+        self,
+        name: str,
+        traffic: TrafficModel,
+        parent: QWidget,
+        kinds: Sequence[tuple[str, str]] = (),
+    ) -> None:
+        """`name` begins the object names.
+
+        `kinds`: name and meaning of everything that the device can report.
+        """
+        super().__init__(parent)
+        self.setObjectName(f"{name}Page")
+        self._kinds = len(kinds)
+        self._shown: list[Problem] = []  # in their order, also those that the search hides
+        self._cards = dict[str, ProblemCard]()
+        self._column = ui.column(margins=0, spacing=12)
+        self._note = ui.named(Muted("", self), f"{name}Note")
+        listed = ui.Card(parent=self)
+        lines = (f"<b>{escape(kind)}</b>&nbsp; {escape(meaning)}" for kind, meaning in kinds)
+        text = "<br>".join(lines)
+        ui.column(ui.label(listed, f"{name}Kinds", text, wrap=True, rich=True), into=listed)
+        listed.hide()
+        more = ui.button(
+            self, f"{name}List", tr("L&ist them"), checkable=True, on_toggle=listed.setVisible
+        )
+        set_look(more, "link")
+        more.setVisible(bool(kinds))
+        self.note_row = ui.row((self._note, 1), more)
+        self._connection = Connection(name, traffic, self)
+        parts = self._column, self.note_row, listed, (self._connection, 1)
+        ui.column(*parts, into=self, margins=(0, 12, 0, 16), spacing=12)
+
+    def problems(self) -> Sequence[Problem]:
+        """Return what occurred, the newest first."""
+        raise NotImplementedError
+
+    def since(self) -> datetime | None:
+        """Return when the device was first watched, in local time; `None` if it is not."""
+        raise NotImplementedError
+
+    def readings(self) -> Sequence[Reading]:
+        raise NotImplementedError
+
+    def clear(self, key: str) -> None:
+        """Take a problem as known; it counts again when it is reported again."""
+        raise NotImplementedError
+
+    @Slot()
+    def show_problems(self) -> None:
+        """Show the problems, active ones first; among the others a card keeps its place."""
+        newest = {problem.key: problem for problem in self.problems()}
+        before = [problem.key for problem in self._shown if problem.key in newest]
+        order = [*(key for key in newest if key not in before), *before]
+        self._shown = sorted((newest[key] for key in order), key=lambda one: not one.is_active)
+        for key in self._cards.keys() - newest.keys():
+            self._cards.pop(key).deleteLater()
+        for place, problem in enumerate(self._shown):
+            card = self._cards.get(problem.key) or ProblemCard(problem.key, self)
+            self._cards[problem.key] = card
+            if self._column.indexOf(card) != place:
+                self._column.insertWidget(place, card)
+            card.show_problem(problem)
+            card.setVisible(self.matches(problem.line))
+        self._note.setText(self._note_text())
+        self.counted.emit(sum(not problem.is_cleared for problem in self._shown))
+
+    @Slot()
+    @only_when_visible
+    def refresh(self) -> None:
+        self.show_problems()
+        self._connection.show_readings(self.readings())
+        active = sum(problem.is_active for problem in self._shown)
+        text = tr("%n problem(s) active now", "", active) if active else tr("No problem is active.")
+        self.summarized.emit(text)
+
+    def _note_text(self) -> str:
+        since = self.since()
+        if since is None:
+            return tr("Nothing is connected.")
+        text = tr("Nothing has gone wrong since {0:%H:%M}.")
+        if self._shown:
+            text = tr("Nothing else has gone wrong since {0:%H:%M}.")
+        kinds = tr("The board can report {0} kinds of problem.").format(self._kinds)
+        return f"{text.format(since)} {kinds if self._kinds else ''}".rstrip()
+
+    @staticmethod
+    def times_text(count: int, last: datetime) -> str:
+        return tr("%n time(s), last at {0:%H:%M:%S}", "", count).format(last)
+
+    def lines(self) -> Sequence[str]:
+        return [
+            *(problem.line for problem in self._shown if self.matches(problem.line)),
+            self._note.text(),
+            *(tr("{0}: {1}").format(one.caption, one.value) for one in self.readings()),
+        ]
