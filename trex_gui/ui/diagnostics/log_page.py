@@ -7,11 +7,11 @@ from PySide6.QtGui import QTextCursor
 from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
 from trex_gui.core.translation import tr
-from trex_gui.ui.diagnostics.view import View
 from trex_gui.ui.help.messages import MessageHelp
 from trex_gui.ui.log import MOST_ENTRIES, Log, LogEntry
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import only_when_visible
+from trex_gui.ui.widgets.view import View
 
 
 class LogPage(View):

@@ -9,13 +9,13 @@ from PySide6.QtWidgets import QWidget
 from trex_gui.core.translation import tr
 from trex_gui.ui.diagnostics.log_page import LogPage
 from trex_gui.ui.diagnostics.problems import ProblemsPage
-from trex_gui.ui.diagnostics.view import View, copy_lines
 from trex_gui.ui.frame.places import Place
 from trex_gui.ui.frame.workspace import PageInfo, Workspace
 from trex_gui.ui.theme.theme import follow_theme, set_look
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import PageHead
 from trex_gui.ui.widgets.scroll_box import ScrollBox
+from trex_gui.ui.widgets.view import View, copy_lines
 
 _SEARCH = 26  # average characters
 

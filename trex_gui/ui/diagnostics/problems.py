@@ -10,7 +10,6 @@ from PySide6.QtGui import QPaintEvent, QPen
 from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
 
 from trex_gui.core.translation import tr
-from trex_gui.ui.diagnostics.view import View
 from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.theme import set_look, set_style_property, set_text_color, theme
 from trex_gui.ui.traffic.model import TrafficModel
@@ -18,6 +17,7 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.labels import LiveLabel, Muted, Sign
 from trex_gui.ui.widgets.painted import Painted, Painter
+from trex_gui.ui.widgets.view import View
 
 _MINUTE, _SLOT = 60.0, 0.5  # seconds that are drawn, and those of one point
 

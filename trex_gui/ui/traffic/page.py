@@ -12,7 +12,6 @@ from trex_gui.core.code import Language
 from trex_gui.core.translation import tr
 from trex_gui.core.transport.row_code import rows_as_code
 from trex_gui.core.transport.traffic import Transaction
-from trex_gui.ui.diagnostics.view import View, copy_lines
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer
@@ -22,6 +21,7 @@ from trex_gui.ui.traffic.table import RowDetails, TrafficTable, TrafficView
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.behaviour import only_when_visible
+from trex_gui.ui.widgets.view import View, copy_lines
 from trex_gui.ui.workers.file_worker import FileSaver
 
 _TYPING_MS = 200
