@@ -32,7 +32,8 @@ def test_report_is_shown_before_it_is_saved(
     window.device.parameters.edit("serial_timeout", 15)
     window.device.notifier.error.emit("Something about marybell.")
     simulator.do("fault 1 on")
-    window.wait(lambda: window.device.board.errors.occurred)
+    errors = window.device.board.errors
+    window.wait(lambda: any(entry.count for entry in errors.occurred))
     window.trigger("report")
     dialog = window.dialog("reportDialog")
     files = dialog.find(QListWidget, "reportFiles")

@@ -34,7 +34,7 @@ def is_dragging(window: RobotWindow) -> bool:
 
 def test_move_sends_goals_and_speeds(connected_window: RobotWindow) -> None:
     window = connected_window
-    assert "unknown before the first move" in window.text("aracnaTitle")
+    assert "are unknown" in window.text("aracnaTitle")
     assert "speed 100 (67 °/s)" in window.text("aracnaReport")
     assert window.text("aracnaPresent0") == "–"
     window.drag("aracnaSlider0", 300)

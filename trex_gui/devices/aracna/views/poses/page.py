@@ -1,6 +1,7 @@
 """The poses page: poses, sequences and gaits are edited, kept in files, and played."""
 
 from PySide6.QtCore import Slot
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.translation import tr
@@ -11,7 +12,7 @@ from trex_gui.devices.aracna.views.poses.files import PoseFiles
 from trex_gui.devices.aracna.views.poses.motion_box import MotionBox
 from trex_gui.devices.aracna.views.poses.play_bar import PlayBar
 from trex_gui.devices.aracna.views.poses.pose_box import PoseBox
-from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
+from trex_gui.devices.aracna.views.robot.drawing import RobotCard
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import PageHead
 
@@ -24,27 +25,31 @@ class PosesPage(QWidget):
         self.setObjectName("aracnaPosesPage")
         self._library = library
         self.files = PoseFiles(library, robot.notifier, self)
-        drawn = ui.Card(parent=self)
-        drawing = ui.named(RobotDrawing(robot.state, drawn), "aracnaPosesDrawing")
-        drawing.follow(robot)
-        drawing.pointed.connect(drawing.mark)
         text = f"* {assumed_text()}"
-        footnote = ui.label(drawn, "aracnaPosesFootnote", text, wrap=True, size="caption")
-        ui.column((drawing, 1), footnote, into=drawn)
+        remark = ui.label(None, "aracnaPosesFootnote", text, wrap=True, size="caption")
+        self._drawn = RobotCard(robot, remark, "aracnaPosesDrawing", self)
+        self._drawn.drawing.pointed.connect(self._drawn.drawing.mark)
         self._head = PageHead(tr("Poses"), self)
         poses = PoseBox(robot, library, self)
         motions = MotionBox(library, robot.notifier, self)
         bar = PlayBar(robot, library, motions, self)
         self.capture = poses.capture
         self.play = bar.play
-        panel = ui.column((ui.row((poses, 2), (motions, 3), spacing=16), 1), bar, spacing=8)
-        below = ui.row((drawn, 1), (panel, 4), spacing=16)
+        self._panel = panel = ui.column(
+            (ui.row((poses, 2), (motions, 3), spacing=16), 1), bar, spacing=8
+        )
+        below = ui.row((self._drawn, 1), (panel, 4), spacing=16)
         ui.column(self._head, (below, 1), into=self, margins=16, spacing=8)
 
         poses.pose_chosen.connect(motions.show_pose)
         motions.show_pose(poses.current_name)
         library.changed.connect(self._show_file)
         self._show_file()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Hide the drawing where it has no room."""
+        super().resizeEvent(event)
+        self._drawn.show_in(self.contentsRect().width() - self._panel.minimumSize().width())
 
     @Slot()
     def _show_file(self) -> None:

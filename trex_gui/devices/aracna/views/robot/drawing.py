@@ -10,15 +10,15 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QSizePolicy, QWidget
+from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.model.texts import position_text, spoken_joint
 from trex_gui.devices.aracna.protocol.joints import JOINTS, Leg, degrees
-from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.builders import plain
+from trex_gui.ui.theme.theme import CARD_PADDING, theme
+from trex_gui.ui.widgets.builders import Card, column, named, plain
 from trex_gui.ui.widgets.painted import Painted, Painter
 
 _OUTWARD = {
@@ -223,6 +223,22 @@ class RobotDrawing(Painted):
         painter.setPen(theme().color("window_text"))
         box = QRectF(place.x() - radius, place.y() - radius, 2 * radius, 2 * radius)
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, f"{motor}!" if is_bad else str(motor))
+
+
+class RobotCard(Card):
+    """The drawing of a robot, with a remark; hidden where the page has no room for it."""
+
+    def __init__(self, robot: Robot, remark: QLabel, name: str, parent: QWidget) -> None:
+        super().__init__(parent=parent)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self.drawing = named(RobotDrawing(robot.state, self), name)
+        self.drawing.follow(robot)
+        column((self.drawing, 1), remark, into=self)
+
+    def show_in(self, room: int) -> None:
+        """Show it if the page leaves so many pixels beside what it needs."""
+        needed = self.drawing.minimumSizeHint().width() + 3 * CARD_PADDING
+        self.setVisible(room >= needed)
 
 
 def _differ(one: DrawnLeg, other: DrawnLeg) -> bool:

@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QFontMetrics, QResizeEvent
-from PySide6.QtWidgets import QPushButton, QSizePolicy, QWidget
+from PySide6.QtWidgets import QPushButton, QWidget
 
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.aracna.model.robot import FIRST_SPEED, Robot
@@ -14,13 +14,12 @@ from trex_gui.devices.aracna.model.texts import (
 )
 from trex_gui.devices.aracna.poses.gaits import STAND
 from trex_gui.devices.aracna.protocol.joints import CENTRE
-from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
+from trex_gui.devices.aracna.views.robot.drawing import RobotCard
 from trex_gui.devices.aracna.views.robot.joint_table import JointTable
 from trex_gui.devices.aracna.views.robot.joint_widgets import CommonSpeedBox
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import (
-    CARD_PADDING,
     follow_theme,
     scaled_font,
     set_look,
@@ -32,7 +31,6 @@ from trex_gui.ui.widgets.behaviour import take_typed
 from trex_gui.ui.widgets.labels import ElidedLabel, Note, Sign
 
 _WIDEST_RATE = 888.8
-_LEAST_DRAWING = 170  # pixels; in a narrower drawing the joints overlap
 _WIDEST_TABLE = 130  # average characters
 _TITLE, _LONG_TITLE = 1.6, 60  # times the size of the font, characters
 
@@ -51,15 +49,12 @@ class RobotPage(QWidget):
         self._sign = Sign(self._content)
         self._title = ui.named(ElidedLabel("", self._content), "aracnaTitle")
         self._report = ui.named(Note(2, self._content), "aracnaReport")
-        self._drawn = ui.Card(parent=self._content)
-        self._drawn.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        drawing = RobotDrawing(robot.state, self._drawn)
-        drawing.follow(robot)
         text = tr("Full lines: last reported; dashed: goal. A sketch: angles are drawn flat.")
-        caption = ui.label(
-            self._drawn, "aracnaCaption", f"{text}\n* {assumed_text()}", wrap=True, size="caption"
+        remark = ui.label(
+            None, "aracnaCaption", f"{text}\n* {assumed_text()}", wrap=True, size="caption"
         )
-        ui.column((drawing, 1), caption, into=self._drawn)
+        self._drawn = RobotCard(robot, remark, "aracnaDrawing", self._content)
+        drawing = self._drawn.drawing
         self._joints = ui.Card(parent=self._content)
         table = JointTable(robot, self._joints)
         self.controls = Controls(robot, table, self._joints)
@@ -88,8 +83,7 @@ class RobotPage(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Hide the drawing where it has no room."""
         super().resizeEvent(event)
-        room = self.contentsRect().width() - self._joints.minimumSizeHint().width()
-        self._drawn.setVisible(room >= _LEAST_DRAWING + 3 * CARD_PADDING)
+        self._drawn.show_in(self.contentsRect().width() - self._joints.minimumSizeHint().width())
 
     def set_up_offline(self) -> None:
         """Show goals and limits instead of the start panel, until something was connected."""
@@ -103,47 +97,47 @@ class RobotPage(QWidget):
         shows_joints = is_connected or self._is_set_up_offline
         self._start.setVisible(not shows_joints)
         self._content.setVisible(shows_joints)
-        text, alarming = self._report_text()
-        title, _, more = text.partition(". ")
+        title, more, alarming = self._report_text()
         self._sign.show_sign("warning" if alarming else "info", "warning" if alarming else "info")
-        self._title.show_text(title.removesuffix("."))
+        self._title.show_text(title)
         is_long = len(title) > _LONG_TITLE
         set_style_property(self._title, "textSize", "heading" if is_long else "title")
         self._report.show_note(more)
 
-    def _report_text(self) -> tuple[str, bool]:
-        """Return the state of the robot, in a first sentence and more, and if it alarms."""
+    def _report_text(self) -> tuple[str, str, bool]:
+        """Return the state of the robot, more about it, and if it alarms."""
         state = self._robot.state
         if self._robot.link not in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}:
-            return tr("No robot is connected. Goals and limits can be set already."), False
+            return tr("No robot is connected."), tr("Goals and limits can be set already."), False
         if state.stuck is not None:
-            return stuck_text(state.stuck.motor), True
+            return *_parts(stuck_text(state.stuck.motor)), True
         faults = [missed_goals_text(state)] if state.missed_goals else []
         if state.speed_error is not None:
             faults.append(error_text(state.speed_error))
         if faults:
-            return " ".join(faults), True
+            return *_parts(" ".join(faults)), True
+        unknown = tr("The positions of the motors are unknown.")
         if state.uncertain:
-            text = tr(
-                "Motor positions are unknown. The last motion may still be running; the next move "
-                "will report them."
-            )
-            return text, True
+            more = tr("The last motion may still be running; the next move will report them.")
+            return unknown, more, True
         if all(position is None for position in state.present):
-            return self._before_first_move_text(), False
+            return unknown, self._before_first_move_text(), False
         if state.moved is not None:
-            return tr("Every motor has reached its goal within a few units."), False
-        return self._robot.status, False
+            return tr("Every motor has reached its goal within a few units."), "", False
+        return *_parts(self._robot.status), False
 
     def _before_first_move_text(self) -> str:
-        text = tr(
-            "Motor positions are unknown before the first move. This robot reports them only in "
-            "its reply to one."
-        )
+        text = tr("This robot reports them only in its reply to a move.")
         if self._robot.speeds_chosen:
             return text
-        more = tr("That move runs at speed {0} ({1}), unless you choose other speeds.")
+        more = tr("The first one runs at speed {0} ({1}), unless you choose other speeds.")
         return f"{text} {more.format(FIRST_SPEED, speed_text(FIRST_SPEED))}"
+
+
+def _parts(text: str) -> tuple[str, str]:
+    """Return the first sentence of a text, and the others."""
+    first, dot, more = text.partition(". ")
+    return f"{first}{dot}".rstrip(), more
 
 
 class Controls(QWidget):
