@@ -30,8 +30,6 @@ class Diagnostics(Place):
         """`name` begins the object names; `show_help` opens a topic of the help."""
         super().__init__(f"{name}Page", tr("Diagnostics"), workspace)
         self._workspace, self._show_help = workspace, show_help
-        hint = tr("Search (Ctrl+F)")
-        self._search = ui.search_field(self, f"{name}Search", tr("Search this list"), hint)
         copy = ui.button(
             self,
             f"{name}Copy",
@@ -49,10 +47,12 @@ class Diagnostics(Place):
             on_click=lambda: workspace.trigger("report"),
         )
         self._head = ui.named(PageHead(tr("Diagnostics"), self, copy, report), f"{name}Head")
+        self.add_tabs(self._head, margins=(16, 16, 16, 0))
+        hint = tr("Search (Ctrl+F)")
+        self._search = ui.search_field(self, f"{name}Search", hint, hint)
         self.tabs.setCornerWidget(self._search)
         set_look(self.tabs.tabBar(), "choices")
         self.tabs.tabBar().setDrawBase(False)
-        ui.column(self._head, (self.tabs, 1), into=self, margins=(16, 16, 16, 0), spacing=8)
         follow_theme(self._search, "room", self._make_room)
         self._search.textChanged.connect(self._on_searched)
         workspace.page_changed.connect(self._on_page_changed)
@@ -98,8 +98,9 @@ class Diagnostics(Place):
 
     @Slot()
     def _on_page_changed(self) -> None:
-        """Show what was searched on this page."""
+        """Show what was searched on this page, before which Tab reaches the search."""
         if self._view is not None:
+            ui.tab_order(self.tabs.tabBar(), self._search, self._view)
             with QSignalBlocker(self._search):
                 self._search.setText(self._view.searched)
 
@@ -115,5 +116,5 @@ class Diagnostics(Place):
 
     @Slot(int)
     def _show_count(self, count: int) -> None:
-        title = tr("Problems ({0})").format(count) if count else tr("Problems")
+        title = f"{tr('Problems')} ({count})" if count else tr("Problems")
         self._workspace.set_page_title("errors", title)

@@ -60,11 +60,11 @@ class ProblemCard(ui.Card):
         self._text = ui.label(self, f"{key}Text", wrap=True, selectable=True)
         self._times = ui.label(self, f"{key}Times", size="caption", wrap=True)
         self._show, self._clear, self._explain = buttons = [
-            ui.button(self, f"{key}{name}", text, confirms=True)
+            ui.button(self, f"{key}{name}", text.replace("&", ""), confirms=True)
             for name, text in (
                 ("Show", tr("Show it")),
-                ("Clear", tr("Clear")),
-                ("Explain", tr("Explain")),
+                ("Clear", tr("C&lear")),
+                ("Explain", tr("E&xplain")),
             )
         ]
         set_look(self._explain, "link")
@@ -127,10 +127,9 @@ class Connection(ui.Card):
             for label in (caption, value):
                 label.setToolTip(ui.plain(reading.details))
         self._line.refresh()
-        text = tr("Round trips of the last minute: none")
-        if self._line.longest:
-            text = tr("Round trips of the last minute: up to {0:.0f} ms")
+        text = tr("Round trips of the last minute: up to {0:.0f} ms")
         self._caption.setText(text.format(1000 * self._line.longest))
+        self._caption.setVisible(self._line.longest > 0)
 
 
 class RoundTrips(Painted):
@@ -207,7 +206,7 @@ class ProblemsPage(View):
         ui.column(ui.label(listed, f"{name}Kinds", text, wrap=True, rich=True), into=listed)
         listed.hide()
         more = ui.button(
-            self, f"{name}List", tr("L&ist them"), checkable=True, on_toggle=listed.setVisible
+            self, f"{name}List", tr("Lis&t them"), checkable=True, on_toggle=listed.setVisible
         )
         set_look(more, "link")
         more.setVisible(bool(kinds))
@@ -256,8 +255,7 @@ class ProblemsPage(View):
         self.show_problems()
         self._connection.show_readings(self.readings())
         active = sum(problem.is_active for problem in self._shown)
-        text = tr("%n problem(s) active now", "", active) if active else tr("No problem is active.")
-        self.summarized.emit(text)
+        self.summarized.emit(tr("%n problem(s) active now", "", active) if active else "")
 
     def _note_text(self) -> str:
         since = self.since()

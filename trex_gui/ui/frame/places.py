@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QTabBar, QTabWidget, QWidget
 
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import follow_theme, theme
-from trex_gui.ui.widgets.builders import named
+from trex_gui.ui.widgets.builders import Margins, column, named
 from trex_gui.ui.widgets.painted import Painter
 
 _NARROW = 1100  # pixels for column and page, below which only icons are shown
@@ -127,9 +127,16 @@ class Places(QTabWidget):
 class Place(QWidget):
     """Pages that share a place, with tabs of their own."""
 
+    tabs: QTabWidget
+
     def __init__(self, name: str, title: str, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName(name)
         self.title = title
-        self.tabs = named(QTabWidget(self), name.replace("Page", "Tabs"), accessible=title)
+
+    def add_tabs(self, *above: QWidget, margins: Margins = 0) -> None:
+        """Add the tabs, which Tab reaches after what is above them."""
+        name = self.objectName().replace("Page", "Tabs")
+        self.tabs = named(QTabWidget(self), name, accessible=self.title)
         self.tabs.setDocumentMode(True)
+        column(*above, (self.tabs, 1), into=self, margins=margins, spacing=8)

@@ -180,8 +180,7 @@ class Workspace(QWidget):
             holder.removeTab(index + 1)
             holder.setCurrentIndex(current)
         # It was made after what is below the pages, and a plot is made later still.
-        beside = filter(None, (holder.cornerWidget(),))
-        order = partial(ui.tab_order, holder.tabBar(), *beside, box)
+        order = partial(ui.tab_order, holder.tabBar(), box)
         order()
         if isinstance(page, PlotPage):
             page.plot_added.connect(order)

@@ -34,7 +34,7 @@ class ErrorsPage(ProblemsPage):
         kinds = [(tr(entry.name), tr(entry.meaning)) for entry in UNSEEN]
         super().__init__("errors", device.connection.traffic, parent, kinds)
         tip = tr("Set every count to zero, and forget when errors were seen")
-        title, reset = tr("Reset co&unts"), device.board.errors.reset
+        title, reset = tr("Reset all co&unts"), device.board.errors.reset
         self._reset = ui.button(self, "resetCountsButton", title, tip=tip, on_click=reset)
         self.note_row.addWidget(self._reset)
         device.errors_changed.connect(self.show_problems)
