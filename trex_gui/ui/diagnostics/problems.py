@@ -63,7 +63,7 @@ class ProblemCard(ui.Card):
             ui.button(self, f"{key}{name}", text.replace("&", ""), confirms=True)
             for name, text in (
                 ("Show", tr("Show it")),
-                ("Clear", tr("C&lear")),
+                ("Clear", tr("Clear")),
                 ("Explain", tr("E&xplain")),
             )
         ]

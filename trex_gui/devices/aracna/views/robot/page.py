@@ -56,14 +56,15 @@ class RobotPage(QWidget):
         self._drawn = RobotCard(robot, remark, "aracnaDrawing", self._content)
         drawing = self._drawn.drawing
         self._joints = ui.Card(parent=self._content)
+        set_look(self._joints, "compact")  # with its controls it fits a low screen
         table = JointTable(robot, self._joints)
         self.controls = Controls(robot, table, self._joints)
-        ui.column((table, 1), self.controls, into=self._joints, spacing=16)
+        ui.column((table, 1), self.controls, into=self._joints, spacing=8)
         texts = ui.column(self._title, self._report, spacing=2)
         head = ui.row((self._sign, 0, Qt.AlignmentFlag.AlignTop), (texts, 1), spacing=8)
         cards = ui.row((self._drawn, 2), (self._joints, 7), spacing=16)
         ui.column(head, (cards, 1), into=self._content, margins=0, spacing=8)
-        ui.column(start, self._content, into=self, margins=16)
+        ui.column(start, self._content, into=self, margins=(16, 12, 16, 8))
 
         follow_theme(self._title, "room", self._make_room)
         for signal in (drawing.pointed, table.pointed):
