@@ -1,0 +1,118 @@
+"""Ranked search over short texts: BM25 by beginnings of words, in the languages of the window."""
+
+import re
+import unicodedata
+from collections import Counter, defaultdict
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from difflib import get_close_matches
+from functools import cache, lru_cache
+from math import log, sqrt
+from typing import Literal
+
+from trex_gui.core.resource_files import resource
+
+Kind = Literal["page", "parameter", "action", "message", "help"]
+
+_KINDS = {"help": 0.85, "message": 0.65}  # weights; that of the others is 1
+_TEXT = 0.65  # weight of a word of the text, where one of the title has up to 1
+_SYNONYM, _MISSPELT = 0.8, 0.5  # weights of words that mean the same, or look alike
+_WHOLE = 2  # weight of a title of which each word was typed
+_SHORTEST = 4  # letters of a word that is found inside of another one
+_MOST = 20  # hits
+
+_ENDING = re.compile(
+    r"(?<=\w{4})(?:ungen|ung|ieren|iert|ations?|ated?|ions?|ings?|ments?|er|ed|es|en|e|s|n)$"
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Findable:
+    """Something to search for, and what shows it to the user."""
+
+    kind: Kind
+    key: str  # names it among those of its kind
+    title: str
+    place: str = ""
+    text: str = ""
+    show: Callable[[], object] = field(default=lambda: None, compare=False)
+
+
+@lru_cache(maxsize=2048)
+def _words(text: str) -> Sequence[str]:
+    """Return the words without endings and accents, in lower case."""
+    apart = unicodedata.normalize("NFKD", text.casefold())
+    plain = "".join(letter for letter in apart if not unicodedata.combining(letter))
+    return [_ENDING.sub("", word) for word in re.findall(r"[^\W_]+", plain)]
+
+
+@cache
+def _synonyms() -> Mapping[str, set[str]]:
+    """Return the words that mean the same as a word, those that say nothing for an empty one."""
+    found: dict[str, set[str]] = defaultdict(set)
+    for line in resource("search_words.txt").read_text(encoding="utf-8").splitlines():
+        for word in _words(line) if line[:1] != "-" else [""]:
+            found[word].update(_words(line))
+    return found
+
+
+def _likeness(typed: str, word: str) -> float:
+    """Return how well a word answers the typed one, from 0 to 1."""
+    if word.startswith(typed):
+        return sqrt(len(typed) / len(word))
+    if len(word) >= _SHORTEST and typed.startswith(word):
+        return len(word) / len(typed)
+    return 0.8 * len(typed) / len(word) if len(typed) >= _SHORTEST and typed in word else 0.0
+
+
+class SearchIndex:
+    def __init__(self, findables: Iterable[Findable]) -> None:
+        self._all = list(findables)
+        # How much each findable has of a word, by its number.
+        self._weights: dict[str, dict[int, float]] = defaultdict(lambda: defaultdict(float))
+        self._match = cache(self._new_match)  # while the next word is typed
+        texts = [_words(f"{each.place} {each.key} {each.text}") for each in self._all]
+        mean = sum(map(len, texts)) / max(1, len(texts))
+        for number, (each, text) in enumerate(zip(self._all, texts, strict=True)):
+            norm = 0.5 + 0.7 * len(text) / mean
+            for word, count in Counter(text).items():
+                self._weights[word][number] = _TEXT * count / (count + norm)
+            for word in (title := _words(each.title)):
+                self._weights[word][number] += 1 / sqrt(1 + len(title) / 4)
+
+    def find(self, query: str) -> list[Findable]:
+        """Return what answers a query best, the best first; the pages without a query."""
+        typed: list[str] = []
+        for word in _words(query):  # several words that mean the same are one
+            alike = {word, *_synonyms().get(word, ())}
+            if word not in _synonyms()[""] and alike.isdisjoint(typed):
+                typed.append(word)
+        if not typed:
+            return [each for each in self._all if each.kind == "page"]
+        scores: dict[int, float] = defaultdict(float)
+        matched: dict[int, float] = defaultdict(float)
+        for values, likenesses in map(self._match, typed):
+            for number, value in values.items():
+                scores[number] += value
+                matched[number] += likenesses[number]
+        for number, each in enumerate(self._all):
+            whole = _WHOLE if {*_words(each.title)} <= {*_words(query)} else 1
+            scores[number] *= matched[number] * _KINDS.get(each.kind, 1) * whole
+        best = sorted(filter(scores.get, scores), key=scores.__getitem__, reverse=True)
+        return [self._all[number] for number in best[:_MOST]]
+
+    def _new_match(self, typed: str) -> tuple[Mapping[int, float], Mapping[int, float]]:
+        """Return how much each findable has of a word, and how like the word is what it has."""
+        same, words = _synonyms().get(typed, {typed}), self._weights
+        alike = {word: max(_likeness(each, word) for each in same) * _SYNONYM for word in words}
+        alike = {word: max(found, _likeness(typed, word)) for word, found in alike.items()}
+        if not any(alike.values()):
+            alike = dict.fromkeys(get_close_matches(typed, words, cutoff=0.75), _MISSPELT)
+        values: dict[int, float] = defaultdict(float)
+        likenesses: dict[int, float] = defaultdict(float)
+        for word, likeness in alike.items():
+            for number, weight in words[word].items() if likeness else ():
+                values[number] = max(values[number], likeness * weight)
+                likenesses[number] = max(likenesses[number], likeness)
+        rarity = log(1 + len(self._all) / (1 + sum(likenesses.values())))
+        return {number: rarity * value for number, value in values.items()}, likenesses
