@@ -126,7 +126,7 @@ def test_third_device_needs_only_its_plugin(
     stack = window.findChild(QStackedWidget)
     assert stack is not None
     assert stack.currentWidget() is workspace
-    assert "Connected to a lamp." in {label.text() for label in window.findChildren(QLabel)}
+    assert "Connected to a lamp" in {label.text() for label in window.findChildren(QLabel)}
     assert controller.lamp.is_on
 
     QTest.keyClick(window, Qt.Key.Key_Escape)

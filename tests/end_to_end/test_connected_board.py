@@ -64,7 +64,7 @@ def test_title_and_pages_show_board_data_until_disconnect(
     window.device.draft.discard_edits()
     assert not window.window.isWindowModified()
 
-    assert window.text("statusLabel") == "Connected to TReX 1.2."
+    assert window.text("statusLabel") == "TReX 1.2, device 7"
     board = window.open_page("boardPage")
     assert "Not armed" in board.text("motorsReason1")
     assert "TReX (DMC01) · firmware 1.2" in board.text("boardFacts")

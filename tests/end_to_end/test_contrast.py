@@ -154,11 +154,16 @@ def contrast_of_box_in(view: QAbstractItemView) -> float:
 
 
 def controls_of(window: QWidget) -> list[QWidget]:
-    """Return what can be used: unticked boxes, and editors and buttons with a frame."""
+    """Return what can be used: unticked boxes, and editors and buttons with a frame.
+
+    What is in the bar at the top is in a frame of it.
+    """
+    frames = ((each, each.parentWidget()) for each in window.findChildren(QWidget))
     return [
         control
-        for control in window.findChildren(QWidget)
-        if isinstance(control, KINDS)
+        for each, frame in frames
+        for control in [frame if frame and frame.property("look") == "pill" else each]
+        if isinstance(each, KINDS)
         and control.isEnabledTo(control.window())
         and not (isinstance(control, QAbstractButton) and control.isChecked())
         and not (isinstance(control, QPushButton) and control.property("look") == "link")

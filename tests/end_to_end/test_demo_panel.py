@@ -131,7 +131,7 @@ def test_cable_is_unplugged_and_plugged_in_again(
     assert "Check “Plugged in” on its panel" in window.text("bannerText")
     assert window.device.link is ConnectionState.DISCONNECTED
     assert panel.root.isVisible()
-    assert window.text("statusLabel") == "Not connected."
+    assert window.text("statusLabel") == "Not connected"
     assert window.is_enabled("connectButton")
 
     panel.click("demoCable")

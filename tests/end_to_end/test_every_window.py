@@ -62,7 +62,6 @@ FRAME = QSize(16, 48)
 
 FOCUSED = {
     # The primary button.
-    "aboutBox": pseudo("OK"),
     "armDialog": "writeAndArmButton",
     "convertDialog": "convertButton",
     "findDialog": "findStartButton",

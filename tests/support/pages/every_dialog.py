@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QTabWidget, QWidget
+from PySide6.QtWidgets import QDialog, QFileDialog, QTabWidget, QWidget
 
 from tests.devices.trex.bench.runs import run_of
 from tests.support.pages.every_window import WINDOWS_WITH_STOP, open_bench, open_editor, open_plot
@@ -34,7 +34,7 @@ BAD_SETTINGS = (
     "motor1_acceleration: 127\nrc_channel_1: [1]\nmotor_mode: 1"
 )
 BAD_LAYOUT = "version = 2\n"
-QT_OF_OURS = {"newSettingsDialog", "aboutBox"}
+QT_OF_OURS = {"newSettingsDialog"}
 """Dialogs of classes of Qt that the program fills."""
 
 
@@ -71,9 +71,6 @@ def _trex_windows(
     yield from _pages(window)
     window.trigger("line")
     yield from _dialogs(window.window, "line")
-    about = _about_box(window, monkeypatch)
-    yield about
-    about.close()
     window.connect_to_demo()
     window.device.parameters.edit("serial_timeout", 15)
     yield from _pages(window)
@@ -140,21 +137,6 @@ def _dialogs(window: QWidget, why: str) -> Iterator[QDialog]:
     for dialog in shown:
         yield dialog
         dialog.close()
-
-
-def _about_box(window: WindowDriver, monkeypatch: pytest.MonkeyPatch) -> QMessageBox:
-    """Open the box in place of waiting until it is closed."""
-    boxes: list[QMessageBox] = []
-
-    def show_about(parent: QWidget, title: str, text: str) -> None:
-        box = QMessageBox(QMessageBox.Icon.Information, title, text, parent=parent)
-        box.setObjectName("aboutBox")
-        box.show()
-        boxes.append(box)
-
-    monkeypatch.setattr(QMessageBox, "about", show_about)
-    window.trigger("about")
-    return boxes[0]
 
 
 def _files(window: WindowDriver, folder: Path) -> Iterator[QWidget]:

@@ -1,4 +1,4 @@
-"""The help window: pages, links, history, search and pictures, without the rest of the window."""
+"""The help window: pages, links, history and pictures, without the rest of the window."""
 
 import pytest
 from PySide6.QtCore import QUrl
@@ -9,7 +9,6 @@ from pytestqt.qtbot import QtBot
 from tests.support.keyboard import check_keyboard
 from tests.support.window import WidgetDriver
 from trex_gui.core.resource_files import resource
-from trex_gui.devices.trex.views import help as trex
 from trex_gui.ui.help.dialog import HelpDialog
 from trex_gui.ui.help.pages import pages
 from trex_gui.ui.theme.theme import theme
@@ -17,7 +16,7 @@ from trex_gui.ui.theme.theme import theme
 
 class HelpDriver(WidgetDriver):
     def __init__(self, qtbot: QtBot) -> None:
-        self.dialog = HelpDialog(topic_of=trex.message_help().topic)
+        self.dialog = HelpDialog()
         qtbot.addWidget(self.dialog)
         super().__init__(self.dialog, qtbot)
         self.text_browser = self.find(QTextBrowser, "helpText")
@@ -122,24 +121,6 @@ def test_picture_is_a_link_to_itself_in_full_size(help_window: HelpDriver) -> No
     help_window.click("helpBack")
     assert help_window.shown == "status.md"
     assert browser.document().idealWidth() <= browser.viewport().width()
-
-
-def test_search_lists_sections_and_shows_them(help_window: HelpDriver) -> None:
-    help_window.dialog.show_topic("README.md")
-    help_window.type_into("helpSearch", "jumper hand-shake", enter=False)
-    assert help_window.entries[0] == "3. The jumper hand-shake\nLost serial settings"
-    help_window.list.setCurrentRow(0)
-    assert help_window.top_line == "3. The jumper hand-shake"
-    assert help_window.list.currentRow() == 0
-    help_window.type_into(
-        "helpSearch", "Stopping: the board has not confirmed it yet.", enter=False
-    )
-    assert help_window.entries[0] == "Stopping\nMessages"
-    help_window.type_into("helpSearch", "zeppelin", enter=False)
-    assert help_window.entries == ["Nothing was found."]
-    help_window.dialog.show_topic("safety.md")
-    assert help_window.entries == [page.title for page in pages()]
-    assert help_window.list.currentItem().text() == "Safety"
 
 
 def picture(browser: QTextBrowser, name: str) -> QColor:

@@ -16,8 +16,8 @@ from trex_gui.devices.trex.protocol.errors import ErrorCode, Rejected, ResultCod
 from trex_gui.devices.trex.settings import reader
 from trex_gui.devices.trex.settings.rules import _MESSAGES
 from trex_gui.devices.trex.views import help as trex
-from trex_gui.ui.help.messages import MESSAGES, heading_of, texts_of
-from trex_gui.ui.help.pages import anchor_of, pages
+from trex_gui.ui.help.messages import heading_of, texts_of
+from trex_gui.ui.help.pages import MESSAGES, anchor_of, pages
 from trex_gui.ui.translations import CONTEXT, error_sentence
 
 

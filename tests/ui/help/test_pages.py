@@ -1,4 +1,4 @@
-"""The help pages: every link leads somewhere, every page is listed, the search finds.
+"""The help pages: every link leads somewhere, every page is listed.
 
 That pictures are up to date is in `tests/test_app.py`, with the tour.
 """
@@ -11,7 +11,7 @@ import pytest
 from PySide6.QtGui import QImage
 
 from trex_gui.cli.program import COMMANDS
-from trex_gui.ui.help.pages import INDEX, anchor_of, pages, search
+from trex_gui.ui.help.pages import INDEX, anchor_of, pages
 
 ROOT = Path(__file__).parents[3]
 HELP = ROOT / "resources" / "help"
@@ -79,28 +79,6 @@ def test_section_has_plain_text_and_no_heading_of_code() -> None:
     assert "**" not in library.sections[0].text
     (cli,) = (page for page in pages() if page.name == "command_line.md")
     assert "snapshot, write, verify" in cli.sections[0].text, "a comment is no heading"
-
-
-def test_search_lists_headings_first() -> None:
-    found = search("Guardian")
-    assert found[0].topic == "safety.md#the-guardian"
-    assert len(found) > 1
-    assert all("guardian" in f"{one.title} {one.text}".casefold() for one in found)
-
-
-def test_search_wants_every_word() -> None:
-    topics = [one.topic for one in search("jumper hand-shake")]
-    assert topics[0] == "lost_settings.md#3-the-jumper-hand-shake"
-    assert not search("jumper zeppelin")
-
-
-def test_search_finds_the_section_of_a_pasted_message() -> None:
-    assert search("error: No reply to C1 02.")[0].topic == "messages.md#no-reply-to-"
-    pasted = "Serial Timeout: the board rejects this value (code 2)"
-    assert search(pasted)[0].topic == "messages.md#the-board-rejects-this-value-code-2"
-    crc = "A TReX responds on X with CRC polynomial 0x89, but this connection uses 0x8B."
-    assert "with-crc-polynomial" in search(crc)[0].topic, "the longest heading"
-    assert search("A stop came first; nothing was sent.")[0].title == "A stop came first"
 
 
 def test_each_picture_is_shown_and_has_both_schemes() -> None:

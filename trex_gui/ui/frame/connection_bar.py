@@ -1,9 +1,10 @@
-"""The row above the pages: port, line settings, state of the connection."""
+"""The bar above the pages: state of the connection with port and line settings, search, help."""
 
 from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QSignalBlocker, Signal, Slot
-from PySide6.QtWidgets import QComboBox, QFrame, QInputDialog, QWidget
+from PySide6.QtGui import QKeySequence, QShortcut
+from PySide6.QtWidgets import QComboBox, QFrame, QInputDialog, QSizePolicy
 
 from trex_gui.core.translation import tr
 from trex_gui.ui.devices.connection import ConnectionState
@@ -12,16 +13,16 @@ from trex_gui.ui.devices.ports import Port, Ports
 from trex_gui.ui.frame.find_dialog import FindDialog
 from trex_gui.ui.frame.workspace import LineChoice
 from trex_gui.ui.notifier import ConnectWith, Remedy
-from trex_gui.ui.theme.icons import set_icon
-from trex_gui.ui.theme.theme import follow_theme, set_text_color
+from trex_gui.ui.theme.theme import follow_theme, set_look, set_text_color
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ConfirmButton
 from trex_gui.ui.widgets.labels import ElidedLabel
+from trex_gui.ui.widgets.leds import Lamp
 
 _NOT_CONNECTED, _OTHER = "not connected", "other"
 
-_LEAST = 10  # characters of a port, where there is little room
-_STATE = 18  # characters of the state there
+_PORT = 18  # characters
+_LEAST, _STATE, _QUALITY, _CONNECT, _WIDEST = 12, 12, 11, 15, 104  # widths, average characters
 
 
 class ConnectionBar(QFrame):
@@ -44,11 +45,13 @@ class ConnectionBar(QFrame):
         device_manager: DeviceManager,
         ports: Ports,
         line_choices: Callable[[str, object], Sequence[LineChoice]],
-        parent: QWidget | None = None,
+        board_name: Callable[[], str],
     ) -> None:
-        super().__init__(parent)
+        """`board_name` returns that of the connected board, or an empty text."""
+        super().__init__()
         self.setObjectName("connectionBar")
         self._line_choices = line_choices
+        self._board_name = board_name
         self._manager = device_manager
         self._ports = ports
         self._dialog: FindDialog | None = None
@@ -68,18 +71,18 @@ class ConnectionBar(QFrame):
 
     def _create_widgets(self) -> None:
         self._combo = ui.named(ui.ComboBox(self), "portCombo", accessible=tr("Port"))
-        self._combo.setMinimumContentsLength(20)
+        self._combo.setMinimumContentsLength(_PORT)
         self._combo.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         )
+        QShortcut(QKeySequence.mnemonic(tr("&Port:")), self, self._offer_ports)
         # A double click on Connect does not disconnect.
-        self._connect = ui.named(ConfirmButton(tr("&Connect"), self), "connectButton")
+        self._connect = ui.named(ConfirmButton(parent=self), "connectButton")
         self._connect.clicked.connect(self.toggle)
         self._line = ui.tool_button(
             self,
             "lineButton",
             " ",  # the line settings follow
-            icon="settings",
             accessible=tr("Line settings"),
             tip=tr("How this computer talks to the board"),
             on_click=self.line_settings_requested,
@@ -88,15 +91,17 @@ class ConnectionBar(QFrame):
             self,
             "findButton",
             tr("F&ind…"),
-            icon="find",
             accessible=tr("Find a board"),
             tip=tr("Find a board whose line settings are unknown"),
             on_click=self.find_board,
         )
-        self._state = state = QWidget(self)
-        self._status = ui.named(ElidedLabel("", state), "statusLabel")
-        self._quality = ui.named(ElidedLabel("", state), "qualityLabel")
-        ui.column((self._status, 1), self._quality, into=state, margins=0, spacing=0)
+        self._pill = pill = QFrame(self)
+        set_look(pill, "pill")
+        self._lamp = Lamp("led_green", pill)
+        self._status = ui.named(ElidedLabel("", pill), "statusLabel")
+        ui.set_bold(self._status)
+        self._status.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._quality = ui.named(ElidedLabel("", pill), "qualityLabel")
         self._remedy = ui.button(
             self,
             "setUpCrcButton",
@@ -106,30 +111,34 @@ class ConnectionBar(QFrame):
             on_click=lambda: self.remedy_chosen.emit(Remedy.SET_UP_CRC),
         )
         self._remedy.hide()
-        follow_theme(self, "room", self._take_room)
         self._progress = ui.progress_bar(self, "progressBar", tr("Progress"))
-        self._progress.setFixedWidth(70)
+        self._progress.setFixedWidth(40)
         self._progress.hide()
+        # Only the state gives up room for what comes and goes.
         ui.row(
-            ui.label(self, text=tr("&Port:"), buddy=self._combo),
-            self._combo,
-            self._connect,
-            self._line,
-            self._find,
-            (state, 1),
-            self._remedy,
+            self._lamp,
+            (self._status, 1),
             self._progress,
-            into=self,
-            margins=(12, 4, 12, 4),
+            self._remedy,
+            self._combo,
+            self._line,
+            self._quality,
+            self._find,
+            into=pill,
+            margins=(10, 1, 6, 1),
         )
+        # The window adds to it.
+        self.row = ui.row((pill, 9), self._connect, 1, into=self, margins=(12, 6, 12, 6))
+        ui.tab_order(pill, self._connect)
+        follow_theme(self, "room", self._take_room)
 
     def _take_room(self) -> None:
-        metrics = self.fontMetrics()
-        self._combo.setMinimumWidth(_LEAST * metrics.averageCharWidth())
-        # Nothing moves below when a button comes, or a text needs two lines.
-        self._remedy.ensurePolished()
-        room = max(2 * metrics.lineSpacing(), self._remedy.sizeHint().height())
-        self._state.setMinimumSize(_STATE * metrics.averageCharWidth(), room)
+        character = self.fontMetrics().averageCharWidth()
+        self._pill.setMaximumWidth(_WIDEST * character)
+        self._status.setMinimumWidth(_STATE * character)
+        self._quality.setFixedWidth(_QUALITY * character)
+        self._combo.setMinimumWidth(_LEAST * character)
+        self._connect.setMinimumWidth(_CONNECT * character)
 
     @Slot()
     def toggle(self) -> None:
@@ -281,9 +290,14 @@ class ConnectionBar(QFrame):
                 self._last = device.port
             self._on_ports_changed()
         self._line.setText(device.line_text)
-        self._status.show_text(
-            tr("Starting the Demo {0} …").format(device.plugin.name) if starting else device.status
-        )
+        is_connected = link is ConnectionState.CONNECTED
+        self._lamp.set_lit(is_connected)
+        status = device.status
+        if starting:
+            status = tr("Starting the Demo {0} …").format(device.plugin.name)
+        self._status.show_text((is_connected and self._board_name()) or status.removesuffix("."))
+        self._status.setToolTip(ui.plain(status))
+        self._lamp.setAccessibleName(status)
         self._show_quality()
         self._progress.setVisible(opening)
         if opening:
@@ -294,8 +308,6 @@ class ConnectionBar(QFrame):
     def _show_quality(self) -> None:
         quality = self._manager.current.quality
         self._quality.show_text(quality.text)
-        self._quality.setVisible(bool(quality.text))
-        self._status.setWordWrap(not quality.text)
         set_text_color(self._quality, "warning" if quality.is_bad else "muted")
         self._remedy.setVisible(quality.remedy is not None)
 
@@ -305,7 +317,7 @@ class ConnectionBar(QFrame):
         if text != self._connect.text():
             self._connect.hold_off()
             self._connect.setText(text)
-        set_icon(self._connect, "connect" if connects else "disconnect")
+        set_look(self._connect, "primary" if connects else "")
         is_disconnecting = self._manager.current.link is ConnectionState.DISCONNECTING
         self._connect.setEnabled(not is_disconnecting)
 

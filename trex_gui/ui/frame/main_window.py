@@ -18,13 +18,11 @@ from PySide6.QtWidgets import (
     QApplication,
     QMainWindow,
     QMenu,
-    QMessageBox,
     QStackedWidget,
     QTabWidget,
     QWidget,
 )
 
-from trex_gui import __version__
 from trex_gui.core.files import log_folder
 from trex_gui.core.translation import tr
 from trex_gui.ui.devices.connection import ConnectionState
@@ -33,6 +31,7 @@ from trex_gui.ui.devices.ports import Port, Ports
 from trex_gui.ui.files import in_background
 from trex_gui.ui.frame.connection_bar import ConnectionBar
 from trex_gui.ui.frame.files import FileOpener
+from trex_gui.ui.frame.search_field import SearchField
 from trex_gui.ui.frame.stopping import EscapeWatch, UnconfirmedStopWarning, stop_or_close_dialog
 from trex_gui.ui.frame.workspace import (
     SEPARATOR,
@@ -44,9 +43,11 @@ from trex_gui.ui.frame.workspace import (
     Workspace,
     entries_of,
     fill_menu_bar,
+    menu_findables,
 )
 from trex_gui.ui.help.messages import topic_in_front
-from trex_gui.ui.help.pages import INDEX
+from trex_gui.ui.help.pages import INDEX, help_findables
+from trex_gui.ui.help.search import Findable
 from trex_gui.ui.last_run import stop_left_running
 from trex_gui.ui.notifier import Answer, ConnectWith, Notifier, Remedy
 from trex_gui.ui.preferences import Preferences
@@ -101,7 +102,15 @@ class MainWindow(QMainWindow):
         self._notifier = notifier
         self._store = Preferences()
         frame = QWidget(self)
-        self._connection = ConnectionBar(device_manager, ports, self._line_choices, frame)
+        self._connection = bar = ConnectionBar(
+            device_manager, ports, self._line_choices, lambda: self._workspace.device_name
+        )
+        self._search = SearchField(self.findables, bar)
+        tip = tr("Help")
+        button = ui.tool_button(bar, "helpButton", icon="help", accessible=tip, tip=tip)
+        button.clicked.connect(self._show_help)
+        bar.row.addWidget(self._search, 3)
+        bar.row.addWidget(button)
         self.question = InlinePrompt(frame)  # for questions of the window and of the workspaces
         self.stack = QStackedWidget(frame)
         self._banner = banner = Banner(frame, notifier, self._topic_of)
@@ -165,6 +174,7 @@ class MainWindow(QMainWindow):
         # Whatever window is in front; the others have their own keys.
         self._actions["stop"].setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
         self._actions["help"].setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
+        self._actions["search"].setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
         self._actions["stop"].setAutoRepeat(False)  # Esc that closed a menu may still be held
 
     def _connect(self) -> None:
@@ -202,7 +212,7 @@ class MainWindow(QMainWindow):
     def _menus(self, workspaces: Sequence[Menus]) -> Iterator[tuple[str, Entries]]:
         """Yield titles and entries; menus that only one workspace has come before Window."""
         connection, stop = self._connection, partial(stop_or_close_dialog, self._manager)
-        open_log = partial(open_log_folder, self, self._notifier)
+        open_log, about = partial(open_log_folder, self, self._notifier), f"{INDEX}#about"
 
         def shared(menu: Menu) -> Entries:
             return [entry for menus in workspaces for entry in (SEPARATOR, *menus.get(menu, ()))]
@@ -223,7 +233,9 @@ class MainWindow(QMainWindow):
         yield (
             tr("&Device"),
             (
-                Entry("connect", tr("&Connect"), connection.connect_shown, "Ctrl+K", "connect"),
+                Entry(
+                    "connect", tr("&Connect"), connection.connect_shown, "Ctrl+Shift+K", "connect"
+                ),
                 Entry("disconnect", tr("&Disconnect"), connection.leave, "Ctrl+D", "disconnect"),
                 Entry("line", tr("&Line settings…"), self._edit_line_settings, "", "settings"),
                 Entry("find", tr("&Find a board…"), connection.find_board, "Ctrl+Shift+F", "find"),
@@ -238,12 +250,13 @@ class MainWindow(QMainWindow):
         yield (
             tr("&Help"),
             (
+                Entry("search", tr("Search every&thing"), self._search.begin, "Ctrl+K", "find"),
                 Entry("help", tr("&Help"), self._show_help, "F1", "help"),
                 SEPARATOR,
                 *shared(Menu.HELP),
                 Entry("report", tr("&Save report for support…"), self._show_report, "", "save"),
                 Entry("log_folder", tr("Open &log folder"), open_log, "", "open"),
-                Entry("about", tr("&About…"), partial(show_about, self), "", "info"),
+                Entry("about", tr("&About"), partial(self.show_help, about), "", "info"),
             ),
         )
 
@@ -382,8 +395,15 @@ class MainWindow(QMainWindow):
         from trex_gui.ui.help.dialog import HelpDialog  # noqa: PLC0415 - not at the start
 
         if self.help_dialog is None:
-            self.help_dialog = HelpDialog(self._topic_of)
+            self.help_dialog = HelpDialog()
         self.help_dialog.show_topic(topic)
+
+    def findables(self) -> Iterator[Findable]:
+        """Yield what the search finds now: pages, parameters, menu entries, messages, help."""
+        yield from self._workspace.findables()
+        pages = {entry.key for entry in entries_of({"": self._workspace.page_entries()})}
+        yield from menu_findables(self, pages, self._workspace.moving)
+        yield from help_findables(self._workspace.message_help.headings(), self.show_help)
 
     def _topic_of(self, message: str) -> str:
         return self._workspace.message_help.topic(message) if self._workspaces else ""
@@ -446,15 +466,3 @@ def open_log_folder(window: QWidget, notifier: Notifier) -> None:
         notifier.error.emit(text.format(folder))
 
     in_background(window, folder.is_dir, then, lambda _: None)
-
-
-def show_about(window: QWidget) -> None:
-    QMessageBox.about(
-        window,
-        tr("About TReX Studio"),
-        tr(
-            "TReX Studio {0}\n\nSet up, calibrate, drive and understand a Pololu TReX or "
-            "TReX Jr dual motor controller, and drive an Aracna robot.\n\n"
-            "Not a product of Pololu."
-        ).format(__version__),
-    )

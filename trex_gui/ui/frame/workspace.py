@@ -1,6 +1,6 @@
 """Workspace of a device, and the menus that it shares with the frame."""
 
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum, auto
 from functools import partial
@@ -8,11 +8,12 @@ from pathlib import Path
 
 from PySide6.QtCore import QSignalBlocker, Signal, Slot
 from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QStackedWidget, QTabWidget, QWidget
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu, QStackedWidget, QTabWidget, QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.ui.frame.places import Place, Places
 from trex_gui.ui.help.messages import MessageHelp
+from trex_gui.ui.help.search import Findable, Kind
 from trex_gui.ui.log import Log
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.plotting.page import PlotPage
@@ -109,6 +110,8 @@ class Workspace(QWidget):
         # At the right of the window; the workspace shows and hides them.
         self.docks: Sequence[QDockWidget] = ()
         self.former_pages: Sequence[str] = ()  # keys by the numbers that were saved before keys
+        # Keys of entries that move motors: the search shows them in their menu only.
+        self.moving: Collection[str] = ()
         self.pages = Places(self)
         self._actions: Mapping[str, QAction] = {}  # by key, once the menus are built
         self._infos: tuple[PageInfo, ...] = ()
@@ -232,6 +235,10 @@ class Workspace(QWidget):
             for number, info in enumerate(self._infos, start=1)
         ]
 
+    def findables(self) -> Iterable[Findable]:
+        """Return what the search finds of the device beside its menus and messages."""
+        return ()
+
     def report_parts(self) -> dict[str, Callable[[], str]]:
         """Return what makes the files of a report for support, called in another thread.
 
@@ -324,3 +331,29 @@ def fill_menu_bar(
             )
             menu.addAction(actions[key])
     return actions
+
+
+def menu_findables(
+    window: QMainWindow, pages: Collection[str], moving: Collection[str]
+) -> Iterator[Findable]:
+    """Yield the entries of the menus, those of `pages` as pages; each does what it does there.
+
+    Where it is `moving`, or disabled, its menu is opened at it instead.
+    """
+    bar = window.menuBar()
+
+    def do(menu: QMenu, action: QAction, key: str) -> None:
+        if action.isEnabled() and key not in moving:
+            action.trigger()
+        else:
+            bar.setActiveAction(menu.menuAction())
+            menu.setActiveAction(action)
+
+    for menu in [menu for each in bar.actions() if isinstance(menu := each.menu(), QMenu)]:
+        for action in menu.actions():
+            key, keys = action.objectName().removesuffix("Action"), action.shortcut()
+            if key and action.isVisible():
+                title, place = (each.replace("&", "") for each in (action.text(), menu.title()))
+                kind: Kind = "page" if key in pages else "action"
+                text = keys.toString(QKeySequence.SequenceFormat.NativeText)
+                yield Findable(kind, key, title, place, text, partial(do, menu, action, key))

@@ -1,6 +1,5 @@
 """Help beside the window, so that it can be tried while it is read."""
 
-from collections.abc import Callable
 from html import escape
 from pathlib import Path
 from typing import Any
@@ -19,11 +18,12 @@ from PySide6.QtGui import (
     QTextFrameFormat,
     QTextTable,
 )
-from PySide6.QtWidgets import QDialogButtonBox, QListWidget, QListWidgetItem, QTextBrowser, QWidget
+from PySide6.QtWidgets import QDialogButtonBox, QListWidget, QTextBrowser, QWidget
 
+from trex_gui import __version__
 from trex_gui.core.resource_files import resource
 from trex_gui.core.translation import tr
-from trex_gui.ui.help.pages import anchor_of, pages, search
+from trex_gui.ui.help.pages import anchor_of, pages
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.theme.theme import follow_theme, theme
@@ -33,7 +33,6 @@ from trex_gui.ui.widgets.placement import resize_with_font
 
 _RESIZED_MS = 150
 _SPACE = 14  # pixels above headings
-_TOPIC = Qt.ItemDataRole.UserRole
 _WHOLE = "whole"  # fragment of the address of a picture that is shown in full size
 
 _SHOWN = {".md", ".png", ".py"}
@@ -48,26 +47,23 @@ def page_url(topic: str) -> QUrl:
 
 
 class HelpDialog(ReusedDialog):
-    """The pages at the left, or what was found in them; at the right the text.
+    """The pages at the left, at the right the text of one.
 
     It has no parent, since Windows keeps a window above the one of its parent.
     """
 
-    def __init__(self, topic_of: Callable[[str], str]) -> None:
-        """`topic_of` returns the topic of a message that was typed; empty if it is none."""
+    def __init__(self) -> None:
         super().__init__()
-        self._topic_of = topic_of
         self.setWindowFlags(Qt.WindowType.Window)  # it may be maximised
         self.setWindowIcon(application_icon())
         self.setObjectName("helpDialog")
-        self.setWindowTitle(tr("Help"))
+        self.setWindowTitle(f"{tr('Help')} – {tr('TReX Studio')} {__version__}")
         resize_with_font(self, 1180, 800)
-        self._search = ui.search_field(
-            self, "helpSearch", tr("Search the help"), tr("Search the help (Ctrl+F)")
-        )
         self._list = ui.named(QListWidget(self), "helpPages", accessible=tr("Pages of the help"))
         self._list.setWordWrap(True)
         self._list.setSpacing(2)
+        self._names = [page.name for page in pages()]
+        self._list.addItems([page.title for page in pages()])
         self._text = text = _Browser(self)
         steps = []
         for name, title, icon, step, available in (
@@ -79,64 +75,31 @@ class HelpDialog(ReusedDialog):
             available.connect(button.setEnabled)
             steps.append(button)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close, self)
-        close = buttons.button(QDialogButtonBox.StandardButton.Close)
-        close.setObjectName("helpClose")
-        close.setAutoDefault(False)  # Enter in the search does not close the help
+        buttons.button(QDialogButtonBox.StandardButton.Close).setObjectName("helpClose")
         buttons.rejected.connect(self.close)
-
-        left = QWidget(self)
-        ui.column(self._search, (self._list, 1), into=left, margins=0)
-        splitter = ui.splitter(self, "", Qt.Orientation.Horizontal, (left, 0), (text, 1))
+        splitter = ui.splitter(self, "", Qt.Orientation.Horizontal, (self._list, 0), (text, 1))
         splitter.setSizes([230, 950])
         ui.column((splitter, 1), ui.row(*steps, 1, buttons, margins=0), into=self)
-        self._search.textChanged.connect(self._fill)
-        self._list.currentItemChanged.connect(self._on_chosen)
-        self._text.sourceChanged.connect(self._select)
-        self._fill()
+        self._list.currentRowChanged.connect(self._on_chosen)
+        text.sourceChanged.connect(self._select)
 
     def show_topic(self, topic: str) -> None:
         """Show a page, or a section of it: `page.md#anchor`."""
         self.show_in_front()
-        self._search.clear()
         self._text.setSource(page_url(topic))
         self._text.setFocus(Qt.FocusReason.PopupFocusReason)
 
-    @Slot()
-    def _fill(self) -> None:
-        words = self._search.text().strip()
-        with QSignalBlocker(self._list):
-            self._list.clear()
-            if not words:
-                for page in pages():
-                    self._add(page.title, page.name)
-            titles = {page.name: page.title for page in pages()}
-            for section in search(words, self._topic_of(words)) if words else ():
-                title = titles[section.page]
-                self._add(
-                    title if section.title == title else f"{section.title}\n{title}", section.topic
-                )
-            if words and not self._list.count():
-                self._list.addItem(tr("Nothing was found."))
-                self._list.item(0).setFlags(Qt.ItemFlag.NoItemFlags)
-        self._select(self._text.source())
-
-    def _add(self, text: str, topic: str) -> None:
-        item = QListWidgetItem(text, self._list)
-        item.setData(_TOPIC, topic)
-
-    @Slot(QListWidgetItem)
-    def _on_chosen(self, item: QListWidgetItem | None) -> None:
-        if item is not None:
-            self._text.setSource(page_url(item.data(_TOPIC)))
+    @Slot(int)
+    def _on_chosen(self, row: int) -> None:
+        if row >= 0:
+            self._text.setSource(page_url(self._names[row]))
 
     @Slot(QUrl)
     def _select(self, shown: QUrl) -> None:
         """Select the page that is shown, wherever it was opened from."""
-        if not self._search.text().strip():
-            name = shown.fileName()  # `source` is the one before, until the signal is handled
-            names = [page.name for page in pages()]
-            with QSignalBlocker(self._list):
-                self._list.setCurrentRow(names.index(name) if name in names else -1)
+        name = shown.fileName()  # `source` is the one before, until the signal is handled
+        with QSignalBlocker(self._list):
+            self._list.setCurrentRow(self._names.index(name) if name in self._names else -1)
 
 
 class _Browser(QTextBrowser):

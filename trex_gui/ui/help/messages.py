@@ -7,9 +7,8 @@ from enum import Enum
 from PySide6.QtWidgets import QApplication, QWidget
 
 from trex_gui.core.translation import tr
-from trex_gui.ui.help.pages import INDEX, anchor_of
+from trex_gui.ui.help.pages import INDEX, MESSAGES, anchor_of
 
-MESSAGES = "messages.md"
 _FIELD = re.compile(r"\{\w*(?::[^}]*)?\}")
 
 
@@ -34,6 +33,11 @@ class MessageHelp:
     def __init__(self, texts: Iterable[str]) -> None:
         """`texts`: in English with a place for each field."""
         self._texts = tuple(texts)
+
+    def headings(self) -> dict[str, str]:
+        """Return the heading of each message in the language of the window, by topic."""
+        found = ((heading_of(text), heading_of(tr(text))) for text in self._texts)
+        return {f"{MESSAGES}#{anchor_of(own)}": shown for own, shown in found if own}
 
     def topic(self, message: str) -> str:
         """Return the topic of the coded text in a message or a line of the log; empty if none.

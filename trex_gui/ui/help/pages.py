@@ -1,16 +1,16 @@
-"""Help pages in Markdown, their sections and the search; a forge shows the same files."""
+"""Help pages in Markdown and their sections; a forge shows the same files."""
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 
 from trex_gui.core.resource_files import resource
+from trex_gui.core.translation import tr
+from trex_gui.ui.help.search import Findable, Kind
 
 INDEX = "README.md"  # the page that lists the others in their order
-
-_LEAST_OF_MESSAGE = 12
-"""Characters of a heading that is looked for in what was typed: shorter ones are common words."""
+MESSAGES = "messages.md"
 
 _HEADING = re.compile(r"#{1,6} +(?P<title>.+)")
 _LINK = re.compile(r"!?\[(?P<text>[^\]]*)\]\([^)]*\)")
@@ -78,29 +78,17 @@ def pages() -> Sequence[Page]:
     return (index, *map(_page, names))
 
 
-def search(words: str, topic: str = "") -> list[Section]:
-    """Return the sections with all of these words, those with all in their heading first.
+def help_findables(
+    headings: Mapping[str, str], show: Callable[[str], object]
+) -> Iterator[Findable]:
+    """Yield what the search finds in the help; `show` shows a topic.
 
-    `words` may also be a message: the section on it (`topic`, where that is known), and those
-    whose heading is in it, come before.
+    `headings` are those of messages in the language of the window, by topic.
     """
-    wanted = words.casefold().split()
-
-    def has_all(text: str) -> bool:
-        folded = text.casefold()
-        return all(word in folded for word in wanted)
-
-    sections = [section for page in pages() for section in page.sections]
-    headed = [section for section in sections if _is_headed_by(words, section.title)]
-    headed.sort(key=lambda section: len(section.title), reverse=True)
-    known = [section for section in sections if section.topic == topic]
-    found = [section for section in sections if has_all(f"{section.title} {section.text}")]
-    found.sort(key=lambda section: not has_all(section.title))
-    return list(dict.fromkeys((*known, *headed, *found)))
-
-
-def _is_headed_by(message: str, title: str) -> bool:
-    """Whether a title, in which … stands for anything, is part of a message."""
-    pattern = ".+?".join(map(re.escape, title.strip("… ").split("…")))
-    is_long = len(title.replace("…", "")) >= _LEAST_OF_MESSAGE
-    return is_long and re.search(pattern, message, re.IGNORECASE) is not None
+    for page in pages():
+        for section in page.sections:
+            title = headings.get(section.topic, section.title)
+            place = tr("Help") if title == page.title else f"{tr('Help')} · {page.title}"
+            kind: Kind = "message" if page.name == MESSAGES else "help"
+            key = section.anchor if kind == "message" else section.topic
+            yield Findable(kind, key, title, place, section.text, partial(show, section.topic))

@@ -286,7 +286,7 @@ def set_look(widget: QWidget, look: str) -> None:
     """Give a widget a look of `style.qss`.
 
     Buttons: primary, stop, link or compact; spin boxes: bare; cards: compact;
-    frames: card, actions or message; tab bars: choices; vertical sliders: motor1, motor2 or
+    frames: card, actions, message or pill; tab bars: choices; vertical sliders: motor1, motor2 or
     auxiliary.
     """
     set_style_property(widget, "look", look)

@@ -3,6 +3,7 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 from serial.tools.list_ports_common import ListPortInfo
 
@@ -35,7 +36,9 @@ def assert_robot_workspace(window: RobotWindow) -> None:
     assert not window.has("demoPanel")
     assert window.has("aracnaDemoPanel")
     assert not trex(window.program).controller.demo_in_use
-    assert window.text("statusLabel") == "Connected to Aracna: firmware 1, 8 motors."
+    status = window.find(QLabel, "statusLabel")
+    assert status.text() == "Aracna"
+    assert status.toolTip() == "Connected to Aracna: firmware 1, 8 motors."
     assert not window.is_enabled("lineButton")
 
 

@@ -112,6 +112,7 @@ class AracnaWorkspace(Workspace):
         self._demo.hold(DemoRobotView(controller, self._demo))
         self.stop_text = tr("&Stop sequence")  # this robot has no stop
         self.docks = (self._demo,)
+        self.moving = {"aracna_move", "aracna_play", "aracna_led"}
         pose_files = self._poses.files
         pose_files.opened.connect(lambda: self.show_page("poses"))
         poses = FileKind({SUFFIX}, tr("a pose file of an Aracna"), pose_files.open_file)

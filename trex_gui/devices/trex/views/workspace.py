@@ -1,6 +1,6 @@
 """The workspace of a TReX: pages, dialogs and menus."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
@@ -14,8 +14,10 @@ from trex_gui.devices.trex.model.boards import BoardList
 from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.linter import BoardLinter
+from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.model.report import settings_parts, status_text
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.views.board.page import BoardPage
 from trex_gui.devices.trex.views.boards import BoardPanel
 from trex_gui.devices.trex.views.demo_panel import DemoPanel
@@ -48,6 +50,7 @@ from trex_gui.ui.frame.workspace import (
     PageInfo,
     Workspace,
 )
+from trex_gui.ui.help.search import Findable
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 
@@ -99,6 +102,7 @@ class TrexWorkspace(Workspace):
         self._demo = DemoPanel(controller, frame)
         self.files = files = SettingsFiles(device, frame)
         self.docks = (self._demo,)
+        self.moving = {"run"}
         name, suffixes = tr("a settings file of a TReX"), {".txt", ".yaml", ".yml"}
         self.file_kinds = (FileKind(suffixes, name, files.open_file, files.edit_file),)
         self._settings = settings = SettingsCommands(device, self._linter, boards, frame)
@@ -216,6 +220,17 @@ class TrexWorkspace(Workspace):
     def _show_parameter(self, key: object) -> None:
         self.show_page("parameters")
         self._parameter_shown.emit(key)
+
+    def findables(self) -> Iterator[Findable]:
+        model = self._device.parameters
+        if not model.count:  # no board was connected yet
+            model = ParameterModel()
+            model.load(parameters_of("trex", "1.3"), {}, {}, power_cycled=False)
+        for row in model.rows:
+            for key in row.keys[:1]:
+                place = f"{tr('Parameters')} · {model.rows.titles[row.group]}"
+                text, show = model.text.description(key), partial(self._show_parameter, key)
+                yield Findable("parameter", key, row.name, place, text, show)
 
     def menus(self) -> Menus:
         device, files, shown = self._device, self.files, self.files.shown

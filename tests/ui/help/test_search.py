@@ -1,0 +1,62 @@
+"""The search finds what owners ask for, in each language of the window."""
+
+import tomllib
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QLocale
+from PySide6.QtWidgets import QApplication
+
+from tests.support.catalogs import in_language
+from tests.support.window import WindowDriver
+from trex_gui.ui.help.search import Findable, SearchIndex
+
+QUESTIONS = tomllib.loads(
+    Path(__file__).with_name("questions.toml").read_text(encoding="utf-8"),
+)
+FIRST, SHARE = 3, 0.95
+
+
+@pytest.fixture(params=QUESTIONS)
+def language(request: pytest.FixtureRequest, qapp: QApplication) -> Iterator[str]:
+    with in_language(qapp, QLocale(request.param)):
+        yield request.param
+
+
+def test_questions_of_owners_are_answered(language: str, window: WindowDriver) -> None:
+    index = SearchIndex(window.window.findables())
+
+    def is_answered(question: str, right: str) -> bool:
+        return any(f"{hit.kind}:{hit.key}" in right.split() for hit in index.find(question)[:FIRST])
+
+    missed = [each for each, right in QUESTIONS[language].items() if not is_answered(each, right)]
+    assert len(missed) <= (1 - SHARE) * len(QUESTIONS[language]), missed
+
+
+@pytest.mark.parametrize(
+    ("typed", "title"),
+    [
+        ("curr", "Current Limit"),
+        ("CURRENTS", "Current Limit"),
+        ("curent limit", "Current Limit"),
+        ("grenze", "Current Limit"),
+        ("Wechsel", "Richtungswechsel"),
+        ("duree", "Durée de freinage"),
+        ("polymotor1", ""),
+    ],
+)
+def test_word_matches_other_forms_parts_synonyms_and_misspellings(typed: str, title: str) -> None:
+    titles = ["Current Limit", "Richtungswechsel", "Durée de freinage", "Restore factory defaults"]
+    index = SearchIndex([Findable("action", str(n), title) for n, title in enumerate(titles)])
+    assert [hit.title for hit in index.find(typed)[:1]] == [title] * bool(title)
+
+
+def test_pasted_message_comes_first(window: WindowDriver) -> None:
+    index = SearchIndex(window.window.findables())
+    for message, title in (
+        ("Serial Timeout: the board rejects this value (code 2)", "The board rejects this value"),
+        ("A TReX responds on X with CRC polynomial 0x89, but this connection uses 0x8B.", "A … r"),
+        ("A stop came first; nothing was sent.", "A stop came first"),
+    ):
+        assert index.find(message)[0].title.startswith(title)

@@ -1,0 +1,86 @@
+"""Field that searches everything, with the hits below it."""
+
+from collections.abc import Callable, Iterable
+
+from PySide6.QtCore import QEvent, QObject, QRect, Qt, Slot
+from PySide6.QtGui import QStandardItem, QStandardItemModel
+from PySide6.QtWidgets import QCompleter, QLineEdit, QTreeView, QWidget
+from shiboken6 import Shiboken
+
+from trex_gui.core.translation import tr
+from trex_gui.ui.help.search import Findable, Kind, SearchIndex
+from trex_gui.ui.theme.icons import icon
+from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets import builders as ui
+
+_ICONS: dict[Kind, str] = {
+    "page": "board",
+    "parameter": "settings",
+    "action": "console",
+    "message": "warning",
+    "help": "help",
+}
+_VISIBLE = 12  # hits
+_LIST, _TITLE = 110, 52  # widths of the list and its titles in average characters
+_FOUND = Qt.ItemDataRole.UserRole
+
+
+class SearchField(QLineEdit):
+    """Shows the hits of what is typed below it; Enter opens the selected one, Esc leaves."""
+
+    def __init__(self, findables: Callable[[], Iterable[Findable]], parent: QWidget) -> None:
+        """`findables` returns what can be found now, when a search begins."""
+        super().__init__(parent)
+        ui.named(self, "searchField", accessible=tr("Search everything"))
+        self.setPlaceholderText(tr("Search everything (Ctrl+K)"))
+        self._findables = findables
+        self._index: SearchIndex | None = None  # while a search goes on
+        self._before: QWidget | None = None  # had the focus
+        self._model = QStandardItemModel(0, 2, self)
+        self._hits = ui.named(QTreeView(), "searchHits", accessible=tr("Hits"))
+        self._hits.setHeaderHidden(True)
+        self._hits.setRootIsDecorated(False)
+        self._hits.installEventFilter(self)
+        self._completer = completer = QCompleter(self._model, self)
+        completer.setCompletionMode(QCompleter.CompletionMode.UnfilteredPopupCompletion)
+        completer.setMaxVisibleItems(_VISIBLE)
+        completer.setPopup(self._hits)
+        completer.setWidget(self)
+        completer.activated.connect(lambda: self._hits.currentIndex().data(_FOUND).show())
+        self.textEdited.connect(self._show_hits)
+
+    @Slot()
+    def begin(self) -> None:
+        """Take the focus, and show the pages until something is typed."""
+        if (focused := self.window().focusWidget()) is not self:
+            self._before = focused
+        self.window().activateWindow()
+        self.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        self._show_hits()
+
+    @Slot()
+    def _show_hits(self) -> None:
+        self._index = self._index or SearchIndex(self._findables())
+        self._model.setRowCount(0)
+        nothing = Findable("help", "", tr("Nothing was found."))
+        for found in self._index.find(self.text()) or [nothing]:
+            text = " · ".join(filter(None, (found.place, " ".join(found.text.split())[:120])))
+            title, more = QStandardItem(icon(_ICONS[found.kind]), found.title), QStandardItem(text)
+            title.setData(found, _FOUND)
+            title.setAccessibleText(f"{found.title}. {text}")
+            more.setForeground(theme().color("muted"))
+            self._model.appendRow([title, more])
+        character, room = self.fontMetrics().averageCharWidth(), self.window().width()
+        width = min(_LIST * character, room)
+        self._completer.complete(QRect(self.width() - width, 0, width, self.height()))
+        self._hits.setColumnWidth(0, _TITLE * character)
+        self._hits.setCurrentIndex(self._hits.model().index(0, 0))
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Hide and watched is self._hits:
+            self.clear()
+            self._index = None
+            if self._before is not None and Shiboken.isValid(self._before):
+                self._before.setFocus()
+            self._before = None
+        return super().eventFilter(watched, event)
