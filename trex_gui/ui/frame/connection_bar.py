@@ -22,7 +22,7 @@ from trex_gui.ui.widgets.leds import Lamp
 _NOT_CONNECTED, _OTHER = "not connected", "other"
 
 _PORT = 18  # characters
-_LEAST, _STATE, _QUALITY, _CONNECT, _WIDEST = 12, 12, 11, 15, 104  # widths, average characters
+_LEAST, _STATE, _QUALITY, _CONNECT, _WIDEST = 12, 12, 11, 15, 116  # widths, average characters
 
 
 class ConnectionBar(QFrame):
@@ -128,7 +128,7 @@ class ConnectionBar(QFrame):
             margins=(10, 1, 6, 1),
         )
         # The window adds to it.
-        self.row = ui.row((pill, 9), self._connect, 1, into=self, margins=(12, 6, 12, 6))
+        self.row = ui.row((pill, 9), self._connect, 0, into=self, margins=(12, 6, 12, 6))
         ui.tab_order(pill, self._connect)
         follow_theme(self, "room", self._take_room)
 

@@ -10,7 +10,7 @@ from shiboken6 import Shiboken
 from trex_gui.core.translation import tr
 from trex_gui.ui.help.search import Findable, Kind, SearchIndex
 from trex_gui.ui.theme.icons import icon
-from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets import builders as ui
 
 _ICONS: dict[Kind, str] = {
@@ -21,7 +21,7 @@ _ICONS: dict[Kind, str] = {
     "help": "help",
 }
 _VISIBLE = 12  # hits
-_LIST, _TITLE = 110, 52  # widths of the list and its titles in average characters
+_WIDEST, _LIST, _TITLE = 56, 110, 52  # widths of field, list and titles, average characters
 _FOUND = Qt.ItemDataRole.UserRole
 
 
@@ -48,6 +48,10 @@ class SearchField(QLineEdit):
         completer.setWidget(self)
         completer.activated.connect(lambda: self._hits.currentIndex().data(_FOUND).show())
         self.textEdited.connect(self._show_hits)
+        follow_theme(self, "width", self._limit_width)
+
+    def _limit_width(self) -> None:
+        self.setMaximumWidth(_WIDEST * self.fontMetrics().averageCharWidth())
 
     @Slot()
     def begin(self) -> None:
