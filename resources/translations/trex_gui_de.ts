@@ -649,18 +649,6 @@
         <translation>kann {0} nicht erreichen</translation></message>
     <message><source>moving to {0}</source>
         <translation>bewegt sich nach {0}</translation></message>
-    <message><source>N/A</source>
-        <translation>k. A.</translation></message>
-    <message><source>Line</source>
-        <translation>Leitung</translation></message>
-    <message><source>Requests:</source>
-        <translation>Anfragen:</translation></message>
-    <message><source>Failures:</source>
-        <translation>Fehlschläge:</translation></message>
-    <message><source>{0} replies to {1} requests ({2:.2f} %)</source>
-        <translation>{0} Antworten auf {1} Anfragen ({2:.2f} %)</translation></message>
-    <message><source>Timeouts: {0}, corrupted: {1}, unrecognized lines: {2}, restarts: {3}; slowest reply: {4:.0f} ms (without motions)</source>
-        <translation>Timeouts: {0}, verfälscht: {1}, nicht erkannte Zeilen: {2}, Neustarts: {3}; langsamste Antwort: {4:.0f} ms (ohne Bewegungen)</translation></message>
     <message><source>This link has no stop: a running motion ends only by itself, or by cutting the servo power.</source>
         <translation>Diese Verbindung kennt keinen Stopp: Eine laufende Bewegung endet nur von selbst oder durch Trennen der Servoversorgung.</translation></message>
     <message><source>Playing step {0} of {1}.</source>
@@ -813,22 +801,10 @@
         <translation>Nach oben</translation></message>
     <message><source>Move down</source>
         <translation>Nach unten</translation></message>
-    <message><source>Pose file</source>
-        <translation>Posendatei</translation></message>
-    <message><source>Undo</source>
-        <translation>Rückgängig</translation></message>
-    <message><source>Redo</source>
-        <translation>Wiederherstellen</translation></message>
-    <message><source>&amp;Open…</source>
-        <translation>Öffn&amp;en…</translation></message>
-    <message><source>&amp;Save</source>
-        <translation>&amp;Speichern</translation></message>
-    <message><source>Save &amp;as…</source>
-        <translation>Speichern un&amp;ter…</translation></message>
+    <message><source>Poses</source>
+        <translation>Posen</translation></message>
     <message><source>{0}, changed</source>
         <translation>{0}, geändert</translation></message>
-    <message><source>Not saved yet</source>
-        <translation>Noch nicht gespeichert</translation></message>
     <message numerus="yes"><source>%n step(s)</source>
         <translation><numerusform>%n Schritt</numerusform><numerusform>%n Schritte</numerusform></translation></message>
     <message><source>needs {0:.2f} s: motor {1}</source>
@@ -885,8 +861,6 @@
         <translation>Abspielen nicht möglich: {0}.</translation></message>
     <message><source>No poses. Capture the robot's position, or open a pose file.</source>
         <translation>Keine Posen. Nehmen Sie die Position des Roboters auf oder öffnen Sie eine Posendatei.</translation></message>
-    <message><source>Poses</source>
-        <translation>Posen</translation></message>
     <message><source>Set this pose to the robot's position</source>
         <translation>Diese Pose auf die Position des Roboters setzen</translation></message>
     <message><source>Capt&amp;ure</source>
@@ -907,14 +881,30 @@
         <translation>Die Position des Roboters ist nach seiner ersten Bewegung bekannt.</translation></message>
     <message><source>Not captured: {0}.</source>
         <translation>Nicht aufgenommen: {0}.</translation></message>
+    <message><source>Requests: {0}, without a reply: {1}.</source>
+        <translation>Anfragen: {0}, ohne Antwort: {1}.</translation></message>
+    <message><source>Answered</source>
+        <translation>Beantwortet</translation></message>
+    <message><source>Slowest reply</source>
+        <translation>Langsamste Antwort</translation></message>
+    <message><source>Without motions</source>
+        <translation>Ohne Bewegungen</translation></message>
+    <message><source>Restarts seen</source>
+        <translation>Neustarts</translation></message>
+    <message><source>Corrupted replies</source>
+        <translation>Verfälschte Antworten</translation></message>
+    <message><source>Unrecognized lines</source>
+        <translation>Nicht erkannte Zeilen</translation></message>
+    <message><source>{0}, active now</source>
+        <translation>{0}, jetzt aktiv</translation></message>
     <message><source>The robot from above</source>
         <translation>Der Roboter von oben</translation></message>
     <message><source>Legs at their reported positions, goals dashed; the table says both in numbers.</source>
         <translation>Beine in den gemeldeten Positionen, Ziele gestrichelt; die Tabelle nennt beides in Zahlen.</translation></message>
-    <message><source>▲ front*</source>
-        <translation>▲ vorn*</translation></message>
     <message><source>{0}: {1}</source>
         <translation>{0}: {1}</translation></message>
+    <message><source>▲ front*</source>
+        <translation>▲ vorn*</translation></message>
     <message><source>goal in units</source>
         <translation>Ziel in Einheiten</translation></message>
     <message><source>lowest position</source>
@@ -955,16 +945,18 @@
         <translation> = maximal</translation></message>
     <message><source>differ</source>
         <translation>verschieden</translation></message>
-    <message><source>Motor positions are unknown before the first move: this robot reports them only in its reply to one.</source>
-        <translation>Die Motorpositionen sind vor der ersten Bewegung unbekannt: Dieser Roboter meldet sie nur in seiner Antwort auf eine Bewegung.</translation></message>
-    <message><source>That move runs at speed {0} ({1}), unless you choose other speeds.</source>
-        <translation>Diese Bewegung läuft mit Geschwindigkeit {0} ({1}), sofern Sie keine anderen Geschwindigkeiten wählen.</translation></message>
     <message><source>Full lines: last reported; dashed: goal. A sketch: angles are drawn flat.</source>
         <translation>Durchgezogene Linien: zuletzt gemeldet; gestrichelt: Ziel. Eine Skizze: Winkel sind flach gezeichnet.</translation></message>
+    <message><source>The positions of the motors are unknown.</source>
+        <translation>Die Motorpositionen sind unbekannt.</translation></message>
+    <message><source>This robot reports them only in its reply to a move.</source>
+        <translation>Dieser Roboter meldet sie nur in seiner Antwort auf eine Bewegung.</translation></message>
+    <message><source>The first one runs at speed {0} ({1}), unless you choose other speeds.</source>
+        <translation>Die erste läuft mit Geschwindigkeit {0} ({1}), falls Sie keine anderen Geschwindigkeiten wählen.</translation></message>
     <message><source>Move every motor to its goal, within its limits (Ctrl+M)</source>
         <translation>Jeden Motor zu seinem Ziel bewegen, innerhalb seiner Grenzen (Strg+M)</translation></message>
-    <message><source>Motor positions are unknown; the last motion may still be running. The next move will report them.</source>
-        <translation>Die Motorpositionen sind unbekannt; die letzte Bewegung läuft vielleicht noch. Die nächste Bewegung wird sie melden.</translation></message>
+    <message><source>The last motion may still be running; the next move will report them.</source>
+        <translation>Die letzte Bewegung läuft vielleicht noch; die nächste wird sie melden.</translation></message>
     <message><source>Pre&amp;sent</source>
         <translation>&amp;Istposition</translation></message>
     <message><source>Present positions</source>
@@ -991,8 +983,8 @@
         <translation>Grenzen statt Geschwindig&amp;keiten</translation></message>
     <message><source>Speed &amp;of all:</source>
         <translation>Geschwi&amp;ndigkeit aller:</translation></message>
-    <message><source>No robot is connected; goals and limits can be set already.</source>
-        <translation>Es ist kein Roboter verbunden; Ziele und Grenzen lassen sich schon einstellen.</translation></message>
+    <message><source>Goals and limits can be set already.</source>
+        <translation>Ziele und Grenzen lassen sich schon einstellen.</translation></message>
     <message><source>Every motor has reached its goal within a few units.</source>
         <translation>Jeder Motor hat sein Ziel bis auf wenige Einheiten erreicht.</translation></message>
     <message><source>The newest goal is sent as soon as the robot has reached the last one</source>
@@ -1009,8 +1001,6 @@
         <translation>Seiten</translation></message>
     <message><source>a robot</source>
         <translation>ein Roboter</translation></message>
-    <message><source>Diagnostics</source>
-        <translation>Diagnose</translation></message>
     <message><source>Demo Aracna</source>
         <translation>Demo-Aracna</translation></message>
     <message><source>a pose file of an Aracna</source>
@@ -1035,10 +1025,6 @@
         <translation>Demo aus&amp;probieren</translation></message>
     <message><source>R&amp;obot</source>
         <translation>&amp;Roboter</translation></message>
-    <message><source>Lo&amp;g</source>
-        <translation>Pr&amp;otokoll</translation></message>
-    <message><source>&amp;Traffic</source>
-        <translation>Date&amp;nverkehr</translation></message>
     <message><source>&amp;Move to the sliders' goals</source>
         <translation>Zu den Zielen der Schieberegler &amp;bewegen</translation></message>
     <message><source>Sliders to the &amp;present position</source>
@@ -1125,8 +1111,6 @@
         <translation>{0} Zweifelhaft: Die Leitung ist gestört und hat kein CRC.</translation></message>
     <message><source>The board does not respond; the stop is being repeated.</source>
         <translation>Das Board antwortet nicht; der Stopp wird wiederholt.</translation></message>
-    <message><source>See the rows below.</source>
-        <translation>Siehe die Zeilen darunter.</translation></message>
     <message><source>Check cable and ground, and that no other program sends on this line.</source>
         <translation>Prüfen Sie Kabel und Masse und ob kein anderes Programm auf dieser Leitung sendet.</translation></message>
     <message><source>Check cable and ground, and that every program on this line uses the same polynomial.</source>
@@ -1141,6 +1125,8 @@
         <translation>Lassen Sie kein anderes Programm auf dieser Leitung senden.</translation></message>
     <message><source>Let other programs request fewer channels at once.</source>
         <translation>Lassen Sie andere Programme weniger Kanäle auf einmal anfordern.</translation></message>
+    <message><source>{0} (doubtful)</source>
+        <translation>{0} (zweifelhaft)</translation></message>
     <message><source>Latched before connecting, perhaps by the search for the board: {0}</source>
         <translation>Schon vor dem Verbinden gesetzt, vielleicht durch die Suche nach dem Board: {0}</translation></message>
     <message><source>Connected to {0} on {1}.</source>
@@ -2765,6 +2751,8 @@
         <translation>{0:%H:%M:%S}, Motor {1}: {2}</translation></message>
     <message><source>Bench test</source>
         <translation>Prüflauf</translation></message>
+    <message><source>&amp;Open…</source>
+        <translation>Öffn&amp;en…</translation></message>
     <message><source>Sa&amp;ve…</source>
         <translation>&amp;Speichern…</translation></message>
     <message><source>&amp;Close</source>
@@ -3061,8 +3049,6 @@
         <translation>dreht sich vielleicht noch</translation></message>
     <message><source>Mode: {0}</source>
         <translation>Modus: {0}</translation></message>
-    <message><source>{0} (doubtful)</source>
-        <translation>{0} (zweifelhaft)</translation></message>
     <message><source>Click a board, or press Enter, to show it on every page. Motors stop first.</source>
         <translation>Klicken Sie auf ein Board oder drücken Sie Enter, um es auf jeder Seite zu zeigen. Zuvor werden die Motoren gestoppt.</translation></message>
     <message><source>Ask for each device number which board has it; nothing is changed</source>
@@ -3423,8 +3409,8 @@
         <translation>Abgezogen verschwindet der Port: Serielles Timeout und „Abschaltung bei UART-Fehlern“ sollten die Motoren stoppen</translation></message>
     <message><source>An error of the serial line that the board reports</source>
         <translation>Ein Fehler der seriellen Leitung, den das Board meldet</translation></message>
-    <message><source>The next byte reaches the board with this error; the Errors page counts it. Only a board with parity detects a parity error.</source>
-        <translation>Das nächste Byte erreicht das Board mit diesem Fehler; die Seite „Fehler“ zählt ihn. Nur ein Board mit Parität erkennt einen Paritätsfehler.</translation></message>
+    <message><source>The next byte reaches the board with this error; Problems counts it. Only a board with parity detects a parity error.</source>
+        <translation>Das nächste Byte erreicht das Board mit diesem Fehler; „Probleme“ zählt ihn. Nur ein Board mit Parität erkennt einen Paritätsfehler.</translation></message>
     <message><source>off: the power is off</source>
         <translation>aus: Die Stromversorgung ist aus</translation></message>
     <message><source>The power is off: the board does not reply.</source>
@@ -3591,6 +3577,8 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation><numerusform>Die älteste Sicherungskopie (%n von {0}) endgültig entfernen?</numerusform><numerusform>Die ältesten %n von {0} Sicherungskopien endgültig entfernen?</numerusform></translation></message>
     <message><source>History</source>
         <translation>Verlauf</translation></message>
+    <message><source>Save &amp;as…</source>
+        <translation>Speichern un&amp;ter…</translation></message>
     <message><source>&amp;Delete…</source>
         <translation>&amp;Löschen…</translation></message>
     <message><source>&amp;Open folder</source>
@@ -3969,6 +3957,8 @@ bisher {1}</translation></message>
         <translation>eingelernt</translation></message>
     <message><source>factory calibration</source>
         <translation>Werkskalibrierung</translation></message>
+    <message><source>N/A</source>
+        <translation>k. A.</translation></message>
     <message><source>problem</source>
         <translation>Problem</translation></message>
     <message><source>{0:.0f} to {1:.0f} counts</source>
@@ -3989,66 +3979,26 @@ bisher {1}</translation></message>
         <translation>Motorströme, {0}</translation></message>
     <message><source>One count of this board is {0:.0f} mA.</source>
         <translation>Ein Count entspricht bei diesem Board {0:.0f} mA.</translation></message>
-    <message><source>Reading an error clears it in the board; this program counts each one. Errors in bold were reported since you cleared them.</source>
-        <translation>Beim Lesen wird ein Fehler im Board gelöscht; dieses Programm zählt jeden. Fett gedruckte Fehler wurden seit dem letzten Quittieren gemeldet.</translation></message>
-    <message><source>Take the errors in bold as known; counts stay, and an error that is still active comes back at once</source>
-        <translation>Fett gedruckte Fehler als bekannt übernehmen; die Zähler bleiben, und ein noch aktiver Fehler erscheint sofort wieder</translation></message>
     <message><source>Set every count to zero, and forget when errors were seen</source>
         <translation>Alle Zähler auf null setzen und vergessen, wann Fehler auftraten</translation></message>
-    <message><source>Reset co&amp;unts</source>
-        <translation>&amp;Zähler zurücksetzen</translation></message>
-    <message><source>The board came back in another mode, so its power was off meanwhile; it does not report a restart in the same mode</source>
-        <translation>Das Board kam in einem anderen Modus zurück, war also zwischendurch ohne Strom; einen Neustart im selben Modus meldet es nicht</translation></message>
-    <message><source>The board was silent for a while: its power was low or off, it restarted, or the cable has a bad contact</source>
-        <translation>Das Board schwieg eine Zeit lang: Seine Versorgung war schwach oder aus, es startete neu, oder das Kabel hat einen Wackelkontakt</translation></message>
-    <message><source>{0}; timeouts: {1}, corrupted replies: {2}, slowest reply: {3:.0f} ms</source>
-        <translation>{0}; Timeouts: {1}, verfälschte Antworten: {2}, langsamste Antwort: {3:.0f} ms</translation></message>
-    <message><source>C&amp;lear errors</source>
-        <translation>Fehler &amp;quittieren</translation></message>
-    <message><source>Errors</source>
-        <translation>Fehler</translation></message>
-    <message><source>Error</source>
-        <translation>Fehler</translation></message>
-    <message><source>Active now</source>
-        <translation>Jetzt aktiv</translation></message>
-    <message><source>Stopping the motors</source>
-        <translation>Stoppt die Motoren</translation></message>
-    <message><source>Count</source>
-        <translation>Anzahl</translation></message>
-    <message><source>Last seen</source>
-        <translation>Zuletzt</translation></message>
-    <message><source>What it means, and what to do</source>
-        <translation>Was er bedeutet und was zu tun ist</translation></message>
-    <message><source>Connection</source>
-        <translation>Verbindung</translation></message>
-    <message><source>Since the connection was opened</source>
-        <translation>Seit dem Öffnen der Verbindung</translation></message>
-    <message><source>never</source>
-        <translation>nie</translation></message>
-    <message><source>before connecting</source>
-        <translation>vor dem Verbinden</translation></message>
-    <message><source>Latched before connecting, perhaps by the search for the board; not counted.</source>
-        <translation>Schon vor dem Verbinden gesetzt, vielleicht durch die Suche nach dem Board; nicht gezählt.</translation></message>
+    <message><source>The board came back in another mode, so its power was off meanwhile; it does not report a restart in the same mode. Returned after silence: {0}.</source>
+        <translation>Das Board meldete sich in einem anderen Modus zurück, war also zwischendurch ohne Strom; einen Neustart im selben Modus meldet es nicht. Nach Stille zurückgekehrt: {0}.</translation></message>
+    <message><source>Reset all co&amp;unts</source>
+        <translation>Alle &amp;Zähler zurücksetzen</translation></message>
+    <message><source>Reads a second</source>
+        <translation>Lesevorgänge pro Sekunde</translation></message>
+    <message><source>Connected for</source>
+        <translation>Verbunden seit</translation></message>
     <message><source>The line is noisy and has no CRC: a corrupted reply looks alike.</source>
         <translation>Die Leitung ist gestört und hat kein CRC: Eine verfälschte Antwort sieht genauso aus.</translation></message>
-    <message><source>⚠ Yes</source>
-        <translation>⚠ Ja</translation></message>
-    <message><source>No</source>
-        <translation>Nein</translation></message>
-    <message><source>Quality:</source>
-        <translation>Qualität:</translation></message>
-    <message><source>Reads per second:</source>
-        <translation>Lesevorgänge pro Sekunde:</translation></message>
-    <message><source>Connected for:</source>
-        <translation>Verbunden seit:</translation></message>
-    <message><source>Restarts in another mode:</source>
-        <translation>Neustarts in anderem Modus:</translation></message>
-    <message><source>Returned after silence:</source>
-        <translation>Nach Stille zurückgekehrt:</translation></message>
-    <message><source>{0}
-(doubtful)</source>
-        <translation>{0}
-(zweifelhaft)</translation></message>
+    <message><source>Latched before connecting, perhaps by the search for the board; not counted.</source>
+        <translation>Schon vor dem Verbinden gesetzt, vielleicht durch die Suche nach dem Board; nicht gezählt.</translation></message>
+    <message><source>{0}, active now, stops the motors</source>
+        <translation>{0}, jetzt aktiv, stoppt die Motoren</translation></message>
+    <message><source>Answered, last {0:.0f} s</source>
+        <translation>Beantwortet, letzte {0:.0f} s</translation></message>
+    <message><source>{0}, over</source>
+        <translation>{0}, vorbei</translation></message>
     <message><source>⚠ means 80 % of the limit or more.</source>
         <translation>⚠ bedeutet 80 % der Grenze oder mehr.</translation></message>
     <message><source>Brake</source>
@@ -4129,10 +4079,6 @@ bisher {1}</translation></message>
         <translation>&amp;Totzone:</translation></message>
     <message><source>&amp;Expo:</source>
         <translation>&amp;Expo:</translation></message>
-    <message><source>Motor 1:</source>
-        <translation>Motor 1:</translation></message>
-    <message><source>Motor 2:</source>
-        <translation>Motor 2:</translation></message>
     <message><source>none: a moved stick drives</source>
         <translation>keine: Ein bewegter Knüppel fährt</translation></message>
     <message><source>Press the button to hold while driving.</source>
@@ -4157,8 +4103,6 @@ bisher {1}</translation></message>
         <translation>{0}: erkennen</translation></message>
     <message><source>{0}: inverted</source>
         <translation>{0}: umgekehrt</translation></message>
-    <message><source>Setpoint of motor {0}</source>
-        <translation>Sollwert von Motor {0}</translation></message>
     <message><source>Gamepad</source>
         <translation>Gamepad</translation></message>
     <message><source>&amp;Gamepad</source>
@@ -4203,6 +4147,8 @@ bisher {1}</translation></message>
         <translation>Wie stark „Bremsen“ und das Loslassen von Fahrfeld, Tasten und gehaltenen Schiebereglern bremsen; ein Stopp bremst immer voll</translation></message>
     <message><source>&amp;Brake strength</source>
         <translation>Bre&amp;msstärke</translation></message>
+    <message><source>Loc&amp;k after Stop</source>
+        <translation>&amp;Sperre nach Stopp</translation></message>
     <message><source>Stop when you lea&amp;ve this page</source>
         <translation>Beim Verl&amp;assen dieser Seite stoppen</translation></message>
     <message><source>Stop both motors and the auxiliary when another page is shown or the window is minimised</source>
@@ -4211,10 +4157,6 @@ bisher {1}</translation></message>
         <translation>Regler gehen &amp;von selbst auf null</translation></message>
     <message><source>A slider drives only while you hold it; letting go brakes its motor</source>
         <translation>Ein Schieberegler fährt nur, solange Sie ihn halten; Loslassen bremst seinen Motor</translation></message>
-    <message><source>Loc&amp;k after Stop</source>
-        <translation>&amp;Sperre nach Stopp</translation></message>
-    <message><source>Seconds for which arming is locked after Stop</source>
-        <translation>Sekunden, für die die Freigabe nach einem Stopp gesperrt ist</translation></message>
     <message><source>Drive with</source>
         <translation>Fahren mit</translation></message>
     <message><source>E&amp;xtra options</source>
@@ -4265,6 +4207,8 @@ bisher {1}</translation></message>
         <translation>Jede Änderung an einem Motor im selben Schritt auch am anderen vornehmen</translation></message>
     <message><source>No document confirms this limit. The board decides about other values.</source>
         <translation>Kein Dokument bestätigt diese Grenze. Über andere Werte entscheidet das Board.</translation></message>
+    <message><source>Show the steps for switching the board off and on</source>
+        <translation>Die Schritte zum Aus- und Einschalten des Boards zeigen</translation></message>
     <message><source>Detail&amp;s</source>
         <translation>Det&amp;ails</translation></message>
     <message><source>&amp;Both motors as one</source>
@@ -4305,8 +4249,6 @@ bisher {1}</translation></message>
         <translation>Parameter</translation></message>
     <message><source>Edit, then review. Nothing is written before.</source>
         <translation>Ändern, dann prüfen. Vorher wird nichts geschrieben.</translation></message>
-    <message><source>Show the steps for switching the board off and on</source>
-        <translation>Die Schritte zum Aus- und Einschalten des Boards zeigen</translation></message>
     <message><source>Connect to a board to see its parameters.</source>
         <translation>Verbinden Sie ein Board, um seine Parameter zu sehen.</translation></message>
     <message><source>No board is responding. Edits are kept until the same kind of board is connected.</source>
@@ -4547,6 +4489,8 @@ bisher {1}</translation></message>
         <translation>Berichtigen Sie den Rest im Text.</translation></message>
     <message><source>&amp;New…</source>
         <translation>&amp;Neu…</translation></message>
+    <message><source>&amp;Save</source>
+        <translation>&amp;Speichern</translation></message>
     <message><source>&amp;Print…</source>
         <translation>&amp;Drucken…</translation></message>
     <message><source>Save as P&amp;DF…</source>
@@ -4953,10 +4897,6 @@ bisher {1}</translation></message>
         <translation>St&amp;röme</translation></message>
     <message><source>&amp;Parameters</source>
         <translation>&amp;Parameter</translation></message>
-    <message><source>&amp;Errors</source>
-        <translation>F&amp;ehler</translation></message>
-    <message><source>T&amp;raffic</source>
-        <translation>Date&amp;nverkehr</translation></message>
     <message><source>&amp;New settings file…</source>
         <translation>&amp;Neue Einstellungsdatei…</translation></message>
     <message><source>&amp;Open settings file…</source>
@@ -5001,8 +4941,6 @@ bisher {1}</translation></message>
         <translation>&amp;Board antwortet nicht…</translation></message>
     <message><source>&amp;User's guide of the board (online)…</source>
         <translation>Ben&amp;utzerhandbuch des Boards (online)…</translation></message>
-    <message><source>Errors ({0})</source>
-        <translation>Fehler ({0})</translation></message>
     <message><source>Gamepads need one more package. Install it with {0}, then switch this on again.</source>
         <translation>Gamepads brauchen ein weiteres Paket. Installieren Sie es mit {0}, dann schalten Sie dies wieder ein.</translation></message>
     <message><source>Gamepads cannot be read here: {0}.</source>
@@ -5099,6 +5037,58 @@ bisher {1}</translation></message>
         <translation>&amp;Rückgängig: {0}</translation></message>
     <message><source>&amp;Redo {0}</source>
         <translation>&amp;Wiederherstellen: {0}</translation></message>
+    <message><source>O&amp;nly problems</source>
+        <translation>Nur &amp;Probleme</translation></message>
+    <message><source>E&amp;xplain</source>
+        <translation>E&amp;rklären</translation></message>
+    <message><source>Messages, stops, lost connections and written settings will be listed here.</source>
+        <translation>Meldungen, Stopps, verlorene Verbindungen und geschriebene Einstellungen werden hier aufgelistet.</translation></message>
+    <message><source>Show the help on the message in the line with the cursor</source>
+        <translation>Die Hilfe zur Meldung in der Zeile mit dem Cursor zeigen</translation></message>
+    <message><source>Log</source>
+        <translation>Protokoll</translation></message>
+    <message><source>shown: {0} of {1}</source>
+        <translation>angezeigt: {0} von {1}</translation></message>
+    <message><source>Search (Ctrl+F)</source>
+        <translation>Suchen (Strg+F)</translation></message>
+    <message><source>Diagnostics</source>
+        <translation>Diagnose</translation></message>
+    <message><source>Cop&amp;y</source>
+        <translation>&amp;Kopieren</translation></message>
+    <message><source>Sa&amp;ve report…</source>
+        <translation>&amp;Supportbericht speichern…</translation></message>
+    <message><source>Copy the selected rows, or all that is shown</source>
+        <translation>Die ausgewählten Zeilen kopieren, oder alles Angezeigte</translation></message>
+    <message><source>Save a report for support; it is shown before it is written</source>
+        <translation>Einen Bericht für den Support speichern; er wird vorher angezeigt</translation></message>
+    <message><source>Prob&amp;lems</source>
+        <translation>Prob&amp;leme</translation></message>
+    <message><source>Lo&amp;g</source>
+        <translation>Pr&amp;otokoll</translation></message>
+    <message><source>T&amp;raffic</source>
+        <translation>Date&amp;nverkehr</translation></message>
+    <message><source>Round trips of the last minute: up to {0:.0f} ms</source>
+        <translation>Antwortzeiten der letzten Minute: bis {0:.0f} ms</translation></message>
+    <message><source>Nothing has gone wrong since {0:%H:%M}.</source>
+        <translation>Seit {0:%H:%M} ist kein Problem aufgetreten.</translation></message>
+    <message><source>Connection</source>
+        <translation>Verbindung</translation></message>
+    <message><source>Lis&amp;t them</source>
+        <translation>A&amp;lle auflisten</translation></message>
+    <message><source>Nothing is connected.</source>
+        <translation>Nichts ist verbunden.</translation></message>
+    <message><source>Nothing else has gone wrong since {0:%H:%M}.</source>
+        <translation>Seit {0:%H:%M} ist kein weiteres Problem aufgetreten.</translation></message>
+    <message numerus="yes"><source>%n problem(s) active now</source>
+        <translation><numerusform>%n Problem jetzt aktiv</numerusform><numerusform>%n Probleme jetzt aktiv</numerusform></translation></message>
+    <message><source>The board can report {0} kinds of problem.</source>
+        <translation>Das Board kann {0} Arten von Problemen melden.</translation></message>
+    <message numerus="yes"><source>%n time(s), last at {0:%H:%M:%S}</source>
+        <translation><numerusform>%n-mal, um {0:%H:%M:%S}</numerusform><numerusform>%n-mal, zuletzt um {0:%H:%M:%S}</numerusform></translation></message>
+    <message><source>Show it</source>
+        <translation>Anzeigen</translation></message>
+    <message><source>Clear</source>
+        <translation>Quittieren</translation></message>
     <message><source>pictures cannot be written without a file extension such as .png</source>
         <translation>Bilder brauchen eine Dateiendung wie .png</translation></message>
     <message><source>pictures cannot be written as {0}</source>
@@ -5119,6 +5109,8 @@ bisher {1}</translation></message>
         <translation>&amp;Trennen</translation></message>
     <message><source>Port</source>
         <translation>Port</translation></message>
+    <message><source>&amp;Port:</source>
+        <translation>P&amp;ort:</translation></message>
     <message><source>How this computer talks to the board</source>
         <translation>Wie dieser Computer mit dem Board kommuniziert</translation></message>
     <message><source>Find a board</source>
@@ -5131,8 +5123,6 @@ bisher {1}</translation></message>
         <translation>Nicht verbunden</translation></message>
     <message><source>Other port or address…</source>
         <translation>Anderer Port oder andere Adresse…</translation></message>
-    <message><source>&amp;Port:</source>
-        <translation>P&amp;ort:</translation></message>
     <message><source>Starting the Demo {0} …</source>
         <translation>Demo-{0} wird gestartet …</translation></message>
     <message><source>{0} was not opened: its type is not supported. Supported: {1}.</source>
@@ -5189,8 +5179,8 @@ bisher {1}</translation></message>
         <translation>Verbinden und andere Leitungseinstellungen setzen: {0}</translation></message>
     <message><source>Connect to {0}</source>
         <translation>Mit {0} verbinden</translation></message>
-    <message><source>About TReX Studio</source>
-        <translation>Info über TReX Studio</translation></message>
+    <message><source>Help</source>
+        <translation>Hilfe</translation></message>
     <message><source>TReX Studio</source>
         <translation>TReX Studio</translation></message>
     <message><source>Settings are still being written. Disconnect anyway? Unwritten settings stay pending.</source>
@@ -5211,16 +5201,6 @@ bisher {1}</translation></message>
         <translation>Das Fenster sollte geschlossen werden</translation></message>
     <message><source>No program of this computer shows folders. The log is in {0}.</source>
         <translation>Kein Programm dieses Computers zeigt Ordner an. Das Protokoll ist in {0}.</translation></message>
-    <message><source>TReX Studio {0}
-
-Set up, calibrate, drive and understand a Pololu TReX or TReX Jr dual motor controller, and drive an Aracna robot.
-
-Not a product of Pololu.</source>
-        <translation>TReX Studio {0}
-
-Zum Einrichten, Kalibrieren, Ansteuern und Verstehen eines Doppel-Motorreglers Pololu TReX oder TReX Jr und zum Steuern eines Roboters Aracna.
-
-Kein Produkt von Pololu.</translation></message>
     <message><source>&amp;Preferences…</source>
         <translation>Voreinstellun&amp;gen…</translation></message>
     <message><source>E&amp;xit</source>
@@ -5231,12 +5211,14 @@ Kein Produkt von Pololu.</translation></message>
         <translation>&amp;Board suchen…</translation></message>
     <message><source>&amp;Stop motors</source>
         <translation>Motoren &amp;stoppen</translation></message>
+    <message><source>Search every&amp;thing</source>
+        <translation>Alles &amp;durchsuchen</translation></message>
     <message><source>&amp;Save report for support…</source>
         <translation>&amp;Supportbericht speichern…</translation></message>
     <message><source>Open &amp;log folder</source>
         <translation>&amp;Protokollordner öffnen</translation></message>
-    <message><source>&amp;About…</source>
-        <translation>&amp;Info…</translation></message>
+    <message><source>&amp;About</source>
+        <translation>&amp;Info</translation></message>
     <message><source>Preferences</source>
         <translation>Voreinstellungen</translation></message>
     <message><source>As the system</source>
@@ -5309,6 +5291,14 @@ Kein Produkt von Pololu.</translation></message>
         <translation>Der Bericht wurde in {0} geschrieben.</translation></message>
     <message><source>{0} ({1} bytes)</source>
         <translation>{0} ({1} Bytes)</translation></message>
+    <message><source>Search everything (Ctrl+K)</source>
+        <translation>Alles durchsuchen (Strg+K)</translation></message>
+    <message><source>Nothing was found.</source>
+        <translation>Nichts wurde gefunden.</translation></message>
+    <message><source>Search everything</source>
+        <translation>Alles durchsuchen</translation></message>
+    <message><source>Hits</source>
+        <translation>Treffer</translation></message>
     <message><source>Search every port and baud rate; no motor moves</source>
         <translation>Alle Ports und Baudraten durchsuchen; kein Motor bewegt sich</translation></message>
     <message><source>A simulated board: nothing can be damaged</source>
@@ -5325,50 +5315,14 @@ Kein Produkt von Pololu.</translation></message>
         <translation>Dateien</translation></message>
     <message><source>Close the window</source>
         <translation>Fenster schließen</translation></message>
-    <message><source>Help</source>
-        <translation>Hilfe</translation></message>
-    <message><source>Search the help</source>
-        <translation>Hilfe durchsuchen</translation></message>
-    <message><source>Search the help (Ctrl+F)</source>
-        <translation>Hilfe durchsuchen (Strg+F)</translation></message>
     <message><source>Pages of the help</source>
         <translation>Seiten der Hilfe</translation></message>
-    <message><source>Nothing was found.</source>
-        <translation>Nichts wurde gefunden.</translation></message>
     <message><source>The program could not stop the motors itself. The guardian process sent a stop at {0}, which the board did not confirm. If a motor still turns, cut its power.</source>
         <translation>Das Programm konnte die Motoren nicht selbst stoppen. Der Wächterprozess hat einen Stopp gesendet ({0}), den das Board nicht bestätigt hat. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
     <message><source>The program could not stop the motors itself. The guardian process stopped them at {0}, and the board confirmed that.</source>
         <translation>Das Programm konnte die Motoren nicht selbst stoppen. Der Wächterprozess hat sie gestoppt ({0}), und das Board hat das bestätigt.</translation></message>
     <message><source>TReX Studio did not end properly the last time. If it crashed, a report for support says where.</source>
         <translation>TReX Studio wurde beim letzten Mal nicht ordnungsgemäß beendet. Falls es abgestürzt ist, sagt ein Supportbericht, wo.</translation></message>
-    <message><source>Search the log</source>
-        <translation>Protokoll durchsuchen</translation></message>
-    <message><source>Search the log (Ctrl+F)</source>
-        <translation>Protokoll durchsuchen (Strg+F)</translation></message>
-    <message><source>O&amp;nly problems</source>
-        <translation>Nur &amp;Probleme</translation></message>
-    <message><source>E&amp;xplain</source>
-        <translation>E&amp;rklären</translation></message>
-    <message><source>Cop&amp;y</source>
-        <translation>&amp;Kopieren</translation></message>
-    <message><source>Messages, stops, lost connections and written settings will be listed here.</source>
-        <translation>Meldungen, Stopps, verlorene Verbindungen und geschriebene Einstellungen werden hier aufgelistet.</translation></message>
-    <message numerus="yes"><source>%n line(s) copied.</source>
-        <translation><numerusform>%n Zeile kopiert.</numerusform><numerusform>%n Zeilen kopiert.</numerusform></translation></message>
-    <message><source>Save the log</source>
-        <translation>Protokoll speichern</translation></message>
-    <message><source>Text (*.txt)</source>
-        <translation>Text (*.txt)</translation></message>
-    <message><source>Show the help on the message in the line with the cursor</source>
-        <translation>Die Hilfe zur Meldung in der Zeile mit dem Cursor zeigen</translation></message>
-    <message><source>Copy the lines shown</source>
-        <translation>Die angezeigten Zeilen kopieren</translation></message>
-    <message><source>Save the lines shown as text</source>
-        <translation>Die angezeigten Zeilen als Text speichern</translation></message>
-    <message><source>Log</source>
-        <translation>Protokoll</translation></message>
-    <message><source>The log was written to {0}.</source>
-        <translation>Das Protokoll wurde in {0} geschrieben.</translation></message>
     <message><source>Recorded in {0} ({1}). {2} shows it.</source>
         <translation>Aufgezeichnet in {0} ({1}). Zum Ansehen: {2}.</translation></message>
     <message><source>Stop recording</source>
@@ -5611,6 +5565,8 @@ Kein Produkt von Pololu.</translation></message>
         <translation>Anwenden</translation></message>
     <message><source>Timeout</source>
         <translation>Timeout</translation></message>
+    <message><source>Line</source>
+        <translation>Leitung</translation></message>
     <message><source>Events in the plot</source>
         <translation>Ereignisse im Diagramm</translation></message>
     <message><source>Names of the curves</source>
@@ -5643,18 +5599,16 @@ Kein Produkt von Pololu.</translation></message>
         <translation>Diagramm der Ströme und Geschwindigkeiten über der Zeit</translation></message>
     <message><source>No data yet</source>
         <translation>Noch keine Daten</translation></message>
-    <message><source>Search bytes and meanings (Ctrl+F)</source>
-        <translation>Bytes und Bedeutungen durchsuchen (Strg+F)</translation></message>
-    <message><source>Search the traffic log</source>
-        <translation>Datenverkehrsprotokoll durchsuchen</translation></message>
     <message><source>&amp;Show polling</source>
         <translation>Abf&amp;rage anzeigen</translation></message>
     <message><source>O&amp;nly faults</source>
         <translation>&amp;Nur Fehler</translation></message>
-    <message><source>&amp;Copy</source>
-        <translation>&amp;Kopieren</translation></message>
     <message><source>C&amp;lear</source>
         <translation>&amp;Leeren</translation></message>
+    <message><source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation></message>
+    <message><source>Sa&amp;ve as text…</source>
+        <translation>Als Te&amp;xt speichern…</translation></message>
     <message><source>No row matches the search.</source>
         <translation>Keine Zeile passt zur Suche.</translation></message>
     <message><source>No faults so far.</source>
@@ -5667,26 +5621,20 @@ Kein Produkt von Pololu.</translation></message>
         <translation>Nur fehlgeschlagene Transaktionen und Leitungsfehler anzeigen</translation></message>
     <message><source>Do not add rows for now; the traffic is still logged</source>
         <translation>Vorerst keine Zeilen hinzufügen; der Datenverkehr wird weiter protokolliert</translation></message>
+    <message><source>Remove every row</source>
+        <translation>Alle Zeilen entfernen</translation></message>
     <message><source>Copy as &amp;Python</source>
         <translation>Als &amp;Python kopieren</translation></message>
     <message><source>Copy as C (&amp;POSIX)</source>
         <translation>Als &amp;C (POSIX) kopieren</translation></message>
     <message><source>Copy as &amp;Arduino sketch</source>
         <translation>Als &amp;Arduino-Sketch kopieren</translation></message>
-    <message><source>Copy the selected rows (Ctrl+C), or all rows shown</source>
-        <translation>Die ausgewählten Zeilen kopieren (Strg+C), oder alle angezeigten</translation></message>
-    <message><source>Save the rows shown as text</source>
-        <translation>Die angezeigten Zeilen als Text speichern</translation></message>
-    <message><source>Remove every row</source>
-        <translation>Alle Zeilen entfernen</translation></message>
     <message><source>polling is hidden</source>
         <translation>Abfrage ist ausgeblendet</translation></message>
     <message><source>paused</source>
         <translation>angehalten</translation></message>
     <message><source>No traffic yet. While {0} is connected, this page lists every byte on the line and its meaning.</source>
         <translation>Noch kein Datenverkehr. Solange {0} verbunden ist, listet diese Seite jedes Byte auf der Leitung und seine Bedeutung auf.</translation></message>
-    <message><source>No rows to copy.</source>
-        <translation>Keine Zeilen zum Kopieren.</translation></message>
     <message><source>No rows to save.</source>
         <translation>Keine Zeilen zum Speichern.</translation></message>
     <message><source>shown: {0}</source>
@@ -5695,8 +5643,6 @@ Kein Produkt von Pololu.</translation></message>
         <translation>Transaktionen: {0}</translation></message>
     <message><source>faults: {0}</source>
         <translation>Fehler: {0}</translation></message>
-    <message><source>Copied rows: {0}.</source>
-        <translation>Kopierte Zeilen: {0}.</translation></message>
     <message numerus="yes"><source>{0} row(s) written to {1}.</source>
         <translation><numerusform>{0} Zeile in {1} geschrieben.</numerusform><numerusform>{0} Zeilen in {1} geschrieben.</numerusform></translation></message>
     <message><source>events lost: {0}</source>
@@ -5767,6 +5713,8 @@ Soll die Datei aus den Einstellungen neu geschrieben werden? Ihre Kommentare geh
         <translation>{0} hat Änderungen, die nicht gespeichert sind. Sollen sie gespeichert werden?</translation></message>
     <message><source>already exists.</source>
         <translation>ist bereits vorhanden.</translation></message>
+    <message><source>Error</source>
+        <translation>Fehler</translation></message>
     <message><source>Information</source>
         <translation>Information</translation></message>
     <message><source>OK</source>
@@ -5801,6 +5749,8 @@ Soll die Datei aus den Einstellungen neu geschrieben werden? Ihre Kommentare geh
         <translation>Schritt {0} von {1}: {2}.</translation></message>
     <message><source>Not done: {0}.</source>
         <translation>Nicht erledigt: {0}.</translation></message>
+    <message numerus="yes"><source>%n line(s) copied.</source>
+        <translation><numerusform>%n Zeile kopiert.</numerusform><numerusform>%n Zeilen kopiert.</numerusform></translation></message>
     <message><source>Internal error while processing this file ({0}).</source>
         <translation>Interner Fehler bei der Verarbeitung dieser Datei ({0}).</translation></message>
     <message><source>Another file is still being written.</source>

@@ -85,8 +85,10 @@
         <translation><numerusform>%n board found.</numerusform><numerusform>%n boards found.</numerusform></translation></message>
     <message numerus="yes"><source>%n port(s) could not be searched (internal error).</source>
         <translation><numerusform>%n port could not be searched (internal error).</numerusform><numerusform>%n ports could not be searched (internal error).</numerusform></translation></message>
-    <message numerus="yes"><source>%n line(s) copied.</source>
-        <translation><numerusform>%n line copied.</numerusform><numerusform>%n lines copied.</numerusform></translation></message>
+    <message numerus="yes"><source>%n problem(s) active now</source>
+        <translation><numerusform>%n problem active now</numerusform><numerusform>%n problems active now</numerusform></translation></message>
+    <message numerus="yes"><source>%n time(s), last at {0:%H:%M:%S}</source>
+        <translation><numerusform>%n time, at {0:%H:%M:%S}</numerusform><numerusform>%n times, last at {0:%H:%M:%S}</numerusform></translation></message>
     <message numerus="yes"><source>%n sample(s) lost: the disk is too slow</source>
         <translation><numerusform>%n sample lost: the disk is too slow</numerusform><numerusform>%n samples lost: the disk is too slow</numerusform></translation></message>
     <message numerus="yes"><source>{0} sample(s) written to {1}.</source>
@@ -95,5 +97,7 @@
         <translation><numerusform>{0} row written to {1}.</numerusform><numerusform>{0} rows written to {1}.</numerusform></translation></message>
     <message numerus="yes"><source>took      {0:.1f} ms; %n byte(s) need {1:.1f} ms on this wire</source>
         <translation><numerusform>took      {0:.1f} ms; %n byte needs {1:.1f} ms on this wire</numerusform><numerusform>took      {0:.1f} ms; %n bytes need {1:.1f} ms on this wire</numerusform></translation></message>
+    <message numerus="yes"><source>%n line(s) copied.</source>
+        <translation><numerusform>%n line copied.</numerusform><numerusform>%n lines copied.</numerusform></translation></message>
 </context>
 </TS>

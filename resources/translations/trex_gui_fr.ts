@@ -649,18 +649,6 @@
         <translation>ne peut pas atteindre {0}</translation></message>
     <message><source>moving to {0}</source>
         <translation>va vers {0}</translation></message>
-    <message><source>N/A</source>
-        <translation>N/D</translation></message>
-    <message><source>Line</source>
-        <translation>Liaison</translation></message>
-    <message><source>Requests:</source>
-        <translation>Requêtes :</translation></message>
-    <message><source>Failures:</source>
-        <translation>Échecs :</translation></message>
-    <message><source>{0} replies to {1} requests ({2:.2f} %)</source>
-        <translation>{0} réponses à {1} requêtes ({2:.2f} %)</translation></message>
-    <message><source>Timeouts: {0}, corrupted: {1}, unrecognized lines: {2}, restarts: {3}; slowest reply: {4:.0f} ms (without motions)</source>
-        <translation>Délais dépassés : {0}, altérées : {1}, lignes non reconnues : {2}, redémarrages : {3} ; réponse la plus lente : {4:.0f} ms (hors mouvements)</translation></message>
     <message><source>This link has no stop: a running motion ends only by itself, or by cutting the servo power.</source>
         <translation>Cette liaison n'a pas de commande d'arrêt : un mouvement en cours ne se termine que de lui-même, ou en coupant l'alimentation des servos.</translation></message>
     <message><source>Playing step {0} of {1}.</source>
@@ -813,22 +801,10 @@
         <translation>Monter</translation></message>
     <message><source>Move down</source>
         <translation>Descendre</translation></message>
-    <message><source>Pose file</source>
-        <translation>Fichier de poses</translation></message>
-    <message><source>Undo</source>
-        <translation>Annuler</translation></message>
-    <message><source>Redo</source>
-        <translation>Rétablir</translation></message>
-    <message><source>&amp;Open…</source>
-        <translation>&amp;Ouvrir…</translation></message>
-    <message><source>&amp;Save</source>
-        <translation>&amp;Enregistrer</translation></message>
-    <message><source>Save &amp;as…</source>
-        <translation>Enregis&amp;trer sous…</translation></message>
+    <message><source>Poses</source>
+        <translation>Poses</translation></message>
     <message><source>{0}, changed</source>
         <translation>{0}, modifié</translation></message>
-    <message><source>Not saved yet</source>
-        <translation>Pas encore enregistré</translation></message>
     <message numerus="yes"><source>%n step(s)</source>
         <translation><numerusform>%n étape</numerusform><numerusform>%n étapes</numerusform></translation></message>
     <message><source>needs {0:.2f} s: motor {1}</source>
@@ -885,8 +861,6 @@
         <translation>Impossible de jouer : {0}.</translation></message>
     <message><source>No poses. Capture the robot's position, or open a pose file.</source>
         <translation>Aucune pose. Capturez la position du robot, ou ouvrez un fichier de poses.</translation></message>
-    <message><source>Poses</source>
-        <translation>Poses</translation></message>
     <message><source>Set this pose to the robot's position</source>
         <translation>Donner à cette pose la position du robot</translation></message>
     <message><source>Capt&amp;ure</source>
@@ -907,14 +881,30 @@
         <translation>La position du robot est connue après son premier mouvement.</translation></message>
     <message><source>Not captured: {0}.</source>
         <translation>Non capturée : {0}.</translation></message>
+    <message><source>Requests: {0}, without a reply: {1}.</source>
+        <translation>Requêtes : {0}, sans réponse : {1}.</translation></message>
+    <message><source>Answered</source>
+        <translation>Réponses</translation></message>
+    <message><source>Slowest reply</source>
+        <translation>Réponse la plus lente</translation></message>
+    <message><source>Without motions</source>
+        <translation>Hors mouvements</translation></message>
+    <message><source>Restarts seen</source>
+        <translation>Redémarrages</translation></message>
+    <message><source>Corrupted replies</source>
+        <translation>Réponses altérées</translation></message>
+    <message><source>Unrecognized lines</source>
+        <translation>Lignes non reconnues</translation></message>
+    <message><source>{0}, active now</source>
+        <translation>{0}, active</translation></message>
     <message><source>The robot from above</source>
         <translation>Le robot vu de dessus</translation></message>
     <message><source>Legs at their reported positions, goals dashed; the table says both in numbers.</source>
         <translation>Pattes aux positions transmises, cibles en tirets ; le tableau donne les deux en chiffres.</translation></message>
-    <message><source>▲ front*</source>
-        <translation>▲ avant*</translation></message>
     <message><source>{0}: {1}</source>
         <translation>{0} : {1}</translation></message>
+    <message><source>▲ front*</source>
+        <translation>▲ avant*</translation></message>
     <message><source>goal in units</source>
         <translation>cible en unités</translation></message>
     <message><source>lowest position</source>
@@ -955,16 +945,18 @@
         <translation> = au plus vite</translation></message>
     <message><source>differ</source>
         <translation>différentes</translation></message>
-    <message><source>Motor positions are unknown before the first move: this robot reports them only in its reply to one.</source>
-        <translation>Les positions des moteurs sont inconnues avant le premier mouvement : ce robot ne les transmet que dans sa réponse à un mouvement.</translation></message>
-    <message><source>That move runs at speed {0} ({1}), unless you choose other speeds.</source>
-        <translation>Ce mouvement se fait à la vitesse {0} ({1}), sauf si vous choisissez d'autres vitesses.</translation></message>
     <message><source>Full lines: last reported; dashed: goal. A sketch: angles are drawn flat.</source>
         <translation>Traits pleins : dernières positions transmises ; tirets : cible. Schéma : les angles sont dessinés à plat.</translation></message>
+    <message><source>The positions of the motors are unknown.</source>
+        <translation>Les positions des moteurs sont inconnues.</translation></message>
+    <message><source>This robot reports them only in its reply to a move.</source>
+        <translation>Ce robot ne les transmet que dans sa réponse à un mouvement.</translation></message>
+    <message><source>The first one runs at speed {0} ({1}), unless you choose other speeds.</source>
+        <translation>Le premier se fait à la vitesse {0} ({1}), sauf si vous choisissez d'autres vitesses.</translation></message>
     <message><source>Move every motor to its goal, within its limits (Ctrl+M)</source>
         <translation>Amener tous les moteurs à leur cible, dans leurs limites (Ctrl+M)</translation></message>
-    <message><source>Motor positions are unknown; the last motion may still be running. The next move will report them.</source>
-        <translation>Les positions des moteurs sont inconnues ; le dernier mouvement est peut-être encore en cours. Le prochain mouvement les transmettra.</translation></message>
+    <message><source>The last motion may still be running; the next move will report them.</source>
+        <translation>Le dernier mouvement est peut-être encore en cours ; le prochain les transmettra.</translation></message>
     <message><source>Pre&amp;sent</source>
         <translation>Act&amp;uelle</translation></message>
     <message><source>Present positions</source>
@@ -991,8 +983,8 @@
         <translation>Limites au lieu des vit&amp;esses</translation></message>
     <message><source>Speed &amp;of all:</source>
         <translation>&amp;Vitesse de tous :</translation></message>
-    <message><source>No robot is connected; goals and limits can be set already.</source>
-        <translation>Aucun robot n'est connecté ; les cibles et les limites peuvent déjà être réglées.</translation></message>
+    <message><source>Goals and limits can be set already.</source>
+        <translation>Les cibles et les limites peuvent déjà être réglées.</translation></message>
     <message><source>Every motor has reached its goal within a few units.</source>
         <translation>Tous les moteurs ont atteint leur cible à quelques unités près.</translation></message>
     <message><source>The newest goal is sent as soon as the robot has reached the last one</source>
@@ -1009,8 +1001,6 @@
         <translation>Pages</translation></message>
     <message><source>a robot</source>
         <translation>un robot</translation></message>
-    <message><source>Diagnostics</source>
-        <translation>Diagnostic</translation></message>
     <message><source>Demo Aracna</source>
         <translation>Démo Aracna</translation></message>
     <message><source>a pose file of an Aracna</source>
@@ -1035,10 +1025,6 @@
         <translation>&amp;Essayer la démo</translation></message>
     <message><source>R&amp;obot</source>
         <translation>&amp;Robot</translation></message>
-    <message><source>Lo&amp;g</source>
-        <translation>&amp;Journal</translation></message>
-    <message><source>&amp;Traffic</source>
-        <translation>&amp;Trafic</translation></message>
     <message><source>&amp;Move to the sliders' goals</source>
         <translation>&amp;Déplacer vers les cibles des curseurs</translation></message>
     <message><source>Sliders to the &amp;present position</source>
@@ -1125,8 +1111,6 @@
         <translation>{0} Douteux : la liaison est bruitée et n'a pas de CRC.</translation></message>
     <message><source>The board does not respond; the stop is being repeated.</source>
         <translation>La carte ne répond pas ; l'ordre d'arrêt est répété.</translation></message>
-    <message><source>See the rows below.</source>
-        <translation>Voir les lignes ci-dessous.</translation></message>
     <message><source>Check cable and ground, and that no other program sends on this line.</source>
         <translation>Vérifiez le câble et la masse, et qu'aucun autre programme n'émet sur cette liaison.</translation></message>
     <message><source>Check cable and ground, and that every program on this line uses the same polynomial.</source>
@@ -1141,6 +1125,8 @@
         <translation>Ne laissez aucun autre programme émettre sur cette liaison.</translation></message>
     <message><source>Let other programs request fewer channels at once.</source>
         <translation>Faites en sorte que les autres programmes demandent moins de voies à la fois.</translation></message>
+    <message><source>{0} (doubtful)</source>
+        <translation>{0} (douteux)</translation></message>
     <message><source>Latched before connecting, perhaps by the search for the board: {0}</source>
         <translation>Mémorisé avant la connexion, peut-être à cause de la recherche de la carte : {0}</translation></message>
     <message><source>Connected to {0} on {1}.</source>
@@ -2765,6 +2751,8 @@
         <translation>{0:%H:%M:%S}, moteur {1} : {2}</translation></message>
     <message><source>Bench test</source>
         <translation>Essai au banc</translation></message>
+    <message><source>&amp;Open…</source>
+        <translation>&amp;Ouvrir…</translation></message>
     <message><source>Sa&amp;ve…</source>
         <translation>Enre&amp;gistrer…</translation></message>
     <message><source>&amp;Close</source>
@@ -3061,8 +3049,6 @@
         <translation>tourne peut-être encore</translation></message>
     <message><source>Mode: {0}</source>
         <translation>Mode : {0}</translation></message>
-    <message><source>{0} (doubtful)</source>
-        <translation>{0} (douteux)</translation></message>
     <message><source>Click a board, or press Enter, to show it on every page. Motors stop first.</source>
         <translation>Cliquez sur une carte, ou appuyez sur Entrée, pour l'afficher sur toutes les pages. Les moteurs s'arrêtent d'abord.</translation></message>
     <message><source>Ask for each device number which board has it; nothing is changed</source>
@@ -3423,8 +3409,8 @@
         <translation>Débranché, le port disparaît : « Délai série » et « Arrêt sur erreur UART » devraient arrêter les moteurs</translation></message>
     <message><source>An error of the serial line that the board reports</source>
         <translation>Une erreur de la liaison série que la carte signale</translation></message>
-    <message><source>The next byte reaches the board with this error; the Errors page counts it. Only a board with parity detects a parity error.</source>
-        <translation>Le prochain octet arrive à la carte avec cette erreur ; la page Erreurs la compte. Seule une carte avec parité détecte une erreur de parité.</translation></message>
+    <message><source>The next byte reaches the board with this error; Problems counts it. Only a board with parity detects a parity error.</source>
+        <translation>Le prochain octet arrive à la carte avec cette erreur ; « Problèmes » la compte. Seule une carte avec parité détecte une erreur de parité.</translation></message>
     <message><source>off: the power is off</source>
         <translation>éteinte : l'alimentation est coupée</translation></message>
     <message><source>The power is off: the board does not reply.</source>
@@ -3591,6 +3577,8 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation><numerusform>Supprimer définitivement %n instantané sur {0}, le plus ancien ?</numerusform><numerusform>Supprimer définitivement %n instantanés sur {0}, les plus anciens ?</numerusform></translation></message>
     <message><source>History</source>
         <translation>Historique</translation></message>
+    <message><source>Save &amp;as…</source>
+        <translation>Enregis&amp;trer sous…</translation></message>
     <message><source>&amp;Delete…</source>
         <translation>&amp;Supprimer…</translation></message>
     <message><source>&amp;Open folder</source>
@@ -3969,6 +3957,8 @@ avant {1}</translation></message>
         <translation>apprise</translation></message>
     <message><source>factory calibration</source>
         <translation>étalonnage d'usine</translation></message>
+    <message><source>N/A</source>
+        <translation>N/D</translation></message>
     <message><source>problem</source>
         <translation>problème</translation></message>
     <message><source>{0:.0f} to {1:.0f} counts</source>
@@ -3989,66 +3979,26 @@ avant {1}</translation></message>
         <translation>Courants des moteurs, {0}</translation></message>
     <message><source>One count of this board is {0:.0f} mA.</source>
         <translation>Un count de cette carte vaut {0:.0f} mA.</translation></message>
-    <message><source>Reading an error clears it in the board; this program counts each one. Errors in bold were reported since you cleared them.</source>
-        <translation>Lire une erreur l'efface dans la carte ; ce programme compte chacune d'elles. Les erreurs en gras ont été signalées depuis votre dernier acquittement.</translation></message>
-    <message><source>Take the errors in bold as known; counts stay, and an error that is still active comes back at once</source>
-        <translation>Considérer les erreurs en gras comme connues ; les compteurs restent, et une erreur encore active revient aussitôt</translation></message>
     <message><source>Set every count to zero, and forget when errors were seen</source>
         <translation>Remettre tous les compteurs à zéro et oublier quand les erreurs ont été vues</translation></message>
-    <message><source>Reset co&amp;unts</source>
-        <translation>Remettre les &amp;compteurs à zéro</translation></message>
-    <message><source>The board came back in another mode, so its power was off meanwhile; it does not report a restart in the same mode</source>
-        <translation>La carte est revenue dans un autre mode, son alimentation a donc été coupée entre-temps ; elle ne signale pas un redémarrage dans le même mode</translation></message>
-    <message><source>The board was silent for a while: its power was low or off, it restarted, or the cable has a bad contact</source>
-        <translation>La carte est restée muette un moment : son alimentation était faible ou coupée, elle a redémarré, ou le câble a un mauvais contact</translation></message>
-    <message><source>{0}; timeouts: {1}, corrupted replies: {2}, slowest reply: {3:.0f} ms</source>
-        <translation>{0} ; délais dépassés : {1}, réponses altérées : {2}, réponse la plus lente : {3:.0f} ms</translation></message>
-    <message><source>C&amp;lear errors</source>
-        <translation>Acquitter les &amp;erreurs</translation></message>
-    <message><source>Errors</source>
-        <translation>Erreurs</translation></message>
-    <message><source>Error</source>
-        <translation>Erreur</translation></message>
-    <message><source>Active now</source>
-        <translation>Active maintenant</translation></message>
-    <message><source>Stopping the motors</source>
-        <translation>Arrête les moteurs</translation></message>
-    <message><source>Count</source>
-        <translation>Nombre</translation></message>
-    <message><source>Last seen</source>
-        <translation>Dernière fois</translation></message>
-    <message><source>What it means, and what to do</source>
-        <translation>Signification et remède</translation></message>
-    <message><source>Connection</source>
-        <translation>Connexion</translation></message>
-    <message><source>Since the connection was opened</source>
-        <translation>Depuis l'ouverture de la connexion</translation></message>
-    <message><source>never</source>
-        <translation>jamais</translation></message>
-    <message><source>before connecting</source>
-        <translation>avant la connexion</translation></message>
-    <message><source>Latched before connecting, perhaps by the search for the board; not counted.</source>
-        <translation>Mémorisée avant la connexion, peut-être par la recherche de la carte ; non comptée.</translation></message>
+    <message><source>The board came back in another mode, so its power was off meanwhile; it does not report a restart in the same mode. Returned after silence: {0}.</source>
+        <translation>La carte est revenue dans un autre mode, son alimentation a donc été coupée entre-temps ; elle ne signale pas un redémarrage dans le même mode. Retours après silence : {0}.</translation></message>
+    <message><source>Reset all co&amp;unts</source>
+        <translation>Remettre les compteurs à &amp;zéro</translation></message>
+    <message><source>Reads a second</source>
+        <translation>Lectures par seconde</translation></message>
+    <message><source>Connected for</source>
+        <translation>Connecté depuis</translation></message>
     <message><source>The line is noisy and has no CRC: a corrupted reply looks alike.</source>
         <translation>La liaison est bruitée et n'a pas de CRC : une réponse altérée y ressemble.</translation></message>
-    <message><source>⚠ Yes</source>
-        <translation>⚠ Oui</translation></message>
-    <message><source>No</source>
-        <translation>Non</translation></message>
-    <message><source>Quality:</source>
-        <translation>Qualité :</translation></message>
-    <message><source>Reads per second:</source>
-        <translation>Lectures par seconde :</translation></message>
-    <message><source>Connected for:</source>
-        <translation>Connecté depuis :</translation></message>
-    <message><source>Restarts in another mode:</source>
-        <translation>Redémarrages dans un autre mode :</translation></message>
-    <message><source>Returned after silence:</source>
-        <translation>Retours après silence :</translation></message>
-    <message><source>{0}
-(doubtful)</source>
-        <translation>{0}
-(douteux)</translation></message>
+    <message><source>Latched before connecting, perhaps by the search for the board; not counted.</source>
+        <translation>Mémorisée avant la connexion, peut-être par la recherche de la carte ; non comptée.</translation></message>
+    <message><source>{0}, active now, stops the motors</source>
+        <translation>{0}, active, arrête les moteurs</translation></message>
+    <message><source>Answered, last {0:.0f} s</source>
+        <translation>Réponses, dernières {0:.0f} s</translation></message>
+    <message><source>{0}, over</source>
+        <translation>{0}, terminée</translation></message>
     <message><source>⚠ means 80 % of the limit or more.</source>
         <translation>⚠ signifie 80 % de la limite ou plus.</translation></message>
     <message><source>Brake</source>
@@ -4129,10 +4079,6 @@ avant {1}</translation></message>
         <translation>&amp;Zone morte :</translation></message>
     <message><source>&amp;Expo:</source>
         <translation>&amp;Expo :</translation></message>
-    <message><source>Motor 1:</source>
-        <translation>Moteur 1 :</translation></message>
-    <message><source>Motor 2:</source>
-        <translation>Moteur 2 :</translation></message>
     <message><source>none: a moved stick drives</source>
         <translation>aucun : un manche déplacé fait tourner les moteurs</translation></message>
     <message><source>Press the button to hold while driving.</source>
@@ -4157,8 +4103,6 @@ avant {1}</translation></message>
         <translation>{0} : détecter</translation></message>
     <message><source>{0}: inverted</source>
         <translation>{0} : inversé</translation></message>
-    <message><source>Setpoint of motor {0}</source>
-        <translation>Consigne du moteur {0}</translation></message>
     <message><source>Gamepad</source>
         <translation>Manette</translation></message>
     <message><source>&amp;Gamepad</source>
@@ -4203,6 +4147,8 @@ avant {1}</translation></message>
         <translation>Force du freinage par « Freiner » et au relâchement du pavé, des touches et des curseurs maintenus ; l'arrêt freine toujours à fond</translation></message>
     <message><source>&amp;Brake strength</source>
         <translation>Intensité du freina&amp;ge</translation></message>
+    <message><source>Loc&amp;k after Stop</source>
+        <translation>Verr&amp;ouillage après un arrêt</translation></message>
     <message><source>Stop when you lea&amp;ve this page</source>
         <translation>Arrêter en quittant &amp;cette page</translation></message>
     <message><source>Stop both motors and the auxiliary when another page is shown or the window is minimised</source>
@@ -4211,10 +4157,6 @@ avant {1}</translation></message>
         <translation>Curseurs remis à &amp;zéro</translation></message>
     <message><source>A slider drives only while you hold it; letting go brakes its motor</source>
         <translation>Un curseur ne fait tourner son moteur que tant que vous le tenez ; le relâcher freine le moteur</translation></message>
-    <message><source>Loc&amp;k after Stop</source>
-        <translation>Verr&amp;ouillage après un arrêt</translation></message>
-    <message><source>Seconds for which arming is locked after Stop</source>
-        <translation>Secondes pendant lesquelles l'activation est verrouillée après un arrêt</translation></message>
     <message><source>Drive with</source>
         <translation>Piloter avec</translation></message>
     <message><source>E&amp;xtra options</source>
@@ -4265,6 +4207,8 @@ avant {1}</translation></message>
         <translation>Reporter en une seule étape chaque modification d'un moteur sur l'autre</translation></message>
     <message><source>No document confirms this limit. The board decides about other values.</source>
         <translation>Aucun document ne confirme cette limite. La carte décide des autres valeurs.</translation></message>
+    <message><source>Show the steps for switching the board off and on</source>
+        <translation>Afficher les étapes pour couper et remettre l'alimentation de la carte</translation></message>
     <message><source>Detail&amp;s</source>
         <translation>Détail&amp;s</translation></message>
     <message><source>&amp;Both motors as one</source>
@@ -4305,8 +4249,6 @@ avant {1}</translation></message>
         <translation>Paramètres</translation></message>
     <message><source>Edit, then review. Nothing is written before.</source>
         <translation>Modifiez, puis vérifiez. Rien n'est écrit avant.</translation></message>
-    <message><source>Show the steps for switching the board off and on</source>
-        <translation>Afficher les étapes pour couper et remettre l'alimentation de la carte</translation></message>
     <message><source>Connect to a board to see its parameters.</source>
         <translation>Connectez une carte pour voir ses paramètres.</translation></message>
     <message><source>No board is responding. Edits are kept until the same kind of board is connected.</source>
@@ -4547,6 +4489,8 @@ avant {1}</translation></message>
         <translation>Corrigez le reste dans le texte.</translation></message>
     <message><source>&amp;New…</source>
         <translation>&amp;Nouveau…</translation></message>
+    <message><source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation></message>
     <message><source>&amp;Print…</source>
         <translation>&amp;Imprimer…</translation></message>
     <message><source>Save as P&amp;DF…</source>
@@ -4953,10 +4897,6 @@ avant {1}</translation></message>
         <translation>&amp;Courants</translation></message>
     <message><source>&amp;Parameters</source>
         <translation>&amp;Paramètres</translation></message>
-    <message><source>&amp;Errors</source>
-        <translation>&amp;Erreurs</translation></message>
-    <message><source>T&amp;raffic</source>
-        <translation>&amp;Trafic</translation></message>
     <message><source>&amp;New settings file…</source>
         <translation>&amp;Nouveau fichier de réglages…</translation></message>
     <message><source>&amp;Open settings file…</source>
@@ -5001,8 +4941,6 @@ avant {1}</translation></message>
         <translation>La carte ne &amp;répond pas…</translation></message>
     <message><source>&amp;User's guide of the board (online)…</source>
         <translation>&amp;Guide d'utilisation de la carte (en ligne)…</translation></message>
-    <message><source>Errors ({0})</source>
-        <translation>Erreurs ({0})</translation></message>
     <message><source>Gamepads need one more package. Install it with {0}, then switch this on again.</source>
         <translation>Les manettes nécessitent un paquet supplémentaire. Installez-le avec {0}, puis réactivez cette option.</translation></message>
     <message><source>Gamepads cannot be read here: {0}.</source>
@@ -5099,6 +5037,58 @@ avant {1}</translation></message>
         <translation>&amp;Annuler : {0}</translation></message>
     <message><source>&amp;Redo {0}</source>
         <translation>&amp;Rétablir : {0}</translation></message>
+    <message><source>O&amp;nly problems</source>
+        <translation>Problèmes &amp;seulement</translation></message>
+    <message><source>E&amp;xplain</source>
+        <translation>&amp;Expliquer</translation></message>
+    <message><source>Messages, stops, lost connections and written settings will be listed here.</source>
+        <translation>Les messages, les arrêts, les connexions perdues et les réglages écrits apparaîtront ici.</translation></message>
+    <message><source>Show the help on the message in the line with the cursor</source>
+        <translation>Afficher l'aide sur le message de la ligne où se trouve le curseur</translation></message>
+    <message><source>Log</source>
+        <translation>Journal</translation></message>
+    <message><source>shown: {0} of {1}</source>
+        <translation>affichées : {0} sur {1}</translation></message>
+    <message><source>Search (Ctrl+F)</source>
+        <translation>Rechercher (Ctrl+F)</translation></message>
+    <message><source>Diagnostics</source>
+        <translation>Diagnostic</translation></message>
+    <message><source>Cop&amp;y</source>
+        <translation>&amp;Copier</translation></message>
+    <message><source>Sa&amp;ve report…</source>
+        <translation>Enre&amp;gistrer un rapport…</translation></message>
+    <message><source>Copy the selected rows, or all that is shown</source>
+        <translation>Copier les lignes sélectionnées, ou tout ce qui est affiché</translation></message>
+    <message><source>Save a report for support; it is shown before it is written</source>
+        <translation>Enregistrer un rapport pour l'assistance ; il est d'abord affiché</translation></message>
+    <message><source>Prob&amp;lems</source>
+        <translation>Prob&amp;lèmes</translation></message>
+    <message><source>Lo&amp;g</source>
+        <translation>&amp;Journal</translation></message>
+    <message><source>T&amp;raffic</source>
+        <translation>&amp;Trafic</translation></message>
+    <message><source>Round trips of the last minute: up to {0:.0f} ms</source>
+        <translation>Temps de réponse de la dernière minute : jusqu'à {0:.0f} ms</translation></message>
+    <message><source>Nothing has gone wrong since {0:%H:%M}.</source>
+        <translation>Aucun problème depuis {0:%H:%M}.</translation></message>
+    <message><source>Connection</source>
+        <translation>Connexion</translation></message>
+    <message><source>Lis&amp;t them</source>
+        <translation>Les li&amp;ster</translation></message>
+    <message><source>Nothing is connected.</source>
+        <translation>Rien n'est connecté.</translation></message>
+    <message><source>Nothing else has gone wrong since {0:%H:%M}.</source>
+        <translation>Aucun autre problème depuis {0:%H:%M}.</translation></message>
+    <message numerus="yes"><source>%n problem(s) active now</source>
+        <translation><numerusform>%n problème actif</numerusform><numerusform>%n problèmes actifs</numerusform></translation></message>
+    <message><source>The board can report {0} kinds of problem.</source>
+        <translation>La carte peut signaler {0} sortes de problèmes.</translation></message>
+    <message numerus="yes"><source>%n time(s), last at {0:%H:%M:%S}</source>
+        <translation><numerusform>%n fois, à {0:%H:%M:%S}</numerusform><numerusform>%n fois, la dernière à {0:%H:%M:%S}</numerusform></translation></message>
+    <message><source>Show it</source>
+        <translation>Montrer</translation></message>
+    <message><source>Clear</source>
+        <translation>Acquitter</translation></message>
     <message><source>pictures cannot be written without a file extension such as .png</source>
         <translation>les images doivent avoir une extension telle que .png</translation></message>
     <message><source>pictures cannot be written as {0}</source>
@@ -5119,6 +5109,8 @@ avant {1}</translation></message>
         <translation>Déconnec&amp;ter</translation></message>
     <message><source>Port</source>
         <translation>Port</translation></message>
+    <message><source>&amp;Port:</source>
+        <translation>&amp;Port :</translation></message>
     <message><source>How this computer talks to the board</source>
         <translation>Comment cet ordinateur communique avec la carte</translation></message>
     <message><source>Find a board</source>
@@ -5131,8 +5123,6 @@ avant {1}</translation></message>
         <translation>Pas connecté</translation></message>
     <message><source>Other port or address…</source>
         <translation>Autre port ou adresse…</translation></message>
-    <message><source>&amp;Port:</source>
-        <translation>&amp;Port :</translation></message>
     <message><source>Starting the Demo {0} …</source>
         <translation>Démarrage de la démo {0} …</translation></message>
     <message><source>{0} was not opened: its type is not supported. Supported: {1}.</source>
@@ -5189,8 +5179,8 @@ avant {1}</translation></message>
         <translation>Connecter et choisir d'autres réglages de liaison : {0}</translation></message>
     <message><source>Connect to {0}</source>
         <translation>Connecter à {0}</translation></message>
-    <message><source>About TReX Studio</source>
-        <translation>À propos de TReX Studio</translation></message>
+    <message><source>Help</source>
+        <translation>Aide</translation></message>
     <message><source>TReX Studio</source>
         <translation>TReX Studio</translation></message>
     <message><source>Settings are still being written. Disconnect anyway? Unwritten settings stay pending.</source>
@@ -5211,16 +5201,6 @@ avant {1}</translation></message>
         <translation>La fenêtre allait être fermée</translation></message>
     <message><source>No program of this computer shows folders. The log is in {0}.</source>
         <translation>Aucun programme de cet ordinateur n'affiche les dossiers. Le journal se trouve dans {0}.</translation></message>
-    <message><source>TReX Studio {0}
-
-Set up, calibrate, drive and understand a Pololu TReX or TReX Jr dual motor controller, and drive an Aracna robot.
-
-Not a product of Pololu.</source>
-        <translation>TReX Studio {0}
-
-Configurer, étalonner, piloter et comprendre un contrôleur double moteur Pololu TReX ou TReX Jr, et piloter un robot Aracna.
-
-N'est pas un produit de Pololu.</translation></message>
     <message><source>&amp;Preferences…</source>
         <translation>&amp;Préférences…</translation></message>
     <message><source>E&amp;xit</source>
@@ -5231,12 +5211,14 @@ N'est pas un produit de Pololu.</translation></message>
         <translation>Rec&amp;hercher une carte…</translation></message>
     <message><source>&amp;Stop motors</source>
         <translation>Arrêter le&amp;s moteurs</translation></message>
+    <message><source>Search every&amp;thing</source>
+        <translation>&amp;Tout rechercher</translation></message>
     <message><source>&amp;Save report for support…</source>
         <translation>&amp;Enregistrer un rapport d'assistance…</translation></message>
     <message><source>Open &amp;log folder</source>
         <translation>Ouvrir le dossier du &amp;journal</translation></message>
-    <message><source>&amp;About…</source>
-        <translation>À &amp;propos…</translation></message>
+    <message><source>&amp;About</source>
+        <translation>À &amp;propos</translation></message>
     <message><source>Preferences</source>
         <translation>Préférences</translation></message>
     <message><source>As the system</source>
@@ -5309,6 +5291,14 @@ N'est pas un produit de Pololu.</translation></message>
         <translation>Le rapport a été écrit dans {0}.</translation></message>
     <message><source>{0} ({1} bytes)</source>
         <translation>{0} ({1} octets)</translation></message>
+    <message><source>Search everything (Ctrl+K)</source>
+        <translation>Tout rechercher (Ctrl+K)</translation></message>
+    <message><source>Nothing was found.</source>
+        <translation>Rien n'a été trouvé.</translation></message>
+    <message><source>Search everything</source>
+        <translation>Tout rechercher</translation></message>
+    <message><source>Hits</source>
+        <translation>Résultats</translation></message>
     <message><source>Search every port and baud rate; no motor moves</source>
         <translation>Explorer tous les ports et tous les débits ; aucun moteur ne bouge</translation></message>
     <message><source>A simulated board: nothing can be damaged</source>
@@ -5325,50 +5315,14 @@ N'est pas un produit de Pololu.</translation></message>
         <translation>Fichiers</translation></message>
     <message><source>Close the window</source>
         <translation>Fermer la fenêtre</translation></message>
-    <message><source>Help</source>
-        <translation>Aide</translation></message>
-    <message><source>Search the help</source>
-        <translation>Rechercher dans l'aide</translation></message>
-    <message><source>Search the help (Ctrl+F)</source>
-        <translation>Rechercher dans l'aide (Ctrl+F)</translation></message>
     <message><source>Pages of the help</source>
         <translation>Pages de l'aide</translation></message>
-    <message><source>Nothing was found.</source>
-        <translation>Rien n'a été trouvé.</translation></message>
     <message><source>The program could not stop the motors itself. The guardian process sent a stop at {0}, which the board did not confirm. If a motor still turns, cut its power.</source>
         <translation>Le programme n'a pas pu arrêter les moteurs lui-même. Le processus gardien a envoyé à {0} un ordre d'arrêt que la carte n'a pas confirmé. Si un moteur tourne encore, coupez son alimentation.</translation></message>
     <message><source>The program could not stop the motors itself. The guardian process stopped them at {0}, and the board confirmed that.</source>
         <translation>Le programme n'a pas pu arrêter les moteurs lui-même. Le processus gardien les a arrêtés à {0} et la carte l'a confirmé.</translation></message>
     <message><source>TReX Studio did not end properly the last time. If it crashed, a report for support says where.</source>
         <translation>TReX Studio ne s'est pas terminé correctement la dernière fois. S'il a planté, un rapport d'assistance indique où.</translation></message>
-    <message><source>Search the log</source>
-        <translation>Rechercher dans le journal</translation></message>
-    <message><source>Search the log (Ctrl+F)</source>
-        <translation>Rechercher dans le journal (Ctrl+F)</translation></message>
-    <message><source>O&amp;nly problems</source>
-        <translation>Problèmes &amp;seulement</translation></message>
-    <message><source>E&amp;xplain</source>
-        <translation>&amp;Expliquer</translation></message>
-    <message><source>Cop&amp;y</source>
-        <translation>&amp;Copier</translation></message>
-    <message><source>Messages, stops, lost connections and written settings will be listed here.</source>
-        <translation>Les messages, les arrêts, les connexions perdues et les réglages écrits apparaîtront ici.</translation></message>
-    <message numerus="yes"><source>%n line(s) copied.</source>
-        <translation><numerusform>%n ligne copiée.</numerusform><numerusform>%n lignes copiées.</numerusform></translation></message>
-    <message><source>Save the log</source>
-        <translation>Enregistrer le journal</translation></message>
-    <message><source>Text (*.txt)</source>
-        <translation>Texte (*.txt)</translation></message>
-    <message><source>Show the help on the message in the line with the cursor</source>
-        <translation>Afficher l'aide sur le message de la ligne où se trouve le curseur</translation></message>
-    <message><source>Copy the lines shown</source>
-        <translation>Copier les lignes affichées</translation></message>
-    <message><source>Save the lines shown as text</source>
-        <translation>Enregistrer en texte les lignes affichées</translation></message>
-    <message><source>Log</source>
-        <translation>Journal</translation></message>
-    <message><source>The log was written to {0}.</source>
-        <translation>Le journal a été écrit dans {0}.</translation></message>
     <message><source>Recorded in {0} ({1}). {2} shows it.</source>
         <translation>Enregistré dans {0} ({1}). {2} l'affiche.</translation></message>
     <message><source>Stop recording</source>
@@ -5611,6 +5565,8 @@ N'est pas un produit de Pololu.</translation></message>
         <translation>Appliqué</translation></message>
     <message><source>Timeout</source>
         <translation>Délai dépassé</translation></message>
+    <message><source>Line</source>
+        <translation>Liaison</translation></message>
     <message><source>Events in the plot</source>
         <translation>Événements du graphique</translation></message>
     <message><source>Names of the curves</source>
@@ -5643,18 +5599,16 @@ N'est pas un produit de Pololu.</translation></message>
         <translation>Graphique des courants et des vitesses en fonction du temps</translation></message>
     <message><source>No data yet</source>
         <translation>Pas encore de données</translation></message>
-    <message><source>Search bytes and meanings (Ctrl+F)</source>
-        <translation>Rechercher octets et significations (Ctrl+F)</translation></message>
-    <message><source>Search the traffic log</source>
-        <translation>Rechercher dans le journal de trafic</translation></message>
     <message><source>&amp;Show polling</source>
         <translation>Afficher l'inte&amp;rrogation</translation></message>
     <message><source>O&amp;nly faults</source>
         <translation>Défauts &amp;seulement</translation></message>
-    <message><source>&amp;Copy</source>
-        <translation>&amp;Copier</translation></message>
     <message><source>C&amp;lear</source>
         <translation>&amp;Effacer</translation></message>
+    <message><source>&amp;Copy</source>
+        <translation>&amp;Copier</translation></message>
+    <message><source>Sa&amp;ve as text…</source>
+        <translation>Enregistrer en te&amp;xte…</translation></message>
     <message><source>No row matches the search.</source>
         <translation>Aucune ligne ne correspond à la recherche.</translation></message>
     <message><source>No faults so far.</source>
@@ -5667,26 +5621,20 @@ N'est pas un produit de Pololu.</translation></message>
         <translation>N'afficher que les transactions échouées et les erreurs de liaison</translation></message>
     <message><source>Do not add rows for now; the traffic is still logged</source>
         <translation>Ne pas ajouter de lignes pour l'instant ; le trafic reste journalisé</translation></message>
+    <message><source>Remove every row</source>
+        <translation>Supprimer toutes les lignes</translation></message>
     <message><source>Copy as &amp;Python</source>
         <translation>Copier en &amp;Python</translation></message>
     <message><source>Copy as C (&amp;POSIX)</source>
         <translation>Copier en &amp;C (POSIX)</translation></message>
     <message><source>Copy as &amp;Arduino sketch</source>
         <translation>Copier en sketch &amp;Arduino</translation></message>
-    <message><source>Copy the selected rows (Ctrl+C), or all rows shown</source>
-        <translation>Copier les lignes sélectionnées (Ctrl+C), ou toutes les lignes affichées</translation></message>
-    <message><source>Save the rows shown as text</source>
-        <translation>Enregistrer en texte les lignes affichées</translation></message>
-    <message><source>Remove every row</source>
-        <translation>Supprimer toutes les lignes</translation></message>
     <message><source>polling is hidden</source>
         <translation>l'interrogation est masquée</translation></message>
     <message><source>paused</source>
         <translation>en pause</translation></message>
     <message><source>No traffic yet. While {0} is connected, this page lists every byte on the line and its meaning.</source>
         <translation>Pas encore de trafic. Pendant la connexion avec {0}, cette page liste chaque octet sur la liaison et sa signification.</translation></message>
-    <message><source>No rows to copy.</source>
-        <translation>Aucune ligne à copier.</translation></message>
     <message><source>No rows to save.</source>
         <translation>Aucune ligne à enregistrer.</translation></message>
     <message><source>shown: {0}</source>
@@ -5695,8 +5643,6 @@ N'est pas un produit de Pololu.</translation></message>
         <translation>transactions : {0}</translation></message>
     <message><source>faults: {0}</source>
         <translation>défauts : {0}</translation></message>
-    <message><source>Copied rows: {0}.</source>
-        <translation>Lignes copiées : {0}.</translation></message>
     <message numerus="yes"><source>{0} row(s) written to {1}.</source>
         <translation><numerusform>{0} ligne écrite dans {1}.</numerusform><numerusform>{0} lignes écrites dans {1}.</numerusform></translation></message>
     <message><source>events lost: {0}</source>
@@ -5767,6 +5713,8 @@ Réécrire le fichier à partir des réglages ? Ses commentaires seront perdus.
         <translation>{0} contient des modifications non enregistrées. Les enregistrer ?</translation></message>
     <message><source>already exists.</source>
         <translation>existe déjà.</translation></message>
+    <message><source>Error</source>
+        <translation>Erreur</translation></message>
     <message><source>Information</source>
         <translation>Information</translation></message>
     <message><source>OK</source>
@@ -5801,6 +5749,8 @@ Réécrire le fichier à partir des réglages ? Ses commentaires seront perdus.
         <translation>Étape {0} sur {1} : {2}.</translation></message>
     <message><source>Not done: {0}.</source>
         <translation>Non fait : {0}.</translation></message>
+    <message numerus="yes"><source>%n line(s) copied.</source>
+        <translation><numerusform>%n ligne copiée.</numerusform><numerusform>%n lignes copiées.</numerusform></translation></message>
     <message><source>Internal error while processing this file ({0}).</source>
         <translation>Erreur interne lors du traitement de ce fichier ({0}).</translation></message>
     <message><source>Another file is still being written.</source>
