@@ -136,7 +136,11 @@ def test_driven_board_that_is_back_is_stopped(driven: DrivenBoard, start: Start)
     driven.exchange(other)
     assert driven.runs(driven.board)
     driven.unplug(other)
+    may_move: list[bool] = []
+    device = driven.device
+    device.motors.stop_requested.connect(lambda: may_move.append(device.may_move))
     driven.plug(driven.board)
+    assert True in may_move, "it may turn until its stop is confirmed"
     assert is_stopped(driven.board)
     assert driven.closing_text() == ""
 

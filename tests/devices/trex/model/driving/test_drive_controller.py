@@ -242,7 +242,8 @@ def test_confirmed_stop_is_reported_once_and_without_a_warning(
 ) -> None:
     outcomes: list[StudioError | None] = []
     failures: list[str] = []
-    device.notifier.error.connect(failures.append)
+    for failed in (device.notifier.error, device.notifier.danger):
+        failed.connect(failures.append)
     device.connect_to(ConnectionSettings(quick_simulator.url))
     qtbot.waitUntil(lambda: device.motors.is_available)
     device.driving.stop(outcomes.append)
