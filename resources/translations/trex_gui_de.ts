@@ -687,7 +687,7 @@
         <translation>Schritt {0} von {1} „{2}“ läuft, Durchlauf {3} von {4}.</translation></message>
     <message><source>Unknown: the last motion may still be running.</source>
         <translation>Unbekannt: Die letzte Bewegung läuft vielleicht noch.</translation></message>
-    <message><source>Nothing is sent. Whether it moves is unknown until its first move.</source>
+    <message><source>Nothing is sent. Whether it is moving is not known before its first move.</source>
         <translation>Es wird nichts gesendet. Ob er sich bewegt, ist bis zu seiner ersten Bewegung unbekannt.</translation></message>
     <message><source>The motion ends by itself in about {0:.1f} s.</source>
         <translation>Die Bewegung endet in etwa {0:.1f} s von selbst.</translation></message>
@@ -1243,9 +1243,9 @@
         <translation>Vielleicht hält Safe-Start die Motoren zurück (erschlossen).</translation></message>
     <message><source>Release all sticks.</source>
         <translation>Lassen Sie alle Knüppel los.</translation></message>
-    <message><source>Motor {0} has no drive: its driver shut down (too hot, a short circuit, or low voltage).</source>
+    <message><source>Motor {0} is off: its driver shut down (too hot, a short circuit, or low voltage).</source>
         <translation>Motor {0} wird nicht angetrieben: Sein Treiber hat abgeschaltet (zu heiß, Kurzschluss oder Unterspannung).</translation></message>
-    <message><source>Reduce the load, check wires and battery, let it cool.</source>
+    <message><source>Reduce the load, check wires and battery, and let it cool.</source>
         <translation>Verringern Sie die Last, prüfen Sie Kabel und Batterie, lassen Sie den Treiber abkühlen.</translation></message>
     <message><source>Serial timeout: the board received nothing for {0}.</source>
         <translation>Serielles Timeout: Das Board hat {0} lang nichts empfangen.</translation></message>
@@ -1291,7 +1291,7 @@
         <translation>Die Motoren können im Moment nicht freigegeben werden.</translation></message>
     <message><source>Stopped. {0}</source>
         <translation>Gestoppt. {0}</translation></message>
-    <message><source>Arm them again to go on.</source>
+    <message><source>Arm the motors again to go on.</source>
         <translation>Geben Sie sie wieder frei, um fortzufahren.</translation></message>
     <message><source>Not armed: nothing is sent yet.</source>
         <translation>Nicht freigegeben: Es wird noch nichts gesendet.</translation></message>
@@ -1565,7 +1565,7 @@
         <translation>Der Wächterprozess sendet ihn jetzt.</translation></message>
     <message><source>The guardian process stopped the motors, and the board confirmed it.</source>
         <translation>Der Wächterprozess hat die Motoren gestoppt, und das Board hat das bestätigt.</translation></message>
-    <message><source>{0} The motors were stopped. Arm them again to go on.</source>
+    <message><source>{0} The motors were stopped. Arm the motors again to go on.</source>
         <translation>{0} Die Motoren wurden gestoppt. Geben Sie sie wieder frei, um fortzufahren.</translation></message>
     <message><source>{0} A stop was sent but is not confirmed yet.</source>
         <translation>{0} Ein Stopp wurde gesendet, ist aber noch nicht bestätigt.</translation></message>
@@ -2143,7 +2143,7 @@
         <translation>Das Board braucht eine Nummer, die kein anderes Gerät hat.</translation></message>
     <message><source>{0!r} are no settings of a board</source>
         <translation>{0!r} sind keine Einstellungen eines Boards</translation></message>
-    <message><source>The board may measure currents wrong by 20 % (twin).</source>
+    <message><source>Measured currents may be off by 20 % (twin).</source>
         <translation>Das Board misst Ströme vielleicht um 20 % falsch (Zwilling).</translation></message>
     <message><source>The stop was sent, but the channels control the motors: it takes effect only when channel 5 gives control to serial commands. Release the sticks, or cut the power.</source>
         <translation>Der Stopp wurde gesendet, aber die Kanäle steuern die Motoren: Er wirkt erst, wenn Kanal 5 die Steuerung an serielle Befehle übergibt. Lassen Sie die Knüppel los, oder trennen Sie die Motorversorgung.</translation></message>
@@ -4247,7 +4247,7 @@ bisher {1}</translation></message>
         <translation>Befunde {0}</translation></message>
     <message><source>Parameters</source>
         <translation>Parameter</translation></message>
-    <message><source>Edit, then review. Nothing is written before.</source>
+    <message><source>Edit, then review. Nothing is written before that.</source>
         <translation>Ändern, dann prüfen. Vorher wird nichts geschrieben.</translation></message>
     <message><source>Connect to a board to see its parameters.</source>
         <translation>Verbinden Sie ein Board, um seine Parameter zu sehen.</translation></message>
@@ -5859,7 +5859,7 @@ Soll die Datei aus den Einstellungen neu geschrieben werden? Ihre Kommentare geh
         <translation>Bremsdauer Motor 2</translation></message>
     <message><source>Motor 1 Current Limit</source>
         <translation>Stromgrenze Motor 1</translation></message>
-    <message><source>Above this current the board lowers the motor's speed and latches an over-limit bit. Use accelerate commands with it: set commands bypass it for a moment. 0 switches it off (twin). The board may measure currents wrong by 20 % (twin). It has no effect in joint mode.</source>
+    <message><source>Above this current the board lowers the motor's speed and latches an over-limit bit. Use accelerate commands with it: set commands bypass it for a moment. 0 switches it off (twin). Measured currents may be off by 20 % (twin). It has no effect in joint mode.</source>
         <translation>Über diesem Strom verringert das Board die Geschwindigkeit des Motors und setzt ein Überstrom-Bit, das gesetzt bleibt. Verwenden Sie dazu Beschleunigungsbefehle: Befehle, die sofort setzen, umgehen die Begrenzung für einen Augenblick. 0 schaltet sie aus (Zwilling). Das Board misst Ströme vielleicht um 20 % falsch (Zwilling). Im Parallelbetrieb hat sie keine Wirkung.</translation></message>
     <message><source>Current Limit</source>
         <translation>Stromgrenze</translation></message>

@@ -687,7 +687,7 @@
         <translation>Étape {0} sur {1} « {2} » en cours, cycle {3} sur {4}.</translation></message>
     <message><source>Unknown: the last motion may still be running.</source>
         <translation>Inconnu : le dernier mouvement est peut-être encore en cours.</translation></message>
-    <message><source>Nothing is sent. Whether it moves is unknown until its first move.</source>
+    <message><source>Nothing is sent. Whether it is moving is not known before its first move.</source>
         <translation>Rien n'est envoyé. On ne sait pas s'il bouge avant son premier mouvement.</translation></message>
     <message><source>The motion ends by itself in about {0:.1f} s.</source>
         <translation>Le mouvement se termine de lui-même dans {0:.1f} s environ.</translation></message>
@@ -1243,9 +1243,9 @@
         <translation>Le démarrage sécurisé bloque peut-être les moteurs (déduit).</translation></message>
     <message><source>Release all sticks.</source>
         <translation>Relâchez tous les manches.</translation></message>
-    <message><source>Motor {0} has no drive: its driver shut down (too hot, a short circuit, or low voltage).</source>
+    <message><source>Motor {0} is off: its driver shut down (too hot, a short circuit, or low voltage).</source>
         <translation>Le moteur {0} n'est plus alimenté : son driver s'est coupé (surchauffe, court-circuit ou tension trop basse).</translation></message>
-    <message><source>Reduce the load, check wires and battery, let it cool.</source>
+    <message><source>Reduce the load, check wires and battery, and let it cool.</source>
         <translation>Réduisez la charge, vérifiez les fils et la batterie, laissez-le refroidir.</translation></message>
     <message><source>Serial timeout: the board received nothing for {0}.</source>
         <translation>Délai série dépassé : la carte n'a rien reçu pendant {0}.</translation></message>
@@ -1291,7 +1291,7 @@
         <translation>Les moteurs ne peuvent pas être activés pour le moment.</translation></message>
     <message><source>Stopped. {0}</source>
         <translation>Arrêt effectué. {0}</translation></message>
-    <message><source>Arm them again to go on.</source>
+    <message><source>Arm the motors again to go on.</source>
         <translation>Réactivez-les pour continuer.</translation></message>
     <message><source>Not armed: nothing is sent yet.</source>
         <translation>Moteurs non activés : rien n'est encore envoyé.</translation></message>
@@ -1565,7 +1565,7 @@
         <translation>Le processus gardien l'envoie maintenant.</translation></message>
     <message><source>The guardian process stopped the motors, and the board confirmed it.</source>
         <translation>Le processus gardien a arrêté les moteurs et la carte l'a confirmé.</translation></message>
-    <message><source>{0} The motors were stopped. Arm them again to go on.</source>
+    <message><source>{0} The motors were stopped. Arm the motors again to go on.</source>
         <translation>{0} Les moteurs ont été arrêtés. Réactivez-les pour continuer.</translation></message>
     <message><source>{0} A stop was sent but is not confirmed yet.</source>
         <translation>{0} Un ordre d'arrêt a été envoyé, mais n'est pas encore confirmé.</translation></message>
@@ -2143,7 +2143,7 @@
         <translation>Il faut à la carte un numéro qu'aucun autre appareil n'a.</translation></message>
     <message><source>{0!r} are no settings of a board</source>
         <translation>{0!r} ne correspond pas aux réglages d'une carte</translation></message>
-    <message><source>The board may measure currents wrong by 20 % (twin).</source>
+    <message><source>Measured currents may be off by 20 % (twin).</source>
         <translation>La carte peut se tromper de 20 % en mesurant les courants (jumeau).</translation></message>
     <message><source>The stop was sent, but the channels control the motors: it takes effect only when channel 5 gives control to serial commands. Release the sticks, or cut the power.</source>
         <translation>L'ordre d'arrêt a été envoyé, mais les voies commandent les moteurs : il n'agit que lorsque la voie 5 donne la main aux commandes série. Relâchez les manches ou coupez l'alimentation.</translation></message>
@@ -4247,7 +4247,7 @@ avant {1}</translation></message>
         <translation>Constats {0}</translation></message>
     <message><source>Parameters</source>
         <translation>Paramètres</translation></message>
-    <message><source>Edit, then review. Nothing is written before.</source>
+    <message><source>Edit, then review. Nothing is written before that.</source>
         <translation>Modifiez, puis vérifiez. Rien n'est écrit avant.</translation></message>
     <message><source>Connect to a board to see its parameters.</source>
         <translation>Connectez une carte pour voir ses paramètres.</translation></message>
@@ -5859,7 +5859,7 @@ Réécrire le fichier à partir des réglages ? Ses commentaires seront perdus.
         <translation>Durée de freinage moteur 2</translation></message>
     <message><source>Motor 1 Current Limit</source>
         <translation>Limite de courant moteur 1</translation></message>
-    <message><source>Above this current the board lowers the motor's speed and latches an over-limit bit. Use accelerate commands with it: set commands bypass it for a moment. 0 switches it off (twin). The board may measure currents wrong by 20 % (twin). It has no effect in joint mode.</source>
+    <message><source>Above this current the board lowers the motor's speed and latches an over-limit bit. Use accelerate commands with it: set commands bypass it for a moment. 0 switches it off (twin). Measured currents may be off by 20 % (twin). It has no effect in joint mode.</source>
         <translation>Au-dessus de ce courant, la carte réduit la vitesse du moteur et mémorise un bit de dépassement. Utilisez avec elle les commandes d'accélération : les commandes immédiates la contournent un instant. 0 la désactive (jumeau). La carte peut se tromper de 20 % en mesurant les courants (jumeau). Sans effet en mode jumelé.</translation></message>
     <message><source>Current Limit</source>
         <translation>Limite de courant</translation></message>

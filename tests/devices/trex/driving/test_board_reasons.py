@@ -101,8 +101,8 @@ def test_all_reasons_are_given_with_those_that_stop_the_motors_first() -> None:
     assert [reason.text() for reason in board_reasons(board)] == [
         "Channel 1 is required but has no signal.",
         "Channel 2 is 180 µs above neutral.",
-        "Motor 1 has no drive: its driver shut down (too hot, a short circuit, or low voltage).",
-        "Motor 2 has no drive: its driver shut down (too hot, a short circuit, or low voltage).",
+        "Motor 1 is off: its driver shut down (too hot, a short circuit, or low voltage).",
+        "Motor 2 is off: its driver shut down (too hot, a short circuit, or low voltage).",
         "Serial timeout: the board received nothing for 0.5 s.",
         "Serial errors (parity error): the board stops the motors when bytes arrive corrupted.",
         "The RC channels control the motors, not serial commands.",

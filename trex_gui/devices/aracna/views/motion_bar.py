@@ -110,7 +110,7 @@ class MotionBar(ActionFrame):
         elif was_sent:
             text = tr("Unknown: the last motion may still be running.")
         else:
-            text = tr("Nothing is sent. Whether it moves is unknown until its first move.")
+            text = tr("Nothing is sent. Whether it is moving is not known before its first move.")
         return text.format(max(left, 1)), was_sent or left > 0
 
     def _wait_text(self, left: float) -> str:

@@ -62,10 +62,10 @@ class DriveBlocker(Enum):
     FAULT = (
         Effect.STOPS,
         tr_noop(
-            "Motor {0} has no drive: its driver shut down (too hot, a short circuit, or low "
+            "Motor {0} is off: its driver shut down (too hot, a short circuit, or low "
             "voltage)."
         ),
-        tr_noop("Reduce the load, check wires and battery, let it cool."),
+        tr_noop("Reduce the load, check wires and battery, and let it cool."),
     )
     TIMEOUT = (
         Effect.STOPS,
@@ -122,7 +122,7 @@ class DriveBlocker(Enum):
         tr_noop("Select one of the boards on this line."),
     )
     NOT_ALLOWED = (Effect.BLOCKS, tr_noop("The motors cannot be armed at this moment."))
-    STOPPED = (Effect.BLOCKS, tr_noop("Stopped. {0}"), tr_noop("Arm them again to go on."))
+    STOPPED = (Effect.BLOCKS, tr_noop("Stopped. {0}"), tr_noop("Arm the motors again to go on."))
     NOT_ARMED = (
         Effect.BLOCKS,
         tr_noop("Not armed: nothing is sent yet."),

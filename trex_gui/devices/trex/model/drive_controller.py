@@ -156,6 +156,9 @@ class DriveController(QObject):
             self._connection.submit(Arm(self._connection.selection))
             self._heartbeat.start()
             self._armed_at = time.strftime("%Y-%m-%d %H:%M:%S")
+            if not self._lost:  # the user drives them again, so no earlier stop matters
+                self._notifier.danger_lasts = never
+            self._notifier.cleared.emit()
 
     @Slot(object)
     def _on_reported(self, _report: object) -> None:
@@ -231,7 +234,7 @@ class DriveController(QObject):
         if report.reason is not None:
             reason = describe(report.reason)
             if report.confirmed:
-                text = tr("{0} The motors were stopped. Arm them again to go on.")
+                text = tr("{0} The motors were stopped. Arm the motors again to go on.")
             else:
                 text = tr("{0} A stop was sent but is not confirmed yet.")
             self._notifier.error.emit(text.format(reason))

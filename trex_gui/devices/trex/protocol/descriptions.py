@@ -18,7 +18,7 @@ from trex_gui.devices.trex.protocol.flags import (
 )
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of
 
-CURRENT_ACCURACY = tr_noop("The board may measure currents wrong by 20 % (twin).")
+CURRENT_ACCURACY = tr_noop("Measured currents may be off by 20 % (twin).")
 
 _FIELD_TEXTS = {
     "minimum": tr_noop("minimum"),

@@ -109,8 +109,12 @@ def test_frozen_window_reports_the_confirmed_stop(driven: DrivenDevice) -> None:
         assert now() < deadline, "the motor was not stopped"
         runtime().sleep(0.05)
     driven.wait(lambda: not driven.may_move)
-    assert said == [f"{STOOD_STILL} The motors were stopped. Arm them again to go on."]
+    assert said == [f"{STOOD_STILL} The motors were stopped. Arm the motors again to go on."]
     assert driven.motors.stop_reason == STOOD_STILL
+    cleared: list[bool] = []
+    driven.notifier.cleared.connect(lambda: cleared.append(driven.motors.armed))
+    driven.wait(lambda: driven.motors.arm() or driven.motors.armed)
+    assert cleared == [True], "the message is over"
 
 
 def hang(driven: DrivenDevice, seconds: float) -> None:

@@ -60,7 +60,7 @@ class ParametersPage(QWidget):
         if waiting := self._model.values.waiting_for_power:
             text = tr("Stored, but not active until the board is switched off and on: {0}.")
             return text.format(", ".join(waiting))
-        return tr("Edit, then review. Nothing is written before.")
+        return tr("Edit, then review. Nothing is written before that.")
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
