@@ -31,7 +31,7 @@ FACTS = {
     "on; by default it is": "(inferred)",
     r"[Tt]imeout may (not stop|need)|It may need UART|may disable the Serial": "(twin)",
     "Shutdown is off: motors may": "(twin)",
-    "[Cc]urrents wrong by 20 %": "(twin)",
+    "[Cc]urrents (wrong|may be off) by 20 %": "(twin)",
     "[^.]0 switches it off|limit to 0": "(twin)",
 }
 """What such a sentence says, and the grade of the fact."""
