@@ -9,8 +9,10 @@ from tests.support.pages.channels import input_of
 from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
-from trex_gui.devices.trex.model.demo import DemoSnapshot
+from trex_gui.devices.trex.model.demo import DemoJumpers, DemoSnapshot
 from trex_gui.devices.trex.protocol.flags import CHANNELS
+from trex_gui.devices.trex.views.board.parts import MotorPart
+from trex_gui.devices.trex.views.demo_panel import Drawing
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets.sliders import StickSlider
 
@@ -66,7 +68,7 @@ def test_stick_sliders_set_channel_inputs(window: WindowDriver, panel: DemoPanel
     window.wait(lambda: telemetry.raw != first)
 
     page = window.open_page("channelsPage")
-    wanted = panel.drag_stick("demoInput1", 0.9).value()
+    wanted = 900 + panel.drag_stick("demoInput1", 0.9).value()
     assert 1900 < wanted < 2100
     page.wait(lambda: input_of(page, 1).startswith(f"{wanted} µs"))
     panel.wait(lambda: panel.text("demoValue1") == f"{wanted}\u00a0µs")
@@ -78,7 +80,9 @@ def test_stick_sliders_set_channel_inputs(window: WindowDriver, panel: DemoPanel
     QTest.keyClick(slider, Qt.Key.Key_End)
     page.wait(lambda: input_of(page, 2).startswith("2100 µs"))
 
-    panel.click("demoNoSignal3")
+    slider = panel.find(StickSlider, "demoInput3")
+    slider.setFocus()
+    QTest.keyClick(slider, Qt.Key.Key_Delete)
     page.wait(lambda: "no signal" in input_of(page, 3))
     panel.wait(lambda: not panel.is_enabled("demoInput3"))
     panel.click("demoNoSignal3")
@@ -96,6 +100,18 @@ def test_stick_sliders_set_channel_inputs(window: WindowDriver, panel: DemoPanel
     assert trex(window.program).controller.demo_board.automatic == frozenset()
     learning.click("learnNextButton")
     learning.wait_for_text("learnNote", "Push every stick")
+    drawing = panel.find_only(Drawing)
+    panel.wait(lambda: drawing.marked == set(CHANNELS))
+
+
+def test_parts_of_the_drawing_are_pressed(panel: DemoPanel) -> None:
+    for mode in ("rc", "analog", "serial"):
+        panel.click("demoMode")
+        panel.wait(lambda: panel.board.jumpers.mode == mode)  # noqa: B023 - called at once
+    for name in ("demoMix", "demoSoGround", "demoFault2"):
+        QTest.keyClick(panel.button(name), Qt.Key.Key_Space)
+    panel.wait(lambda: panel.board.jumpers == DemoJumpers("serial", mix=True, so_ground=True))
+    panel.wait(lambda: panel.board.motors[1].fault)
 
 
 def test_motors_draw_current_and_keep_running_when_unplugged(
@@ -106,11 +122,12 @@ def test_motors_draw_current_and_keep_running_when_unplugged(
     window.motors.set_speed(1, 127)
     panel.wait(lambda: panel.board.motors[0].speed == 127)
     panel.wait(lambda: panel.board.motors[0].current > 5)
-    panel.wait_for_text("demoMotor1", "forward 127")
+    motor = panel.find(MotorPart, "demoFault1")
+    panel.wait(lambda: motor.spoken_state().startswith("Motor 1, forward 127, "))
 
     panel.pull_cable()
     assert "may still be turning" in window.text("motorStateLabel")
-    assert panel.text("demoMotor1").startswith("forward 127")
+    assert "forward 127" in motor.spoken_state()
     panel.plug_cable()
     window.click("connectButton")
     panel.wait_for(ConnectionState.CONNECTED)
@@ -128,7 +145,7 @@ def test_cable_is_unplugged_and_plugged_in_again(
     assert not panel.is_enabled("demoNoise")
 
     window.click("bannerReconnect")
-    assert "Check “Plugged in” on its panel" in window.text("bannerText")
+    assert "Plug it in on its panel" in window.text("bannerText")
     assert window.device.link is ConnectionState.DISCONNECTED
     assert panel.root.isVisible()
     assert window.text("statusLabel") == "Not connected"
@@ -148,7 +165,7 @@ def test_cable_is_unplugged_and_plugged_in_again(
     controller.connect_to(window.program.ports.demo_of("trex"))
     panel.wait_for(ConnectionState.DISCONNECTED)
     assert controller.port is None, "the other board was left"
-    assert "Check “Plugged in” on its panel" in window.text("bannerText")
+    assert "Plug it in on its panel" in window.text("bannerText")
     assert panel.root.isVisible()
     panel.plug_cable()
     window.connect_port(window.program.ports.demo_of("trex"))

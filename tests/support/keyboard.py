@@ -305,7 +305,7 @@ _REGIONS = QGroupBox, QDockWidget, QScrollArea
 _COLUMNS = {"benchLeft", "boardPanel"}
 """Tab goes through what is in these before it goes on, as through the parts of a splitter."""
 
-_IN_COLUMNS = {"boardDrawing"}
+_IN_COLUMNS = {"boardDrawing", "demoDrawing"}
 """Boxes in which Tab may go up to the next column."""
 
 

@@ -1,10 +1,10 @@
 """The dock of a simulated device: its state, groups of controls, a reset button."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Generic
 
-from PySide6.QtCore import Qt, Signal, Slot
+from PySide6.QtCore import QSize, Qt, Signal, Slot
 from PySide6.QtGui import QCloseEvent, QHideEvent, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -27,8 +27,8 @@ from trex_gui.ui.widgets.scroll_box import ScrollBox
 from trex_gui.ui.widgets.sliders import StickSlider
 
 _NAME, _SLIDER, _VALUE, _TICK = range(4)
-_GROOVE = 7  # pixels from the edge of a slider to its groove: half a handle
 
+_EXTRA_WIDTH = 24  # pixels, of which a scroll bar may take some
 _NOISE_STEPS = 10  # slider positions per cent
 _MAX_NOISE = 5  # per cent of the bytes; with more the line is unusable
 
@@ -37,21 +37,17 @@ _MAX_NOISE = 5  # per cent of the bytes; with more the line is unusable
 class Columns:
     """The longest text of each column, which aligns the groups of a panel."""
 
-    name: str
-    value: str
+    name: str = ""
+    value: str = ""
     ticks: tuple[str, ...] = ()
 
 
 class Rows(ui.Card, Generic[SnapshotT]):
-    """A group of rows.
-
-    Its methods create controls and connect them to the device and, with `read`, to its state;
-    `add_row`, `add_text` and `add_wide` place them.
-    """
+    """A group of rows."""
 
     def __init__(self, title: str, columns: Columns, parent: QWidget | None = None) -> None:
         super().__init__(title, parent)
-        self.controls: list[QWidget] = []  # widgets that take the focus, in tab order
+        self.controls: list[QWidget] = []  # in the order of Tab
         self._updates: list[Callable[[SnapshotT], object]] = []
         self._row = 0
         self._grid = ui.grid(self, margins=(4, 4, 2, 6), spacing=(3, 5), stretch=[(_SLIDER, 1)])
@@ -74,64 +70,37 @@ class Rows(ui.Card, Generic[SnapshotT]):
         text: str,
         tip: str,
         on_click: Callable[[bool], object],
-        read: Callable[[SnapshotT], bool] | None = None,
+        read: Callable[[SnapshotT], bool],
         *,
         accessible: str = "",
     ) -> QCheckBox:
+        """Create a check box that shows what `read` returns."""
         made = ui.check_box(
             self, name, text, tip=tip, accessible=accessible or text, on_click=on_click
         )
-        if read is not None:
-            self.on_snapshot(lambda snapshot: made.setChecked(read(snapshot)))
-        self.controls.append(made)
+        self.on_snapshot(lambda snapshot: made.setChecked(read(snapshot)))
         return made
 
-    def button(
-        self, name: str, text: str, tip: str, on_click: Callable[[], object], *, icon: str = ""
-    ) -> QPushButton:
-        made = ui.button(self, name, text, tip=tip, icon=icon, on_click=on_click)
-        self.controls.append(made)
-        return made
-
-    def combo_box(
-        self, name: str, accessible: str, tip: str, items: Iterable[tuple[str, object]]
-    ) -> ui.ComboBox:
-        made = ui.combo_box(self, name, accessible, items=items, tip=tip)
-        self.controls.append(made)
-        return made
-
-    def slider(
+    def connect_slider(
         self,
-        name: str,
-        accessible: str,
-        *,
-        highest: float,
-        steps: int,
+        slider: StickSlider,
         on_move: Callable[[float], object],
         read: Callable[[SnapshotT], float],
         show: Callable[[float], object],
-        lowest: float = 0,
-        color: str = "bar",
-        tip: str = "",
-    ) -> StickSlider:
-        """Create a slider with `steps` positions per unit; `show` displays its value."""
-        first = round(lowest * steps)
-        made = StickSlider(first, round(highest * steps), first, color, self)
-        ui.named(made, name, accessible=accessible, tip=tip)
-        made.positions_per_unit = steps
+    ) -> None:
+        """Let a slider set a value in its unit, and follow it; `show` displays it."""
+        steps = slider.positions_per_unit
 
         def move(position: int) -> None:
             show(position / steps)
             on_move(position / steps)
 
         def update(snapshot: SnapshotT) -> None:
-            made.follow(round(read(snapshot) * steps))
-            show(made.value() / steps)
+            slider.follow(round(read(snapshot) * steps))
+            show(slider.value() / steps)
 
-        made.valueChanged.connect(move)
+        slider.valueChanged.connect(move)
         self.on_snapshot(update)
-        self.controls.append(made)
-        return made
 
     def note(self, name: str, lines: int, read: Callable[[SnapshotT], tuple[str, bool]]) -> None:
         """Add a text over all columns, and whether it is alarming."""
@@ -144,13 +113,12 @@ class Rows(ui.Card, Generic[SnapshotT]):
         self.on_snapshot(update)
         self.add_wide(made)
 
-    def add_headings(self, slider: str, *ticks: str, over_value: bool = False) -> None:
+    def add_headings(self, slider: str, *ticks: str) -> None:
         row_number = self._next()
         for column, text in ((_SLIDER, slider), *enumerate(ticks, start=_TICK)):
             heading = ui.label(self, text=text)
             heading.setAlignment(Qt.AlignmentFlag.AlignHCenter)
-            columns = 2 if over_value and column == _SLIDER else 1
-            self._grid.addWidget(heading, row_number, column, 1, columns)
+            self._grid.addWidget(heading, row_number, column, 1, 2 if column == _SLIDER else 1)
 
     def add_row(
         self, name: str, slider: QWidget, value: QLabel, ticks: Sequence[QWidget] = ()
@@ -167,6 +135,7 @@ class Rows(ui.Card, Generic[SnapshotT]):
         value.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         for column, widget in enumerate((made, slider, value)):
             self._grid.addWidget(widget, row_number, column)
+        self.controls += slider, *ticks
         for column, tick in enumerate(ticks, start=_TICK):
             if isinstance(tick, QCheckBox):
                 self._grid.addWidget(tick, row_number, column, Qt.AlignmentFlag.AlignHCenter)
@@ -175,14 +144,10 @@ class Rows(ui.Card, Generic[SnapshotT]):
                 self._grid.setColumnStretch(column, 1)
         return made
 
-    def add_text(self, text: QLabel) -> None:
-        """Add a text below the slider of the last row, up to the right."""
-        text.setIndent(_GROOVE)
-        self._grid.addWidget(text, self._next(), _SLIDER, 1, -1)
-
     def add_wide(self, *widgets: QWidget | tuple[QWidget, int]) -> None:
         line = QWidget(self)
         ui.row(*widgets, into=line, margins=0)
+        self.controls.append(line)
         self._grid.addWidget(line, self._next(), 0, 1, -1)
 
     def _next(self) -> int:
@@ -190,70 +155,53 @@ class Rows(ui.Card, Generic[SnapshotT]):
         return self._row
 
 
-@dataclass(frozen=True, slots=True)
-class CableTexts:
-    """Tool tips of the cable's controls, and the faults that can be caused once."""
-
-    plugged: str
-    mute: str
-    noise: str
-    # Object name, accessible name and tool tip of the list of faults.
-    fault_name: tuple[str, str, str]
-    faults: Sequence[tuple[str, object]]  # text and value of each
-    once: tuple[str, str, str]  # object name, text and tool tip of its button
-
-
-def cable_rows(
+def add_cable(
+    rows: Rows[SnapshotT],
     device: DemoDevice[SnapshotT],
     prefix: str,
-    columns: Columns,
-    texts: CableTexts,
     *,
+    mute: str,
+    noise: str,
+    faults: Sequence[tuple[str, object]],
+    choice: tuple[str, str, str],
+    once: tuple[str, str, str],
     cause: Callable[[str], object],
-    parent: QWidget,
-) -> Rows[SnapshotT]:
-    """Return the group of the cable; `prefix` starts object names, `cause` gets a fault."""
-    rows: Rows[SnapshotT] = Rows(tr("Cable"), columns, parent)
-    plugged = rows.check_box(
-        f"{prefix}Cable",
-        tr("Plugged in"),
-        texts.plugged,
-        device.set_plugged,
-        lambda snapshot: snapshot.line.plugged,
-        accessible=tr("Cable plugged in"),
-    )
-    mute = rows.check_box(
-        f"{prefix}Mute",
-        tr("Replies lost"),
-        texts.mute,
-        device.set_mute,
-        lambda snapshot: snapshot.line.mute,
+    before: Sequence[tuple[QWidget, int]] = (),
+) -> None:
+    """Add what disturbs the cable; `prefix` starts object names.
+
+    `mute` and `noise` are tool tips. `faults` are texts and values for `cause`; `choice` and `once`
+    are object name, text and tool tip of their list and its button. `before` is at the left.
+    """
+    lost = rows.check_box(
+        f"{prefix}Mute", tr("Replies lost"), mute, device.set_mute, lambda seen: seen.line.mute
     )
     share = LiveLabel(f"{prefix}NoiseValue", tr("Noise on the line"), rows)
-    noise = rows.slider(
-        f"{prefix}Noise",
-        tr("Noise on the line"),
-        highest=_MAX_NOISE,
-        steps=_NOISE_STEPS,
-        on_move=lambda per_cent: device.set_noise(per_cent / 100),
-        read=lambda snapshot: snapshot.line.noise * 100,
-        show=lambda per_cent: share.setText(f"{Number(per_cent):.1f}\u00a0%"),
-        tip=texts.noise,
+    slider = StickSlider(0, _MAX_NOISE * _NOISE_STEPS, 0, "bar", rows)
+    ui.named(slider, f"{prefix}Noise", accessible=tr("Noise on the line"), tip=noise)
+    slider.positions_per_unit = _NOISE_STEPS
+    slider.setPageStep(_NOISE_STEPS)
+    rows.connect_slider(
+        slider,
+        lambda per_cent: device.set_noise(per_cent / 100),
+        lambda snapshot: snapshot.line.noise * 100,
+        lambda per_cent: share.setText(f"{Number(per_cent):.1f}\u00a0%"),
     )
-    noise.setPageStep(_NOISE_STEPS)
-    faults = rows.combo_box(*texts.fault_name, texts.faults)
-    once = rows.button(*texts.once, lambda: cause(str(faults.currentData())))
+    name, text, tip = choice
+    kinds = ui.combo_box(rows, name, text, items=faults, tip=tip)
+    name, text, tip = once
+    button = ui.button(rows, name, text, tip=tip)
+    button.clicked.connect(lambda: cause(str(kinds.currentData())))
 
-    rows.add_wide((plugged, 1), (mute, 1))
-    rows.add_row(tr("Noise"), noise, share)
-    rows.add_wide((faults, 1), (once, 0))
+    rows.add_wide(*before, (lost, 1))
+    rows.add_row(tr("Noise"), slider, share)
+    rows.add_wide((kinds, 1), (button, 0))
 
     def enable(snapshot: SnapshotT) -> None:
-        for control in rows.controls[1:]:
+        for control in (lost, slider, kinds, button):
             control.setEnabled(snapshot.line.plugged)
 
     rows.on_snapshot(enable)
-    return rows
 
 
 class DemoDock(QDockWidget):
@@ -366,13 +314,14 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
         self._state = ui.named(Note(2, self), state_name)
 
-    def arrange(self, head: QWidget, groups: Sequence[Rows[SnapshotT]], reset: QPushButton) -> None:
+    def arrange(
+        self, groups: Sequence[Rows[SnapshotT]], reset: QPushButton, *head: QWidget
+    ) -> None:
         """Lay out everything; Tab goes through the groups, then to `reset`."""
         self._groups, self._reset = groups, reset
         right = (reset, 0, Qt.AlignmentFlag.AlignRight)
-        ui.column(head, self._state, *groups, right, 1, into=self, margins=3, spacing=6)
-        controls = [control for group in groups for control in group.controls]
-        ui.tab_order(*controls, reset)
+        ui.column(*head, self._state, *groups, right, 1, into=self, margins=3, spacing=6)
+        ui.tab_order(*(control for group in groups for control in group.controls), reset)
         self._device.changed.connect(self.refresh)
         self._use.changed.connect(self.refresh)
         self.refresh()
@@ -380,6 +329,10 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
     def show_head(self, snapshot: SnapshotT | None) -> None:
         """Update the head; `None` while the simulator does not run."""
         raise NotImplementedError
+
+    def sizeHint(self) -> QSize:
+        """Hint at little more than the minimum width, which leaves the pages more room."""
+        return QSize(self.minimumSizeHint().width() + _EXTRA_WIDTH, super().sizeHint().height())
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -412,7 +365,7 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
     def _todo(self, snapshot: SnapshotT) -> str:
         """Describe what the user has to do before connecting again."""
         if not snapshot.line.plugged:
-            return tr("The cable is unplugged. Check “Plugged in”, then press Connect.")
+            return tr("The cable is unplugged. Plug it in, then press Connect.")
         if self._use.demo_in_use and self._use.port is None:
             if not snapshot.power:
                 return tr("The power is off. Switch it on, then press Connect.")

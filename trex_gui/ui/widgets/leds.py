@@ -9,7 +9,8 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from trex_gui.core.translation import tr
 from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.builders import label, plain, row
+from trex_gui.ui.widgets.builders import column, plain, row
+from trex_gui.ui.widgets.labels import ElidedLabel
 from trex_gui.ui.widgets.painted import Painted, Painter
 
 _FRAME_MS = 40
@@ -77,17 +78,21 @@ class Lamp(Painted):
 class Leds(QWidget):
     """A red and a green LED, each with its pattern in words beside it."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget | None = None, *, stacked: bool = False) -> None:
         super().__init__(parent)
         self._shown = ("", "")
         self._since = now()
         self._timer = new_timer(self, _FRAME_MS, self._on_frame)
         self.lamps = (Lamp("led_red", self), Lamp("led_green", self))
         self._names = (tr("Red"), tr("Green"))
-        self._words = (label(self), label(self))
+        self._words = (ElidedLabel("", self), ElidedLabel("", self))
 
         (red, green), (red_words, green_words) = self.lamps, self._words
-        row(red, (red_words, 1), green, (green_words, 1), into=self, margins=0)
+        lamps = row(red, (red_words, 1), margins=0), row(green, (green_words, 1), margins=0)
+        if stacked:
+            column(*lamps, into=self, margins=0)
+        else:
+            row(*((lamp, 1) for lamp in lamps), into=self, margins=0)
         self.show_patterns(("off", "off"), ("off", "off"), ("", ""))
 
     def show_patterns(

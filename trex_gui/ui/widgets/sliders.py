@@ -138,14 +138,6 @@ class StickSlider(PaintedSlider):
     def spoken_state(self) -> str:
         return "" if self.value_label is None else self.value_label.text()
 
-    def set_scale(self, lowest: int, highest: int, rest: int) -> None:
-        """Change the range; nothing is announced."""
-        if (lowest, highest, rest) != (self.minimum(), self.maximum(), self._rest):
-            self._rest = rest
-            with QSignalBlocker(self):
-                self.setRange(lowest, highest)
-            self.update()
-
     def follow(self, value: int) -> None:
         """Show a value that the user did not choose, unless they hold the handle."""
         if not self.isSliderDown() and value != self.value():

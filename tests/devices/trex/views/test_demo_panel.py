@@ -31,7 +31,6 @@ from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.views.demo_panel import (
     DemoPanel,
     jumper_hint,
-    led_meaning,
     led_patterns,
     led_words,
     state_text,
@@ -71,24 +70,9 @@ def test_packet_led_is_shown_without_flicker() -> None:
         assert led_patterns(replace(RC, leds=DemoLeds(flicker, "on"))) == (PACKETS, "on")
 
 
-@pytest.mark.parametrize(
-    ("snapshot", "pattern", "meaning"),
-    [
-        (SERIAL, "on", "serial commands control"),
-        (RC, "on", "the channels control"),
-        (RC, "fast flash", "safe-start, the motors wait"),
-        (RC, PACKETS, "while a packet arrives"),
-        (replace(RC, power=False), "off", "the power is off"),
-        (replace(RC, boot_mode=BootStep.LEARN_READY), "blink 1/s", "remove the Mix jumper"),
-    ],
-)
-def test_led_pattern_is_explained(snapshot: DemoSnapshot, pattern: str, meaning: str) -> None:
-    assert meaning in led_meaning(snapshot, pattern)
-
-
 def test_dark_led_is_described_in_the_language(qapp: QApplication) -> None:
     with in_language(qapp, QLocale("fr")):
-        assert led_meaning(SERIAL, "off") == "éteinte"
+        assert led_words("off") == "éteinte"
 
 
 @pytest.mark.parametrize(
@@ -225,7 +209,6 @@ def test_slider_moves_for_hands_and_follows_the_board(slider: StickSlider, qtbot
     assert not slider.isSliderDown()
     with qtbot.assertNotEmitted(slider.valueChanged):
         slider.follow(1800)
-        slider.set_scale(900, 2100, 1400)
     assert slider.value() == 1800
     slider.setSliderDown(True)
     slider.follow(1000)

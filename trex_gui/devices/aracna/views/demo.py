@@ -9,23 +9,17 @@ from trex_gui.devices.aracna.model.controller import AracnaController
 from trex_gui.devices.aracna.model.demo import DemoRobot, DemoServo, FirmwareState, RobotSnapshot
 from trex_gui.devices.aracna.model.texts import spoken_joint
 from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS, degrees
-from trex_gui.ui.devices.demo_panel import (
-    CableTexts,
-    Columns,
-    DemoPanelBody,
-    Rows,
-    cable_rows,
-)
+from trex_gui.ui.devices.demo_panel import Columns, DemoPanelBody, Rows, add_cable
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.accessible import SpokenRange
 from trex_gui.ui.widgets.builders import button, label, named, plain, row
 from trex_gui.ui.widgets.labels import LiveLabel
 from trex_gui.ui.widgets.leds import Lamp
 from trex_gui.ui.widgets.painted import Painted, Painter
+from trex_gui.ui.widgets.sliders import StickSlider
 
 RobotRows = Rows[RobotSnapshot]
 
-_EXTRA_WIDTH = 34  # pixels, of which a scroll bar may take some
 _STEP, _PAGE = 5, 20  # per cent of the speed
 _SLIDER_WIDTH = 44  # pixels of a slider
 
@@ -57,11 +51,7 @@ class DemoRobotView(DemoPanelBody[RobotSnapshot]):
             _servo_rows(robot, self),
             _cable_rows(robot, columns, self),
         )
-        self.arrange(head, groups, repair)
-
-    def sizeHint(self) -> QSize:
-        """Hint at little more than the minimum width, which leaves the pages more room."""
-        return QSize(self.minimumSizeHint().width() + _EXTRA_WIDTH, super().sizeHint().height())
+        self.arrange(groups, repair, head)
 
     def show_head(self, snapshot: RobotSnapshot | None) -> None:
         is_lit = snapshot is not None and snapshot.led
@@ -86,12 +76,13 @@ def _power_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRow
         lambda snapshot: snapshot.power,
         accessible=tr("Robot switched on"),
     )
-    restart = rows.button(
+    restart = button(
+        rows,
         "aracnaDemoRestart",
         tr("Restart board"),
-        tr("The reset line: the firmware restarts, the servos continue to their goals"),
-        robot.restart,
+        tip=tr("The reset line: the firmware restarts, the servos continue to their goals"),
         icon="reload",
+        on_click=robot.restart,
     )
     servos = rows.check_box(
         "aracnaDemoServoPower",
@@ -118,7 +109,7 @@ def _power_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRow
 def _servo_rows(robot: DemoRobot, parent: QWidget) -> RobotRows:
     headings = (tr("Slowed"), tr("Dead"), tr("Blocked"))
     rows = RobotRows(tr("Servos"), Columns("0", str(HIGHEST), headings), parent)
-    rows.add_headings(tr("Real position"), *headings, over_value=True)
+    rows.add_headings(tr("Real position"), *headings)
     for motor in range(MOTORS):
         _add_servo_row(motor, robot, rows)
     return rows
@@ -135,14 +126,13 @@ def _add_servo_row(motor: int, robot: DemoRobot, rows: RobotRows) -> None:
         load.setToolTip(plain(text))
         load.setAccessibleDescription(text)
 
-    load = rows.slider(
-        f"aracnaDemoLoad{motor}",
-        tr("{0}: slowed by a load, in per cent").format(joint),
-        highest=100,
-        steps=1,
-        on_move=lambda per_cent: robot.set_load(motor, per_cent / 100),
-        read=lambda snapshot: snapshot.servos[motor].load * 100,
-        show=show_load,
+    spoken = tr("{0}: slowed by a load, in per cent").format(joint)
+    load = named(StickSlider(0, 100, 0, "bar", rows), f"aracnaDemoLoad{motor}", accessible=spoken)
+    rows.connect_slider(
+        load,
+        lambda per_cent: robot.set_load(motor, per_cent / 100),
+        lambda snapshot: snapshot.servos[motor].load * 100,
+        show_load,
     )
     load.setSingleStep(_STEP)
     load.setPageStep(_PAGE)
@@ -183,29 +173,39 @@ def _add_servo_row(motor: int, robot: DemoRobot, rows: RobotRows) -> None:
 
 
 def _cable_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRows:
-    texts = CableTexts(
-        plugged=tr("Unplugged, the port disappears; a running motion continues to its goal"),
+    rows = RobotRows(tr("Cable"), columns, parent)
+    plugged = rows.check_box(
+        "aracnaDemoCable",
+        tr("Plugged in"),
+        tr("Unplugged, the port disappears; a running motion continues to its goal"),
+        robot.set_plugged,
+        lambda snapshot: snapshot.line.plugged,
+        accessible=tr("Cable plugged in"),
+    )
+    noise = tr(
+        "This share of the bytes is corrupted in either direction; this protocol does not "
+        "detect that, and a corrupted command may restart the firmware"
+    )
+    loss_tip = tr(
+        "A lost byte of a command may leave too few values in it, which restarts the firmware"
+    )
+    add_cable(
+        rows,
+        robot,
+        "aracnaDemo",
         mute=tr("The wire back is broken: the robot executes commands, no reply arrives"),
-        noise=tr(
-            "This share of the bytes is corrupted in either direction; this protocol does not "
-            "detect that, and a corrupted command may restart the firmware"
-        ),
-        fault_name=(
-            "aracnaDemoLoss",
-            tr("What is lost once"),
-            tr(
-                "A lost byte of a command may leave too few values in it, which restarts the "
-                "firmware"
-            ),
-        ),
+        noise=noise,
         faults=(
             (tr("Reply byte"), "drop 1"),
             (tr("Command byte"), "drop 1 sent"),
             (tr("Reply: end"), "cut 6"),  # behind `.c`, a position and its comma
         ),
+        choice=("aracnaDemoLoss", tr("What is lost once"), loss_tip),
         once=("aracnaDemoLose", tr("Lose it"), tr("It is lost in the next transfer")),
+        cause=robot.lose,
+        before=[(plugged, 1)],
     )
-    return cable_rows(robot, "aracnaDemo", columns, texts, cause=robot.lose, parent=parent)
+    return rows
 
 
 class ServoGauge(Painted):

@@ -1,7 +1,11 @@
-"""Panel of the Demo TReX: a simulated board that is operated like a real one."""
+"""Panel of the Demo TReX: a drawing of the simulated board whose parts are its controls."""
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QWidget
+from collections.abc import Callable
+from typing import TypeVar
+
+from PySide6.QtCore import QPointF, QRectF, QRegularExpression, Qt, Slot
+from PySide6.QtGui import QHideEvent, QKeySequence, QPainter, QPaintEvent, QPen, QShortcut
+from PySide6.QtWidgets import QLabel, QLayout, QWidget
 
 from trex_gui.core.translation import Number, tr, tr_noop
 from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, PACKETS
@@ -13,26 +17,30 @@ from trex_gui.devices.trex.model.demo import (
     DemoMotor,
     DemoSnapshot,
 )
+from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.protocol.descriptions import CHANNEL_ROLES
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode, channels_in
-from trex_gui.ui.devices.demo_panel import (
-    CableTexts,
-    Columns,
-    DemoDock,
-    DemoPanelBody,
-    Rows,
-    cable_rows,
-)
-from trex_gui.ui.widgets.builders import button, named
+from trex_gui.devices.trex.views.board.parts import BoardPart, JumperPart, MotorPart
+from trex_gui.ui.devices.demo_panel import Columns, DemoDock, DemoPanelBody, Rows, add_cable
+from trex_gui.ui.runtime import new_timer
+from trex_gui.ui.theme.theme import follow_theme, theme
+from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.circuit import paint_block, paint_body, write
 from trex_gui.ui.widgets.labels import LiveLabel
 from trex_gui.ui.widgets.leds import Leds
+from trex_gui.ui.widgets.painted import Painter, never_mirror, wants_motion
+from trex_gui.ui.widgets.sliders import StickSlider
 
 BoardRows = Rows[DemoSnapshot]
+OnClick = Callable[[], object]
+PartT = TypeVar("PartT", bound=BoardPart)
 
+_FRAME_MS = 40
+_TRAVEL = 1200  # positions of a stick: microseconds of its pulses
 _MAX_LOAD = 30.0  # A, before the stall current is known
-_LOWEST, _HIGHEST = 4.0, 16.0  # V; below about 6 a TReX resets
-_STEPS = {InputSource.RC: 1, InputSource.ANALOG: 100}  # slider positions per µs, and per V
-_SINGLE_STEP = {InputSource.RC: 10, InputSource.ANALOG: 5}
+_LOWEST, _HIGHEST, _VOLT = 4, 16, 10  # V, V, positions; below about 6 V a TReX resets
+_MODES = ("serial", "rc", "analog")
+_PULLED = 10  # pixels from where a plug was to where it is pulled out
 _FLASHES = {  # while the board learns or is in the boot loader
     "blink": tr_noop("blink {0}/s"),
     "alternate": tr_noop("alternate {0}/s"),
@@ -59,20 +67,6 @@ def led_words(pattern: str) -> str:
     if kind in _FLASHES:
         return tr(_FLASHES[kind]).format(rate.removesuffix("/s"))
     return tr(LED_TEXTS[pattern], "LED")
-
-
-def led_meaning(snapshot: DemoSnapshot, pattern: str) -> str:
-    if not snapshot.power:
-        return tr("off: the power is off")
-    if snapshot.boot_mode is not None:
-        return f"{led_words(pattern)}. {state_text(snapshot)}"
-    by_serial = tr("on: serial commands control the motors")
-    by_channels = tr("on: the channels control the motors")
-    return {
-        PACKETS: tr("lit while a packet arrives"),
-        "fast flash": tr("fast flash: safe-start, the motors wait"),
-        "on": by_serial if snapshot.serial_controls else by_channels,
-    }.get(pattern) or led_words(pattern)
 
 
 def state_text(snapshot: DemoSnapshot) -> str:
@@ -140,249 +134,420 @@ def jumper_hint(snapshot: DemoSnapshot) -> str:
 
 
 def motor_text(motor: DemoMotor) -> str:
-    """Return what a motor does: `forward 64, 3.1 A`."""
+    """Return what a motor does: `forward 64`."""
     direction = {
         "forward": tr("forward"),
         "reverse": tr("reverse"),
         "brake": tr("brake") if motor.speed else tr("coast"),
     }.get(motor.direction, motor.direction)
-    speed = f" {motor.speed}" if motor.speed else ""
-    return f"{direction}{speed}, {Number(motor.current):.1f}\u00a0A"
+    return f"{direction} {motor.speed}" if motor.speed else direction
 
 
 class DemoPanel(DemoDock):
-    def __init__(self, controller: TrexController, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, controller: TrexController, learning: Learning, parent: QWidget | None = None
+    ) -> None:
         super().__init__("demoPanel", "demo_panel/wanted", controller, parent)
         self.setWindowTitle(tr("Demo TReX"))
-        self.hold(DemoBoardView(controller, self))
+        self.hold(DemoBoardView(controller, learning, self))
 
 
 class DemoBoardView(DemoPanelBody[DemoSnapshot]):
-    def __init__(self, controller: TrexController, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, controller: TrexController, learning: Learning, parent: QWidget | None = None
+    ) -> None:
         board = controller.demo_board
         super().__init__(board, controller, "demoState", state_text, parent)
-        self._leds = named(Leds(self), "demoLeds", accessible=tr("LEDs of the board"))
         tip = tr(
             "Resets everything: stored settings, jumpers, sticks, loads and faults of the line"
         )
-        factory = button(self, "demoFactory", tr("Factory state"), icon="reload", tip=tip)
+        factory = ui.button(self, "demoFactory", tr("Factory state"), icon="reload", tip=tip)
         factory.clicked.connect(board.restore_factory)
-        columns = Columns(tr("5 override"), "2100\u00a0µs", (tr("No signal"),))
-        makers = (_supply_rows, _input_rows, _motor_rows, _cable_rows)
-        self.arrange(self._leds, [make(board, columns, self) for make in makers], factory)
+        self._drawing = Drawing(board, learning, self)
+        self.arrange([self._drawing, _other_rows(board, self)], factory)
 
     def show_head(self, snapshot: DemoSnapshot | None) -> None:
-        if snapshot is None:
-            self._leds.show_patterns(("off", "off"), ("", ""), ("", ""))
-            return
-        red, green = led_patterns(snapshot)
-        words = led_words(red), led_words(green)
-        meanings = led_meaning(snapshot, red), led_meaning(snapshot, green)
-        self._leds.show_patterns((snapshot.leds.red, snapshot.leds.green), words, meanings)
+        self._drawing.show_leds(snapshot)
 
 
-def _supply_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRows:
-    rows = BoardRows(tr("Power and jumpers"), columns, parent)
+def _other_rows(board: DemoBoard, parent: QWidget) -> BoardRows:
+    """Return what no drawing can be."""
+    rows = BoardRows("", Columns(value="30.0\u00a0V"), parent)
     text, tip = tr("Power on", "state"), tr("The board's power switch")
     power = rows.check_box("demoPower", text, tip, board.set_power, lambda seen: seen.power)
     tip = tr("Off for a second: jumpers are read, stored settings take effect")
-    cycle = rows.button("demoPowerCycle", tr("Power cycle"), tip, board.power_cycle, icon="power")
+    cycle = ui.button(rows, "demoPowerCycle", tr("Power cycle"), tip=tip, icon="power")
+    cycle.clicked.connect(board.power_cycle)
     volts = LiveLabel("demoBatteryValue", tr("Battery voltage"), rows)
-    battery = rows.slider(
-        "demoBattery",
-        tr("Battery voltage"),
-        highest=_HIGHEST,
-        steps=10,
-        on_move=board.set_battery,
-        read=lambda snapshot: snapshot.battery,
-        show=lambda value: volts.setText(f"{Number(value):.1f}\u00a0V"),
-        lowest=_LOWEST,
-        tip=tr("A weak battery sags when the motors start, and the board resets"),
-    )
+    battery = StickSlider(_LOWEST * _VOLT, _HIGHEST * _VOLT, _LOWEST * _VOLT, "bar", rows)
+    tip = tr("A weak battery sags when the motors start, and the board resets")
+    ui.named(battery, "demoBattery", accessible=tr("Battery voltage"), tip=tip)
+    battery.positions_per_unit = _VOLT
     battery.setSingleStep(5)
-    supply = LiveLabel("demoSupply", tr("Supply"), rows)
-    modes = (tr("No jumper: serial"), "serial"), (tr("RC"), "rc"), (tr("Analog"), "analog")
-    tip = tr("The mode jumper; the board reads it when power comes on")
-    mode = rows.combo_box("demoMode", tr("Mode jumper"), tip, modes)
-    mode.activated.connect(lambda index: board.set_mode_jumper(str(mode.itemData(index))))
-    tip = tr("The mix jumper: input 2 drives forward, input 1 turns; takes effect at once")
-    mix = rows.check_box("demoMix", tr("Mix"), tip, board.set_mix, lambda seen: seen.jumpers.mix)
-    tip = tr("Connects SO to ground; with Mix a power-up then learns the inputs' calibration")
-    so_ground = rows.check_box(
-        "demoSoGround", tr("SO–G"), tip, board.set_so_ground, lambda seen: seen.jumpers.so_ground
+    rows.connect_slider(
+        battery,
+        board.set_battery,
+        lambda snapshot: snapshot.battery,
+        lambda value: volts.setText(f"{Number(value):.1f}\u00a0V"),
     )
-
-    def update(snapshot: DemoSnapshot) -> None:
-        text = tr("{0:.1f}\u00a0V at the board").format(Number(snapshot.supply))
-        supply.setText(text if snapshot.power else tr("switched off"))
-        index = mode.findData(snapshot.jumpers.mode)
-        if index != mode.currentIndex() and not mode.view().isVisible():
-            mode.setCurrentIndex(index)
-
-    def hint(snapshot: DemoSnapshot) -> tuple[str, bool]:
-        text = jumper_hint(snapshot)
-        return text or tr("Mode is read at power-up; Mix takes effect at once."), bool(text)
-
-    rows.on_snapshot(update)
-    rows.add_wide((power, 1), (cycle, 0))
-    rows.add_row(tr("Battery"), battery, volts)
-    rows.add_text(supply)
-    rows.add_wide((mode, 1))
-    rows.add_wide(mix, so_ground)
-    rows.note("demoHint", 1, hint)
-    return rows
-
-
-def _input_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRows:
-    rows = BoardRows(tr("Inputs"), columns, parent)
-    rows.add_headings("", tr("No signal"))
-    for channel in CHANNELS:
-        _add_input_row(channel, board, rows)
     automatic = rows.check_box(
         "demoAutomatic",
         tr("Move by themselves"),
         tr("All sticks swing slowly; moving one holds that one"),
         # A click checks a box that is partially checked or unchecked.
         lambda _checked: board.set_automatic(len(board.automatic) < len(CHANNELS)),
+        lambda _snapshot: len(board.automatic) == len(CHANNELS),
     )
     tip = tr("Hold all sticks centred, as safe-start requires")
-    centre = rows.button("demoCentre", tr("Centre"), tip, board.centre_sticks)
+    centre = ui.button(rows, "demoCentre", tr("Centre"), tip=tip, on_click=board.centre_sticks)
     centre.setAccessibleName(tr("Centre all sticks"))
 
+    def hint(snapshot: DemoSnapshot) -> tuple[str, bool]:
+        text = jumper_hint(snapshot)
+        return text or tr("Mode is read at power-up; Mix takes effect at once."), bool(text)
+
     def update(_snapshot: DemoSnapshot) -> None:
-        moving = len(board.automatic)
-        some = Qt.CheckState.PartiallyChecked if moving else Qt.CheckState.Unchecked
-        automatic.setCheckState(Qt.CheckState.Checked if moving == len(CHANNELS) else some)
+        if 0 < len(board.automatic) < len(CHANNELS):
+            automatic.setCheckState(Qt.CheckState.PartiallyChecked)
 
     rows.on_snapshot(update)
+    rows.add_wide((power, 1), (cycle, 0))
+    rows.note("demoHint", 2, hint)
+    rows.add_row(tr("Battery"), battery, volts)
     rows.add_wide((automatic, 1), (centre, 0))
-    return rows
-
-
-def _add_input_row(channel: int, board: DemoBoard, rows: BoardRows) -> None:
-    source = InputSource.RC
-    value = LiveLabel(f"demoValue{channel}", tr("Input {0}").format(channel), rows)
-
-    def show(position: float) -> None:
-        decimals = 0 if source is InputSource.RC else 2
-        value.setText(f"{Number(position / _STEPS[source]):.{decimals}f}\u00a0{source.unit}")
-
-    def set_scale() -> None:
-        low, high = (round(end * _STEPS[source]) for end in STICK_ENDS[source])
-        slider.set_scale(low, high, (low + high) // 2)
-        slider.positions_per_unit = _STEPS[source]
-        slider.setSingleStep(_SINGLE_STEP[source])
-        slider.setPageStep((high - low) // 10)
-
-    def read(snapshot: DemoSnapshot) -> float:
-        nonlocal source
-        if snapshot.source is not source:
-            source = snapshot.source
-            set_scale()
-        stick = snapshot.channels[channel - 1].stick(source)
-        return slider.value() if stick is None else stick * _STEPS[source]
-
-    def update(snapshot: DemoSnapshot) -> None:
-        seen = snapshot.channels[channel - 1]
-        mixed, separate = (tr("turn"), tr("forward")), (tr("motor 1"), tr("motor 2"))
-        first = mixed if snapshot.jumpers.mix else separate
-        roles = (*first, tr("auxiliary"), tr("flip"), tr("override"))
-        name.setText(f"<b>{channel}</b>\u2002{roles[channel - 1]}")
-        slider.setEnabled(seen.has_signal)
-        if seen.stick(source) is None:
-            value.setText(tr("invalid"))
-
-    tip = tr(
-        "Input {0}: {1} in RC and analog mode, only measured in serial mode. "
-        "A double click centres it."
-    )
-    slider = rows.slider(
-        f"demoInput{channel}",
-        tr("Stick of input {0}").format(channel),
-        highest=0,  # until set_scale
-        steps=1,
-        on_move=lambda position: board.hold_stick(channel, position / _STEPS[source]),
-        read=read,
-        show=show,
-        tip=tip.format(channel, tr(CHANNEL_ROLES[channel])),
-    )
-    set_scale()
-    silent = rows.check_box(
-        f"demoNoSignal{channel}",
-        "",
-        tr("Unplug input {0}: an RC input is invalid 0.1 s later").format(channel),
-        lambda checked: board.set_silent(channel, checked),
-        lambda snapshot: not snapshot.channels[channel - 1].has_signal,
-        accessible=tr("No signal at input {0}").format(channel),
-    )
-    name = rows.add_row("", slider, value, (silent,))
-    rows.on_snapshot(update)
-
-
-def _motor_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRows:
-    rows = BoardRows(tr("Motors"), columns, parent)
-    rows.add_headings(tr("Load"), tr("Fault"))
-    for number in (1, 2):
-        _add_motor_row(number, board, rows)
-    return rows
-
-
-def _add_motor_row(number: int, board: DemoBoard, rows: BoardRows) -> None:
-    steps = 10  # slider positions per ampere
-    motor_name = tr("Motor {0}").format(number)
-    value = LiveLabel(f"demoLoadValue{number}", tr("Load of motor {0}").format(number), rows)
-    state = LiveLabel(f"demoMotor{number}", motor_name, rows)
-
-    def update(snapshot: DemoSnapshot) -> None:
-        motor = snapshot.motors[number - 1]
-        load.set_scale(0, round(motor.stall * steps), 0)
-        state.setText(motor_text(motor))
-
-    rows.on_snapshot(update)  # the scale before the value
-    load = rows.slider(
-        f"demoLoad{number}",
-        tr("Load of motor {0}").format(number),
-        highest=_MAX_LOAD,
-        steps=steps,
-        on_move=lambda amperes: board.set_load(number, amperes),
-        read=lambda snapshot: snapshot.motors[number - 1].load,
-        show=lambda amperes: value.setText(f"{Number(amperes):.1f}\u00a0A"),
-        color=f"motor{number}",
-        tip=tr(
-            "The current that motor {0} draws at full speed; at the right end it stalls, which "
-            "triggers current limits and faults"
-        ).format(number),
-    )
-    load.setSingleStep(steps // 2)
-    load.setPageStep(2 * steps)
-    fault = rows.check_box(
-        f"demoFault{number}",
-        "",
-        tr("The driver of motor {0} shuts down, as when hot or shorted").format(number),
-        lambda checked: board.set_fault(number, checked),
-        lambda snapshot: snapshot.motors[number - 1].fault,
-        accessible=tr("Driver fault of motor {0}").format(number),
-    )
-    rows.add_row(motor_name, load, value, (fault,))
-    rows.add_text(state)
-
-
-def _cable_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRows:
-    plugged = tr(
-        "Unplugged, the port is gone: Serial Timeout and UART-Error Shutdown should stop motors"
-    )
-    error_tip = tr("An error of the serial line that the board reports")
     once_tip = tr(
         "The next byte reaches the board with this error; Problems counts it. "
         "Only a board with parity detects a parity error."
     )
     framing, parity = (tr("Framing error"), "framing"), (tr("Parity error"), "parity")
-    texts = CableTexts(
-        plugged=plugged,
+    error_tip = tr("An error of the serial line that the board reports")
+    add_cable(
+        rows,
+        board,
+        "demo",
         mute=tr("The wire from SO is broken: the board executes commands, no reply arrives"),
         noise=tr("This share of the bytes is corrupted in either direction; CRC detects them"),
-        fault_name=("demoByteError", tr("Error of one byte"), error_tip),
         faults=(framing, parity, (tr("Overrun"), "overrun")),
+        choice=("demoByteError", tr("Error of one byte"), error_tip),
         once=("demoCorrupt", tr("Corrupt one byte"), once_tip),
+        cause=board.corrupt,
     )
-    return cable_rows(board, "demo", columns, texts, cause=board.corrupt, parent=parent)
+    return rows
+
+
+class PlugPart(BoardPart):
+    """A wire with a plug at its end; beside its place if it is pulled out."""
+
+    is_out = False
+    is_labelled = False  # its lines are written above the wire
+
+    def show_plug(self, *lines: str, out: bool) -> None:
+        self.is_out = out
+        self.show_lines(*lines, alarm="danger" if out else "")
+
+    @property
+    def height_of_wire(self) -> float:
+        return self.height() - 0.7 * self.fontMetrics().height()
+
+    def paint(self, painter: QPainter) -> None:
+        y, end = self.height_of_wire, self.width() - (_PULLED if self.is_out else 2)
+        plug = QRectF(end - 12, y - 6, 12, 12)
+        painter.setPen(QPen(theme().color("board_edge"), 3))
+        painter.drawLine(QPointF(4, y), QPointF(plug.left(), y))
+        painter.setPen(QPen(theme().color("outline"), 1.5))
+        painter.setBrush(theme().color("base" if self.is_out else "mark"))
+        painter.drawRoundedRect(plug, 3, 3)
+        if self.is_labelled and self.lines:
+            line = QRectF(2, 0, self.width() - 30, self.fontMetrics().height() + 2)
+            write(painter, line, self.lines[0], "window_text", bold=True)
+            right = Qt.AlignmentFlag.AlignRight
+            write(painter, line, self.lines[1], self.alarm or "muted", align=right)
+
+
+class Drawing(BoardRows):
+    """The simulated board with what is plugged into it, where it can be moved and pressed."""
+
+    def __init__(self, board: DemoBoard, learning: Learning, parent: QWidget) -> None:
+        super().__init__("", Columns(), parent)
+        never_mirror(self)
+        ui.named(self, "demoDrawing", accessible=tr("The board"))
+        self._demo, self._learning = board, learning
+        self._sticks: dict[int, tuple[QLabel, StickSlider]] = {}
+        self._plugs: list[PlugPart] = []
+        self.marked: set[int] = set()
+        self._timer = new_timer(self, _FRAME_MS, self._on_frame)
+        self._inputs = inputs = ui.grid(margins=0, spacing=(2, 0), stretch=[(0, 1)])
+        for channel in CHANNELS:
+            self._add_input(channel)
+        inputs.addWidget(self._make_cable(), 2 * len(CHANNELS), 0, 1, 3)
+        self._leds, self._body = Leds(self, stacked=True), QWidget(self)
+        self._fill_body()
+        self._motors = {number: self._make_motor(number) for number in (1, 2)}
+        above = ui.row((inputs, 1), (self._body, 1), spacing=0)
+        self.controls += self._plugs[-1], self._body
+        columns = [
+            (ui.column(motor, self._make_load(number), spacing=0), 1)
+            for number, motor in self._motors.items()
+        ]
+        picture = ui.column(above, ui.row(*columns, spacing=8), spacing=12)
+        self._grid.addLayout(picture, 0, 0, 1, -1)
+        follow_theme(self, "room", self._take_room)
+        for changed in (learning.changed, learning.measured):
+            changed.connect(self._on_learned)
+
+    def _take_room(self) -> None:
+        line, width = self.fontMetrics().height(), self.fontMetrics().horizontalAdvance
+        names = tr("turn"), tr("forward"), tr("motor 1"), tr("auxiliary"), tr("override")
+        self._inputs.setColumnMinimumWidth(0, max(width(f"5\u2002{name}") for name in names))
+        self._inputs.setColumnMinimumWidth(1, width("2100\u00a0µs"))
+        for label in self.findChildren(LiveLabel, QRegularExpression("demoLoadValue.")):
+            label.setMinimumWidth(width("30.0\u00a0A"))
+        for plug in self._plugs:
+            plug.setMinimumSize(_PULLED + 12, round(2.3 * line))
+        for jumper in self._body.findChildren(JumperPart):
+            jumper.setMinimumHeight(2 * line)
+        for motor in self._motors.values():
+            motor.setMinimumSize(8 * line, round(4.6 * line))
+        self._body.setMinimumWidth(round(7.7 * line))
+        self._body.setContentsMargins(8, round(2.3 * line), 4, round(1.4 * line))
+
+    def _part(
+        self, kind: type[PartT], name: str, accessible: str, tip: str, on_click: OnClick
+    ) -> PartT:
+        made = ui.named(kind("", accessible, on_click, self), name, tip=tip)
+        made.tip = tip
+        return made
+
+    def _add_input(self, channel: int) -> None:
+        source, board, grid = InputSource.RC, self._demo, self._inputs
+        value = LiveLabel(f"demoValue{channel}", tr("Input {0}").format(channel), self)
+        slider = StickSlider(0, _TRAVEL, _TRAVEL // 2, "bar", self)
+        spoken = tr("Stick of input {0}").format(channel)
+        tip = tr("Input {0}: {1}. A double click centres it, Delete unplugs it.")
+        tip = tip.format(channel, tr(CHANNEL_ROLES[channel]))
+        ui.named(slider, f"demoInput{channel}", accessible=spoken, tip=tip)
+        slider.positions_per_unit = _TRAVEL / 100  # a screen reader hears per cent, and the value
+        slider.setSingleStep(10)
+        slider.setPageStep(_TRAVEL // 10)
+        slider.value_label = value
+        name = ui.label(self, buddy=slider)
+        name.setTextFormat(Qt.TextFormat.RichText)
+        plug = self._part(
+            PlugPart,
+            f"demoNoSignal{channel}",
+            tr("Plug of input {0}").format(channel),
+            tr("Unplug input {0}: an RC input is invalid 0.1 s later").format(channel),
+            lambda: board.set_silent(channel, not plug.is_out),
+        )
+        delete = QShortcut(QKeySequence.StandardKey.Delete, slider, plug.click)
+        delete.setContext(Qt.ShortcutContext.WidgetShortcut)
+
+        def position(per_cent: float) -> float:
+            low, high = STICK_ENDS[source]
+            return low + per_cent / 100 * (high - low)
+
+        def read(snapshot: DemoSnapshot) -> float:
+            nonlocal source
+            source = snapshot.source
+            low, high = STICK_ENDS[source]
+            if (stick := snapshot.channels[channel - 1].stick(source)) is None:
+                return slider.value() * 100 / _TRAVEL
+            return (stick - low) / (high - low) * 100
+
+        def show(per_cent: float) -> None:
+            decimals = 0 if source is InputSource.RC else 2
+            value.setText(f"{Number(position(per_cent)):.{decimals}f}\u00a0{source.unit}")
+
+        def update(snapshot: DemoSnapshot) -> None:
+            seen = snapshot.channels[channel - 1]
+            mixed, separate = (tr("turn"), tr("forward")), (tr("motor 1"), tr("motor 2"))
+            first = mixed if snapshot.jumpers.mix else separate
+            roles = (*first, tr("auxiliary"), tr("flip"), tr("override"))
+            name.setText(f"<b>{channel}</b>\u2002{roles[channel - 1]}")
+            is_in = seen.has_signal
+            slider.setEnabled(is_in)
+            plug.show_plug(tr("plugged in") if is_in else tr("no signal"), out=not is_in)
+            if seen.stick(source) is None:
+                value.setText("–")
+
+        self.connect_slider(
+            slider, lambda per_cent: board.hold_stick(channel, position(per_cent)), read, show
+        )
+        self.on_snapshot(update)
+        row = 2 * (channel - 1)
+        grid.addWidget(name, row, 0)
+        grid.addWidget(value, row, 1, Qt.AlignmentFlag.AlignRight)
+        grid.addWidget(slider, row + 1, 0, 1, 2)
+        grid.addWidget(plug, row, 2, 2, 1)
+        self._sticks[channel] = name, slider
+        self._plugs.append(plug)
+        self.controls += slider, plug
+
+    def _make_cable(self) -> PlugPart:
+        tip = tr(
+            "Unplugged, the port is gone: Serial Timeout and UART-Error Shutdown should stop motors"
+        )
+        made = self._part(
+            PlugPart, "demoCable", tr("Cable"), tip, lambda: self._demo.set_plugged(made.is_out)
+        )
+        made.is_labelled = True
+
+        def update(snapshot: DemoSnapshot) -> None:
+            is_in = snapshot.line.plugged
+            made.show_plug(
+                tr("Cable"), tr("plugged in") if is_in else tr("unplugged"), out=not is_in
+            )
+
+        self.on_snapshot(update)
+        self._plugs.append(made)
+        return made
+
+    def _fill_body(self) -> None:
+        board, part = self._demo, self._part
+        ui.named(self._leds, "demoLeds", accessible=tr("LEDs of the board"))
+        supply = LiveLabel("demoSupply", tr("Supply"), self)
+        supply.setAlignment(Qt.AlignmentFlag.AlignCenter)
+
+        def next_mode() -> None:
+            if (snapshot := board.snapshot) is not None:
+                place = _MODES.index(snapshot.jumpers.mode) + 1
+                board.set_mode_jumper(_MODES[place % len(_MODES)])
+
+        tip = tr("The mode jumper; the board reads it when power comes on")
+        mode = part(JumperPart, "demoMode", tr("Mode jumper"), tip, next_mode)
+        tip = tr("The mix jumper: input 2 drives forward, input 1 turns; takes effect at once")
+        mix = part(
+            JumperPart, "demoMix", tr("Mix jumper"), tip, lambda: board.set_mix(not mix.is_on)
+        )
+        tip = tr("Connects SO to ground; with Mix a power-up then learns the inputs' calibration")
+        ground = part(
+            JumperPart,
+            "demoSoGround",
+            tr("SO–G jumper"),
+            tip,
+            lambda: board.set_so_ground(not ground.is_on),
+        )
+
+        def update(snapshot: DemoSnapshot) -> None:
+            text = f"{Number(snapshot.supply):.1f}\u00a0V"
+            supply.setText(text if snapshot.power else tr("switched off"))
+            jumpers = snapshot.jumpers
+            on = {"rc": tr("RC"), "analog": tr("Analog")}.get(jumpers.mode)
+            mode.show_jumper(on is not None, tr("Mode: {0}").format(on) if on else tr("Mode: off"))
+            mix.show_jumper(jumpers.mix, tr("Mix: on") if jumpers.mix else tr("Mix: off"))
+            is_on = jumpers.so_ground
+            ground.show_jumper(is_on, tr("SO–G: on") if is_on else tr("SO–G: off"))
+
+        self.on_snapshot(update)
+        parts = self._leds, 1, mode, mix, ground, 1, supply
+        ui.column(*parts, into=self._body, margins=0, spacing=2)
+
+    def _make_motor(self, number: int) -> MotorPart:
+        name = tr("Motor {0}").format(number)
+        tip = tr("The driver of motor {0} shuts down, as when hot or shorted").format(number)
+        made = self._part(
+            MotorPart,
+            f"demoFault{number}",
+            name,
+            tip,
+            lambda: self._demo.set_fault(number, not made.alarm),
+        )
+        made.color = f"motor{number}"
+
+        def update(snapshot: DemoSnapshot) -> None:
+            motor = snapshot.motors[number - 1]
+            turns = {"forward": 1, "reverse": -1}.get(motor.direction, 0)
+            made.show_speed(turns * motor.speed)
+            current = f"{Number(motor.current):.1f}\u00a0A"
+            fault, alarm = (tr("Fault"), "danger") if motor.fault else (tr("no fault"), "")
+            made.show_lines(name, motor_text(motor), current, fault, alarm=alarm)
+
+        self.on_snapshot(update)
+        return made
+
+    def _make_load(self, number: int) -> QLayout:
+        stall = _MAX_LOAD
+        spoken = tr("Load of motor {0}").format(number)
+        tip = tr(
+            "The current that motor {0} draws at full speed; at the right end it stalls, which "
+            "triggers current limits and faults"
+        ).format(number)
+        value = LiveLabel(f"demoLoadValue{number}", spoken, self)
+        slider = StickSlider(0, 100, 0, f"motor{number}", self)  # per cent of the stall current
+        ui.named(slider, f"demoLoad{number}", accessible=spoken, tip=tip)
+        slider.value_label = value
+
+        def read(snapshot: DemoSnapshot) -> float:
+            nonlocal stall
+            motor = snapshot.motors[number - 1]
+            stall = motor.stall
+            return motor.load / stall * 100
+
+        self.connect_slider(
+            slider,
+            lambda per_cent: self._demo.set_load(number, per_cent / 100 * stall),
+            read,
+            lambda per_cent: value.setText(f"{Number(per_cent / 100 * stall):.1f}\u00a0A"),
+        )
+        self.controls += self._motors[number], slider
+        label = ui.label(self, text=tr("Load"), buddy=slider)
+        return ui.row(label, (slider, 1), value, margins=0, spacing=3)
+
+    # --- What changes -------------------------------------------------------------------
+
+    def show_leds(self, snapshot: DemoSnapshot | None) -> None:
+        if snapshot is None:
+            self._leds.show_patterns(("off", "off"), ("", ""), ("", ""))
+            return
+        red, green = led_patterns(snapshot)
+        shown = snapshot.leds.red, snapshot.leds.green
+        self._leds.show_patterns(shown, (led_words(red), led_words(green)), ("", ""))
+
+    def show_snapshot(self, snapshot: DemoSnapshot) -> None:
+        super().show_snapshot(snapshot)
+        turns = any(motor.speed for motor in self._motors.values())
+        if not (turns and wants_motion(self) and self.isVisible()):
+            self._timer.stop()
+        elif not self._timer.isActive():
+            self._timer.start()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        self._timer.stop()
+
+    @Slot()
+    def _on_frame(self) -> None:
+        for motor in self._motors.values():
+            motor.turn(_FRAME_MS / 1000)
+
+    @Slot()
+    def _on_learned(self) -> None:
+        if self.marked != self._learning.to_move:
+            self.marked = self._learning.to_move
+            self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        body, color = QRectF(self._body.geometry()), theme().color
+        with Painter(self) as painter:
+            painter.setPen(QPen(color("accent"), 2))
+            painter.setBrush(color("selected"))
+            for channel in self.marked:
+                name, slider = self._sticks[channel]
+                stick = name.geometry().united(slider.geometry())
+                painter.drawRoundedRect(stick.adjusted(-3, -1, 1, 1), 5, 5)
+            painter.setPen(QPen(color("board_edge"), 4))
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            ends = []
+            for motor in self._motors.values():
+                top = QPointF(motor.x() + 2 * self.fontMetrics().height(), motor.y() + 14)
+                start = QPointF(max(top.x(), body.left() + 12), body.bottom())
+                bend = start + QPointF(0, 7)
+                painter.drawPolyline([start, bend, QPointF(top.x(), bend.y()), top])
+                ends.append(start)
+            paint_body(painter, body, "TReX")
+            for end in ends:
+                paint_block(painter, QRectF(end.x() - 9, end.y() - 5, 18, 10))
+            for plug in self._plugs:
+                y = plug.y() + plug.height_of_wire
+                paint_block(painter, QRectF(body.left() - 4, y - 9, 10, 18))

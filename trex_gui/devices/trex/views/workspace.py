@@ -99,7 +99,8 @@ class TrexWorkspace(Workspace):
         self.recordings = Recordings(device, frame)
         self.bar = bar = ControlBar(device, self.recordings.indicator, self)
         ui.row(panel, (tabs, 1), into=self, margins=0)
-        self._demo = DemoPanel(controller, frame)
+        self._learning = learning = Learning(device, self)
+        self._demo = DemoPanel(controller, learning, frame)
         self.files = files = SettingsFiles(device, frame)
         self.docks = (self._demo,)
         self.moving = {"run"}
@@ -108,7 +109,6 @@ class TrexWorkspace(Workspace):
         self._settings = settings = SettingsCommands(device, self._linter, boards, frame)
         self._close_prompt = ClosePrompt(device, files, settings.review, frame)
         RestorePrompt(device, files, frame.question)
-        self._learning = learning = Learning(device, self)
         self._learn = LearnFlow(learning)
         Steps(device, self._learn, frame)
         self._plot: PlotWindow | None = None

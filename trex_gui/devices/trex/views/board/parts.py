@@ -32,6 +32,7 @@ class BoardPart(QAbstractButton, Spoken):
     """Says what it is in bold, and what the board reports of it in the lines below."""
 
     spoken_role = QAccessible.Role.Button
+    tip = ""  # what a click does, where it does not open a page
 
     def __init__(
         self,
@@ -57,7 +58,7 @@ class BoardPart(QAbstractButton, Spoken):
     def show_lines(self, *lines: str, alarm: str = "") -> None:
         if (lines, alarm) != (self.lines, self.alarm):
             self.lines, self.alarm = lines, alarm
-            self.setToolTip(plain("\n".join(filter(None, lines))))
+            self.setToolTip(plain("\n".join(filter(None, (*lines, self.tip)))))
             self.update()
 
     def spoken_state(self) -> str:
