@@ -28,7 +28,7 @@ from trex_gui.ui.widgets.sliders import StickSlider
 
 _NAME, _SLIDER, _VALUE, _TICK = range(4)
 
-_EXTRA_WIDTH = 24  # pixels, of which a scroll bar may take some
+_EXTRA_WIDTH = 34  # pixels, of which a scroll bar may take some
 _NOISE_STEPS = 10  # slider positions per cent
 _MAX_NOISE = 5  # per cent of the bytes; with more the line is unusable
 

@@ -101,7 +101,6 @@ def test_snapshot_is_parsed_from_show() -> None:
     assert snapshot.channels[0] == DemoChannel("rest", 3750)
     assert snapshot.channels[1] == DemoChannel("silent", None)
     assert snapshot.motors[0].load == 4.5
-    assert snapshot.motors[0].stall == 30
     assert [motor.fault for motor in snapshot.motors] == [False, True]
     assert snapshot.jumpers.mix
     assert snapshot.jumpers.so_ground

@@ -57,13 +57,12 @@ class DemoChannel:
 
 @dataclass(frozen=True, slots=True)
 class DemoMotor:
-    """One output and its motor; current, load and stall current in A."""
+    """One output and its motor; current and load in A."""
 
     direction: str
     speed: int
     current: float
     load: float
-    stall: float
     fault: bool
 
 

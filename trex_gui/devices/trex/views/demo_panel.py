@@ -1,10 +1,11 @@
 """Panel of the Demo TReX: a drawing of the simulated board whose parts are its controls."""
 
 from collections.abc import Callable
+from functools import partial
 from typing import TypeVar
 
 from PySide6.QtCore import QPointF, QRectF, QRegularExpression, Qt, Slot
-from PySide6.QtGui import QHideEvent, QKeySequence, QPainter, QPaintEvent, QPen, QShortcut
+from PySide6.QtGui import QHideEvent, QKeySequence, QPaintEvent, QPen, QShortcut
 from PySide6.QtWidgets import QLabel, QLayout, QWidget
 
 from trex_gui.core.translation import Number, tr, tr_noop
@@ -20,12 +21,18 @@ from trex_gui.devices.trex.model.demo import (
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.protocol.descriptions import CHANNEL_ROLES
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode, channels_in
-from trex_gui.devices.trex.views.board.parts import BoardPart, JumperPart, MotorPart
+from trex_gui.devices.trex.views.board.parts import (
+    PULLED,
+    BoardPart,
+    JumperPart,
+    MotorPart,
+    PlugPart,
+)
 from trex_gui.ui.devices.demo_panel import Columns, DemoDock, DemoPanelBody, Rows, add_cable
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.circuit import paint_block, paint_body, write
+from trex_gui.ui.widgets.circuit import paint_block, paint_body
 from trex_gui.ui.widgets.labels import LiveLabel
 from trex_gui.ui.widgets.leds import Leds
 from trex_gui.ui.widgets.painted import Painter, never_mirror, wants_motion
@@ -37,10 +44,9 @@ PartT = TypeVar("PartT", bound=BoardPart)
 
 _FRAME_MS = 40
 _TRAVEL = 1200  # positions of a stick: microseconds of its pulses
-_MAX_LOAD = 30.0  # A, before the stall current is known
+_STALL, _AMPERE = 30, 10  # A of the simulated model, positions
 _LOWEST, _HIGHEST, _VOLT = 4, 16, 10  # V, V, positions; below about 6 V a TReX resets
 _MODES = ("serial", "rc", "analog")
-_PULLED = 10  # pixels from where a plug was to where it is pulled out
 _FLASHES = {  # while the board learns or is in the boot loader
     "blink": tr_noop("blink {0}/s"),
     "alternate": tr_noop("alternate {0}/s"),
@@ -235,35 +241,6 @@ def _other_rows(board: DemoBoard, parent: QWidget) -> BoardRows:
     return rows
 
 
-class PlugPart(BoardPart):
-    """A wire with a plug at its end; beside its place if it is pulled out."""
-
-    is_out = False
-    is_labelled = False  # its lines are written above the wire
-
-    def show_plug(self, *lines: str, out: bool) -> None:
-        self.is_out = out
-        self.show_lines(*lines, alarm="danger" if out else "")
-
-    @property
-    def height_of_wire(self) -> float:
-        return self.height() - 0.7 * self.fontMetrics().height()
-
-    def paint(self, painter: QPainter) -> None:
-        y, end = self.height_of_wire, self.width() - (_PULLED if self.is_out else 2)
-        plug = QRectF(end - 12, y - 6, 12, 12)
-        painter.setPen(QPen(theme().color("board_edge"), 3))
-        painter.drawLine(QPointF(4, y), QPointF(plug.left(), y))
-        painter.setPen(QPen(theme().color("outline"), 1.5))
-        painter.setBrush(theme().color("base" if self.is_out else "mark"))
-        painter.drawRoundedRect(plug, 3, 3)
-        if self.is_labelled and self.lines:
-            line = QRectF(2, 0, self.width() - 30, self.fontMetrics().height() + 2)
-            write(painter, line, self.lines[0], "window_text", bold=True)
-            right = Qt.AlignmentFlag.AlignRight
-            write(painter, line, self.lines[1], self.alarm or "muted", align=right)
-
-
 class Drawing(BoardRows):
     """The simulated board with what is plugged into it, where it can be moved and pressed."""
 
@@ -303,7 +280,7 @@ class Drawing(BoardRows):
         for label in self.findChildren(LiveLabel, QRegularExpression("demoLoadValue.")):
             label.setMinimumWidth(width("30.0\u00a0A"))
         for plug in self._plugs:
-            plug.setMinimumSize(_PULLED + 12, round(2.3 * line))
+            plug.setMinimumSize(PULLED + 12, round(2.7 * line))
         for jumper in self._body.findChildren(JumperPart):
             jumper.setMinimumHeight(2 * line)
         for motor in self._motors.values():
@@ -403,7 +380,7 @@ class Drawing(BoardRows):
         return made
 
     def _fill_body(self) -> None:
-        board, part = self._demo, self._part
+        board = self._demo
         ui.named(self._leds, "demoLeds", accessible=tr("LEDs of the board"))
         supply = LiveLabel("demoSupply", tr("Supply"), self)
         supply.setAlignment(Qt.AlignmentFlag.AlignCenter)
@@ -413,20 +390,16 @@ class Drawing(BoardRows):
                 place = _MODES.index(snapshot.jumpers.mode) + 1
                 board.set_mode_jumper(_MODES[place % len(_MODES)])
 
+        jumper = partial(self._part, JumperPart)
         tip = tr("The mode jumper; the board reads it when power comes on")
-        mode = part(JumperPart, "demoMode", tr("Mode jumper"), tip, next_mode)
+        mode = jumper("demoMode", tr("Mode jumper"), tip, next_mode)
         tip = tr("The mix jumper: input 2 drives forward, input 1 turns; takes effect at once")
-        mix = part(
-            JumperPart, "demoMix", tr("Mix jumper"), tip, lambda: board.set_mix(not mix.is_on)
+        mix: JumperPart = jumper(
+            "demoMix", tr("Mix jumper"), tip, lambda: board.set_mix(not mix.is_on)
         )
         tip = tr("Connects SO to ground; with Mix a power-up then learns the inputs' calibration")
-        ground = part(
-            JumperPart,
-            "demoSoGround",
-            tr("SO–G jumper"),
-            tip,
-            lambda: board.set_so_ground(not ground.is_on),
-        )
+        name, switch = tr("SO–G jumper"), board.set_so_ground
+        ground: JumperPart = jumper("demoSoGround", name, tip, lambda: switch(not ground.is_on))
 
         def update(snapshot: DemoSnapshot) -> None:
             text = f"{Number(snapshot.supply):.1f}\u00a0V"
@@ -457,7 +430,7 @@ class Drawing(BoardRows):
         def update(snapshot: DemoSnapshot) -> None:
             motor = snapshot.motors[number - 1]
             turns = {"forward": 1, "reverse": -1}.get(motor.direction, 0)
-            made.show_speed(turns * motor.speed)
+            made.show_speed(0 if motor.fault else turns * motor.speed)
             current = f"{Number(motor.current):.1f}\u00a0A"
             fault, alarm = (tr("Fault"), "danger") if motor.fault else (tr("no fault"), "")
             made.show_lines(name, motor_text(motor), current, fault, alarm=alarm)
@@ -466,28 +439,23 @@ class Drawing(BoardRows):
         return made
 
     def _make_load(self, number: int) -> QLayout:
-        stall = _MAX_LOAD
         spoken = tr("Load of motor {0}").format(number)
         tip = tr(
             "The current that motor {0} draws at full speed; at the right end it stalls, which "
             "triggers current limits and faults"
         ).format(number)
         value = LiveLabel(f"demoLoadValue{number}", spoken, self)
-        slider = StickSlider(0, 100, 0, f"motor{number}", self)  # per cent of the stall current
+        slider = StickSlider(0, _STALL * _AMPERE, 0, f"motor{number}", self)
         ui.named(slider, f"demoLoad{number}", accessible=spoken, tip=tip)
+        slider.positions_per_unit = _AMPERE
+        slider.setSingleStep(_AMPERE // 2)
+        slider.setPageStep(2 * _AMPERE)
         slider.value_label = value
-
-        def read(snapshot: DemoSnapshot) -> float:
-            nonlocal stall
-            motor = snapshot.motors[number - 1]
-            stall = motor.stall
-            return motor.load / stall * 100
-
         self.connect_slider(
             slider,
-            lambda per_cent: self._demo.set_load(number, per_cent / 100 * stall),
-            read,
-            lambda per_cent: value.setText(f"{Number(per_cent / 100 * stall):.1f}\u00a0A"),
+            partial(self._demo.set_load, number),
+            lambda snapshot: snapshot.motors[number - 1].load,
+            lambda amperes: value.setText(f"{Number(amperes):.1f}\u00a0A"),
         )
         self.controls += self._motors[number], slider
         label = ui.label(self, text=tr("Load"), buddy=slider)
@@ -535,7 +503,7 @@ class Drawing(BoardRows):
             for channel in self.marked:
                 name, slider = self._sticks[channel]
                 stick = name.geometry().united(slider.geometry())
-                painter.drawRoundedRect(stick.adjusted(-3, -1, 1, 1), 5, 5)
+                painter.drawRoundedRect(stick.adjusted(-3, 2, 2, -2), 5, 5)
             painter.setPen(QPen(color("board_edge"), 4))
             painter.setBrush(Qt.BrushStyle.NoBrush)
             ends = []

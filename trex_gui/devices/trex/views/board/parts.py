@@ -23,6 +23,7 @@ from trex_gui.ui.widgets.circuit import (
 from trex_gui.ui.widgets.leds import is_lit, paint_lamp
 from trex_gui.ui.widgets.painted import Painter, never_mirror
 
+PULLED = 10  # pixels from where a plug was to where it is pulled out
 _SPOKES = 5
 WHEEL = 3.9  # lines: diameter
 _TURNS = 0.8  # a second at full speed: a sketch, as the board does not measure any speed
@@ -221,3 +222,32 @@ class SerialPart(BoardPart):
         painter.drawLine(QPointF(x, box.bottom() + 2), QPointF(x, self.height()))
         beside = QRectF(x + 12, box.bottom() + 2, self.width() - x - 12, height + 4)
         write(painter, beside, self.lines[0] if self.lines else "", self.alarm or "muted")
+
+
+class PlugPart(BoardPart):
+    """A wire with a plug at its end; beside its place if it is pulled out."""
+
+    is_out = False
+    is_labelled = False  # its lines are written above the wire
+
+    def show_plug(self, *lines: str, out: bool) -> None:
+        self.is_out = out
+        self.show_lines(*lines, alarm="danger" if out else "")
+
+    @property
+    def height_of_wire(self) -> float:
+        return self.height() - 0.7 * self.fontMetrics().height()
+
+    def paint(self, painter: QPainter) -> None:
+        y, end = self.height_of_wire, self.width() - (PULLED if self.is_out else 2)
+        plug = QRectF(end - 12, y - 6, 12, 12)
+        painter.setPen(QPen(theme().color("board_edge"), 3))
+        painter.drawLine(QPointF(4, y), QPointF(plug.left(), y))
+        painter.setPen(QPen(theme().color("outline"), 1.5))
+        painter.setBrush(theme().color("base" if self.is_out else "mark"))
+        painter.drawRoundedRect(plug, 3, 3)
+        if self.is_labelled and self.lines:
+            line = QRectF(2, 0, self.width() - 30, self.fontMetrics().height() + 2)
+            write(painter, line, self.lines[0], "window_text", bold=True)
+            right = Qt.AlignmentFlag.AlignRight
+            write(painter, line, self.lines[1], self.alarm or "muted", align=right)
