@@ -539,6 +539,10 @@
         <translation>{0} Motoren</translation></message>
     <message><source>followed by {0}</source>
         <translation>gefolgt von {0}</translation></message>
+    <message><source>This share of the bytes is corrupted in either direction; this protocol does not detect that, and a corrupted command may restart the firmware</source>
+        <translation>Dieser Anteil der Bytes wird in beiden Richtungen verfälscht; dieses Protokoll erkennt das nicht, und ein verfälschter Befehl kann die Firmware neu starten</translation></message>
+    <message><source>A lost byte of a command may leave too few values in it, which restarts the firmware</source>
+        <translation>Ein verlorenes Byte eines Befehls kann zu wenige Werte darin lassen; das startet die Firmware neu</translation></message>
     <message><source>The only way to stop a motion: the protocol has no stop command.</source>
         <translation>Die einzige Möglichkeit, eine Bewegung zu stoppen: Das Protokoll hat keinen Stoppbefehl.</translation></message>
     <message><source>The debug LED; it blinks while the firmware boots</source>
@@ -551,8 +555,6 @@
         <translation>Der Schalter des Roboters selbst: Board und Servos</translation></message>
     <message><source>Restart board</source>
         <translation>Board neu starten</translation></message>
-    <message><source>The reset line: the firmware restarts, the servos continue to their goals</source>
-        <translation>Die Reset-Leitung: Die Firmware startet neu, die Servos bewegen sich weiter zu ihren Zielen</translation></message>
     <message><source>Servo power</source>
         <translation>Servoversorgung</translation></message>
     <message><source>The power of the servos only: without it they stop, hold nothing and lose their speeds; the firmware waits for them</source>
@@ -567,6 +569,12 @@
         <translation>Servos</translation></message>
     <message><source>Real position</source>
         <translation>Wirkliche Position</translation></message>
+    <message><source>Cable</source>
+        <translation>Kabel</translation></message>
+    <message><source>Plugged in</source>
+        <translation>Eingesteckt</translation></message>
+    <message><source>Unplugged, the port disappears; a running motion continues to its goal</source>
+        <translation>Ausgesteckt: Der Port verschwindet; eine laufende Bewegung geht bis zu ihrem Ziel weiter</translation></message>
     <message><source>Moving indefinitely: waiting for a servo that is blocked or dead.</source>
         <translation>Bewegt sich endlos: Wartet auf ein Servo, das blockiert oder tot ist.</translation></message>
     <message><source>no power</source>
@@ -583,14 +591,16 @@
         <translation>LED: blinkt</translation></message>
     <message><source>Robot switched on</source>
         <translation>Roboter eingeschaltet</translation></message>
+    <message><source>The reset line: the firmware restarts, the servos continue to their goals</source>
+        <translation>Die Reset-Leitung: Die Firmware startet neu, die Servos bewegen sich weiter zu ihren Zielen</translation></message>
     <message><source>{0}: real position</source>
         <translation>{0}: wirkliche Position</translation></message>
-    <message><source>Unplugged, the port disappears; a running motion continues to its goal</source>
-        <translation>Ausgesteckt: Der Port verschwindet; eine laufende Bewegung geht bis zu ihrem Ziel weiter</translation></message>
+    <message><source>{0}: slowed by a load, in per cent</source>
+        <translation>{0}: durch eine Last gebremst, in Prozent</translation></message>
+    <message><source>Cable plugged in</source>
+        <translation>Kabel eingesteckt</translation></message>
     <message><source>The wire back is broken: the robot executes commands, no reply arrives</source>
         <translation>Die Rückleitung ist unterbrochen: Der Roboter führt Befehle aus, es kommt keine Antwort an</translation></message>
-    <message><source>This share of the bytes is corrupted in either direction; this protocol does not detect that, and a corrupted command may restart the firmware</source>
-        <translation>Dieser Anteil der Bytes wird in beiden Richtungen verfälscht; dieses Protokoll erkennt das nicht, und ein verfälschter Befehl kann die Firmware neu starten</translation></message>
     <message><source>Moving indefinitely: waiting for servos that have no power.</source>
         <translation>Bewegt sich endlos: Wartet auf Servos, die keine Versorgung haben.</translation></message>
     <message><source>The power is off: no reply, and no servo holds.</source>
@@ -615,16 +625,12 @@
         <translation>Servos intakt, frei und unbelastet, Leitung ungestört, alles eingeschaltet</translation></message>
     <message><source>It loses {0} % of its speed; at the right end it stops</source>
         <translation>Es verliert {0} % seiner Geschwindigkeit; ganz rechts bleibt es stehen</translation></message>
-    <message><source>{0}: slowed by a load, in per cent</source>
-        <translation>{0}: durch eine Last gebremst, in Prozent</translation></message>
     <message><source>{0} does not respond, as when unplugged: speeds read as −1, and a move waits for it indefinitely</source>
         <translation>{0} reagiert nicht, wie ausgesteckt: Geschwindigkeiten werden als −1 gelesen, und eine Bewegung wartet endlos darauf</translation></message>
     <message><source>Something blocks {0}: it stays “moving”, and the firmware waits</source>
         <translation>Etwas blockiert {0}: Es bleibt „in Bewegung“, und die Firmware wartet</translation></message>
     <message><source>What is lost once</source>
         <translation>Was einmal verloren geht</translation></message>
-    <message><source>A lost byte of a command may leave too few values in it, which restarts the firmware</source>
-        <translation>Ein verlorenes Byte eines Befehls kann zu wenige Werte darin lassen; das startet die Firmware neu</translation></message>
     <message><source>Lose it</source>
         <translation>Verlieren</translation></message>
     <message><source>It is lost in the next transfer</source>
@@ -3387,32 +3393,18 @@
         <translation>wechselt {0}/s</translation></message>
     <message><source>short flash {0}/s</source>
         <translation>blitzt {0}/s</translation></message>
-    <message><source>on: serial commands control the motors</source>
-        <translation>an: Serielle Befehle steuern die Motoren</translation></message>
-    <message><source>on: the channels control the motors</source>
-        <translation>an: Die Kanäle steuern die Motoren</translation></message>
     <message><source>Safe-start: the motors wait until the sticks are centred.</source>
         <translation>Safe-Start: Die Motoren warten, bis die Knüppel in Mittelstellung sind.</translation></message>
     <message><source>Off for a second: jumpers are read, stored settings take effect</source>
         <translation>Eine Sekunde lang aus: Jumper werden gelesen, gespeicherte Einstellungen wirksam</translation></message>
-    <message><source>The mode jumper; the board reads it when power comes on</source>
-        <translation>Der Modus-Jumper; das Board liest ihn beim Einschalten</translation></message>
-    <message><source>The mix jumper: input 2 drives forward, input 1 turns; takes effect at once</source>
-        <translation>Der Mix-Jumper: Eingang 2 fährt vorwärts, Eingang 1 lenkt; wirkt sofort</translation></message>
-    <message><source>Connects SO to ground; with Mix a power-up then learns the inputs' calibration</source>
-        <translation>Verbindet SO mit Masse; zusammen mit Mix lernt das Board beim nächsten Einschalten die Kalibrierung der Eingänge ein</translation></message>
+    <message><source>A weak battery sags when the motors start, and the board resets</source>
+        <translation>Eine schwache Batterie bricht ein, wenn die Motoren anlaufen, und das Board startet neu</translation></message>
     <message><source>Hold all sticks centred, as safe-start requires</source>
         <translation>Alle Knüppel in Mittelstellung halten, wie es der Safe-Start verlangt</translation></message>
-    <message><source>Input {0}: {1} in RC and analog mode, only measured in serial mode. A double click centres it.</source>
-        <translation>Eingang {0}: {1} im RC- und Analogmodus, im seriellen Modus nur gemessen. Ein Doppelklick zentriert ihn.</translation></message>
-    <message><source>Unplugged, the port is gone: Serial Timeout and UART-Error Shutdown should stop motors</source>
-        <translation>Abgezogen verschwindet der Port: Serielles Timeout und „Abschaltung bei UART-Fehlern“ sollten die Motoren stoppen</translation></message>
-    <message><source>An error of the serial line that the board reports</source>
-        <translation>Ein Fehler der seriellen Leitung, den das Board meldet</translation></message>
     <message><source>The next byte reaches the board with this error; Problems counts it. Only a board with parity detects a parity error.</source>
         <translation>Das nächste Byte erreicht das Board mit diesem Fehler; „Probleme“ zählt ihn. Nur ein Board mit Parität erkennt einen Paritätsfehler.</translation></message>
-    <message><source>off: the power is off</source>
-        <translation>aus: Die Stromversorgung ist aus</translation></message>
+    <message><source>An error of the serial line that the board reports</source>
+        <translation>Ein Fehler der seriellen Leitung, den das Board meldet</translation></message>
     <message><source>The power is off: the board does not reply.</source>
         <translation>Die Stromversorgung ist aus: Das Board antwortet nicht.</translation></message>
     <message><source>Safe-start: the motors wait for a signal on input {0}.</source>
@@ -3427,24 +3419,12 @@
         <translation>SO–G hält den seriellen Ausgang auf Masse: Keine Antwort kommt heraus.</translation></message>
     <message><source>Resets everything: stored settings, jumpers, sticks, loads and faults of the line</source>
         <translation>Setzt alles zurück: gespeicherte Einstellungen, Jumper, Knüppel, Lasten und Störungen der Leitung</translation></message>
-    <message><source>Power and jumpers</source>
-        <translation>Stromversorgung und Jumper</translation></message>
     <message><source>Power on</source><comment>state</comment>
         <translation>Eingeschaltet</translation></message>
     <message><source>The board's power switch</source>
         <translation>Der Hauptschalter des Boards</translation></message>
     <message><source>Battery voltage</source>
         <translation>Batteriespannung</translation></message>
-    <message><source>Supply</source>
-        <translation>Versorgung</translation></message>
-    <message><source>Mix</source>
-        <translation>Mix</translation></message>
-    <message><source>SO–G</source>
-        <translation>SO–G</translation></message>
-    <message><source>Battery</source>
-        <translation>Batterie</translation></message>
-    <message><source>No signal</source>
-        <translation>Kein Signal</translation></message>
     <message><source>Move by themselves</source>
         <translation>Selbsttätig bewegen</translation></message>
     <message><source>All sticks swing slowly; moving one holds that one</source>
@@ -3453,12 +3433,18 @@
         <translation>Mitte</translation></message>
     <message><source>Centre all sticks</source>
         <translation>Alle Knüppel zentrieren</translation></message>
-    <message><source>Motors</source>
-        <translation>Motoren</translation></message>
-    <message><source>Load</source>
-        <translation>Last</translation></message>
-    <message><source>Fault</source>
-        <translation>Störung</translation></message>
+    <message><source>Battery</source>
+        <translation>Batterie</translation></message>
+    <message><source>Input {0}: {1}. A double click centres it, Delete unplugs it.</source>
+        <translation>Eingang {0}: {1}. Ein Doppelklick zentriert ihn, Entf zieht ihn ab.</translation></message>
+    <message><source>Unplugged, the port is gone: Serial Timeout and UART-Error Shutdown should stop motors</source>
+        <translation>Abgezogen verschwindet der Port: Serielles Timeout und „Abschaltung bei UART-Fehlern“ sollten die Motoren stoppen</translation></message>
+    <message><source>The mode jumper; the board reads it when power comes on</source>
+        <translation>Der Modus-Jumper; das Board liest ihn beim Einschalten</translation></message>
+    <message><source>The mix jumper: input 2 drives forward, input 1 turns; takes effect at once</source>
+        <translation>Der Mix-Jumper: Eingang 2 fährt vorwärts, Eingang 1 lenkt; wirkt sofort</translation></message>
+    <message><source>Connects SO to ground; with Mix a power-up then learns the inputs' calibration</source>
+        <translation>Verbindet SO mit Masse; zusammen mit Mix lernt das Board beim nächsten Einschalten die Kalibrierung der Eingänge ein</translation></message>
     <message><source>RC mode.</source>
         <translation>RC-Modus.</translation></message>
     <message><source>Analog mode.</source>
@@ -3491,16 +3477,14 @@
         <translation>Demo-TReX</translation></message>
     <message><source>Factory state</source>
         <translation>Werkszustand</translation></message>
-    <message><source>5 override</source>
-        <translation>5 Vorrang</translation></message>
-    <message><source>A weak battery sags when the motors start, and the board resets</source>
-        <translation>Eine schwache Batterie bricht ein, wenn die Motoren anlaufen, und das Board startet neu</translation></message>
-    <message><source>No jumper: serial</source>
-        <translation>Kein Jumper: seriell</translation></message>
     <message><source>The wire from SO is broken: the board executes commands, no reply arrives</source>
         <translation>Die Leitung von SO ist unterbrochen: Das Board führt Befehle aus, keine Antwort kommt an</translation></message>
     <message><source>This share of the bytes is corrupted in either direction; CRC detects them</source>
         <translation>Dieser Anteil der Bytes wird in beiden Richtungen verfälscht; CRC erkennt es</translation></message>
+    <message><source>turn</source>
+        <translation>lenken</translation></message>
+    <message><source>Supply</source>
+        <translation>Versorgung</translation></message>
     <message><source>Channel 5 hands control to serial commands.</source>
         <translation>Kanal 5 übergibt die Steuerung an serielle Befehle.</translation></message>
     <message><source>The sticks control the motors.</source>
@@ -3509,48 +3493,46 @@
         <translation>{0}, um die Eingänge einzulernen.</translation></message>
     <message><source>{0} to enter {1} mode.</source>
         <translation>{0}, um in den Modus {1} zu wechseln.</translation></message>
-    <message><source>LEDs of the board</source>
-        <translation>LEDs des Boards</translation></message>
-    <message><source>{0:.1f} V at the board</source>
-        <translation>{0:.1f} V am Board</translation></message>
-    <message><source>switched off</source>
-        <translation>ausgeschaltet</translation></message>
     <message><source>Mode is read at power-up; Mix takes effect at once.</source>
         <translation>Der Modus wird beim Einschalten gelesen; Mix wirkt sofort.</translation></message>
-    <message><source>Input {0}</source>
-        <translation>Eingang {0}</translation></message>
-    <message><source>turn</source>
-        <translation>lenken</translation></message>
-    <message><source>invalid</source>
-        <translation>ungültig</translation></message>
-    <message><source>Stick of input {0}</source>
-        <translation>Knüppel von Eingang {0}</translation></message>
-    <message><source>Unplug input {0}: an RC input is invalid 0.1 s later</source>
-        <translation>Eingang {0} abziehen: Ein RC-Eingang ist 0,1 s später ungültig</translation></message>
-    <message><source>Load of motor {0}</source>
-        <translation>Last von Motor {0}</translation></message>
-    <message><source>The driver of motor {0} shuts down, as when hot or shorted</source>
-        <translation>Der Treiber von Motor {0} schaltet sich ab, wie bei Überhitzung oder Kurzschluss</translation></message>
     <message><source>Error of one byte</source>
         <translation>Fehler eines Bytes</translation></message>
     <message><source>Corrupt one byte</source>
         <translation>Ein Byte verfälschen</translation></message>
-    <message><source>lit while a packet arrives</source>
-        <translation>leuchtet, während ein Paket ankommt</translation></message>
-    <message><source>fast flash: safe-start, the motors wait</source>
-        <translation>schnelles Blinken: Safe-Start, die Motoren warten</translation></message>
+    <message><source>Stick of input {0}</source>
+        <translation>Knüppel von Eingang {0}</translation></message>
+    <message><source>LEDs of the board</source>
+        <translation>LEDs des Boards</translation></message>
+    <message><source>The driver of motor {0} shuts down, as when hot or shorted</source>
+        <translation>Der Treiber von Motor {0} schaltet sich ab, wie bei Überhitzung oder Kurzschluss</translation></message>
+    <message><source>Load of motor {0}</source>
+        <translation>Last von Motor {0}</translation></message>
+    <message><source>The current that motor {0} draws at full speed; at the right end it stalls, which triggers current limits and faults</source>
+        <translation>Der Strom, den Motor {0} bei voller Geschwindigkeit zieht; ganz rechts blockiert der Motor, was Strombegrenzung und Treiberfehler auslöst</translation></message>
+    <message><source>Load</source>
+        <translation>Last</translation></message>
     <message><source>{0} to start the boot loader.</source>
         <translation>{0}, um den Bootloader zu starten.</translation></message>
     <message><source>brake</source>
         <translation>bremsen</translation></message>
-    <message><source>No signal at input {0}</source>
-        <translation>Kein Signal an Eingang {0}</translation></message>
-    <message><source>The current that motor {0} draws at full speed; at the right end it stalls, which triggers current limits and faults</source>
-        <translation>Der Strom, den Motor {0} bei voller Geschwindigkeit zieht; ganz rechts blockiert der Motor, was Strombegrenzung und Treiberfehler auslöst</translation></message>
-    <message><source>Driver fault of motor {0}</source>
-        <translation>Treiberfehler von Motor {0}</translation></message>
     <message><source>Overrun</source>
         <translation>Überlauf</translation></message>
+    <message><source>Input {0}</source>
+        <translation>Eingang {0}</translation></message>
+    <message><source>Plug of input {0}</source>
+        <translation>Stecker von Eingang {0}</translation></message>
+    <message><source>Unplug input {0}: an RC input is invalid 0.1 s later</source>
+        <translation>Eingang {0} abziehen: Ein RC-Eingang ist 0,1 s später ungültig</translation></message>
+    <message><source>plugged in</source>
+        <translation>eingesteckt</translation></message>
+    <message><source>unplugged</source>
+        <translation>ausgesteckt</translation></message>
+    <message><source>switched off</source>
+        <translation>ausgeschaltet</translation></message>
+    <message><source>Fault</source>
+        <translation>Störung</translation></message>
+    <message><source>no fault</source>
+        <translation>keine Störung</translation></message>
     <message><source>Findings about the settings</source>
         <translation>Befunde zu den Einstellungen</translation></message>
     <message numerus="yes"><source>and %n more</source>
@@ -4973,22 +4955,16 @@ bisher {1}</translation></message>
         <translation>Verbinden mit {0} …</translation></message>
     <message><source>Disconnecting …</source>
         <translation>Trennen …</translation></message>
-    <message><source>The cable of the Demo {0} is unplugged. Check “Plugged in” on its panel, then connect again.</source>
-        <translation>Das Kabel des Demo-{0} ist ausgesteckt. Setzen Sie auf seinem Bedienfeld das Häkchen bei „Eingesteckt“ und verbinden Sie dann wieder.</translation></message>
-    <message><source>Cable</source>
-        <translation>Kabel</translation></message>
-    <message><source>Plugged in</source>
-        <translation>Eingesteckt</translation></message>
+    <message><source>The cable of the Demo {0} is unplugged. Plug it in on its panel, then connect again.</source>
+        <translation>Das Kabel des Demo-{0} ist ausgesteckt. Stecken Sie es auf seinem Bedienfeld ein und verbinden Sie dann wieder.</translation></message>
     <message><source>Replies lost</source>
         <translation>Verlorene Antworten</translation></message>
     <message><source>Noise on the line</source>
         <translation>Störungen auf der Leitung</translation></message>
-    <message><source>Cable plugged in</source>
-        <translation>Kabel eingesteckt</translation></message>
     <message><source>The Demo {0} is not running. Press Connect.</source>
         <translation>Der Demo-{0} läuft nicht. Klicken Sie auf „Verbinden“.</translation></message>
-    <message><source>The cable is unplugged. Check “Plugged in”, then press Connect.</source>
-        <translation>Das Kabel ist ausgesteckt. Setzen Sie das Häkchen bei „Eingesteckt“ und klicken Sie dann auf „Verbinden“.</translation></message>
+    <message><source>The cable is unplugged. Plug it in, then press Connect.</source>
+        <translation>Das Kabel ist ausgesteckt. Stecken Sie es ein und klicken Sie dann auf „Verbinden“.</translation></message>
     <message><source>The cable is plugged in again. Press Connect.</source>
         <translation>Das Kabel ist wieder eingesteckt. Klicken Sie auf „Verbinden“.</translation></message>
     <message><source>The Demo {0} is starting …</source>

@@ -539,6 +539,10 @@
         <translation>{0} moteurs</translation></message>
     <message><source>followed by {0}</source>
         <translation>suivi de {0}</translation></message>
+    <message><source>This share of the bytes is corrupted in either direction; this protocol does not detect that, and a corrupted command may restart the firmware</source>
+        <translation>Cette part des octets est altérée dans les deux sens ; ce protocole ne le détecte pas, et une commande altérée peut redémarrer le firmware</translation></message>
+    <message><source>A lost byte of a command may leave too few values in it, which restarts the firmware</source>
+        <translation>Un octet perdu d'une commande peut y laisser trop peu de valeurs, ce qui redémarre le firmware</translation></message>
     <message><source>The only way to stop a motion: the protocol has no stop command.</source>
         <translation>Le seul moyen d'arrêter un mouvement : le protocole n'a pas de commande d'arrêt.</translation></message>
     <message><source>The debug LED; it blinks while the firmware boots</source>
@@ -551,8 +555,6 @@
         <translation>L'interrupteur du robot : carte et servos</translation></message>
     <message><source>Restart board</source>
         <translation>Redémarrer la carte</translation></message>
-    <message><source>The reset line: the firmware restarts, the servos continue to their goals</source>
-        <translation>La ligne de réinitialisation : le firmware redémarre, les servos continuent jusqu'à leurs cibles</translation></message>
     <message><source>Servo power</source>
         <translation>Alimentation des servos</translation></message>
     <message><source>The power of the servos only: without it they stop, hold nothing and lose their speeds; the firmware waits for them</source>
@@ -567,6 +569,12 @@
         <translation>Servos</translation></message>
     <message><source>Real position</source>
         <translation>Position réelle</translation></message>
+    <message><source>Cable</source>
+        <translation>Câble</translation></message>
+    <message><source>Plugged in</source>
+        <translation>Branché</translation></message>
+    <message><source>Unplugged, the port disappears; a running motion continues to its goal</source>
+        <translation>Débranché, le port disparaît ; un mouvement en cours continue jusqu'à sa cible</translation></message>
     <message><source>Moving indefinitely: waiting for a servo that is blocked or dead.</source>
         <translation>Mouvement sans fin : en attente d'un servo bloqué ou en panne.</translation></message>
     <message><source>no power</source>
@@ -583,14 +591,16 @@
         <translation>LED : clignote</translation></message>
     <message><source>Robot switched on</source>
         <translation>Robot en marche</translation></message>
+    <message><source>The reset line: the firmware restarts, the servos continue to their goals</source>
+        <translation>La ligne de réinitialisation : le firmware redémarre, les servos continuent jusqu'à leurs cibles</translation></message>
     <message><source>{0}: real position</source>
         <translation>{0} : position réelle</translation></message>
-    <message><source>Unplugged, the port disappears; a running motion continues to its goal</source>
-        <translation>Débranché, le port disparaît ; un mouvement en cours continue jusqu'à sa cible</translation></message>
+    <message><source>{0}: slowed by a load, in per cent</source>
+        <translation>{0} : ralenti par une charge, en pour cent</translation></message>
+    <message><source>Cable plugged in</source>
+        <translation>Câble branché</translation></message>
     <message><source>The wire back is broken: the robot executes commands, no reply arrives</source>
         <translation>Le fil de retour est coupé : le robot exécute les commandes, aucune réponse n'arrive</translation></message>
-    <message><source>This share of the bytes is corrupted in either direction; this protocol does not detect that, and a corrupted command may restart the firmware</source>
-        <translation>Cette part des octets est altérée dans les deux sens ; ce protocole ne le détecte pas, et une commande altérée peut redémarrer le firmware</translation></message>
     <message><source>Moving indefinitely: waiting for servos that have no power.</source>
         <translation>Mouvement sans fin : en attente de servos sans alimentation.</translation></message>
     <message><source>The power is off: no reply, and no servo holds.</source>
@@ -615,16 +625,12 @@
         <translation>Servos en état, libres et sans charge, liaison sans bruit, tout en marche</translation></message>
     <message><source>It loses {0} % of its speed; at the right end it stops</source>
         <translation>Il perd {0} % de sa vitesse ; à l'extrémité droite, il s'arrête</translation></message>
-    <message><source>{0}: slowed by a load, in per cent</source>
-        <translation>{0} : ralenti par une charge, en pour cent</translation></message>
     <message><source>{0} does not respond, as when unplugged: speeds read as −1, and a move waits for it indefinitely</source>
         <translation>{0} ne répond pas, comme débranché : les vitesses lues valent −1, et un mouvement l'attend sans fin</translation></message>
     <message><source>Something blocks {0}: it stays “moving”, and the firmware waits</source>
         <translation>Quelque chose bloque {0} : il reste « en mouvement », et le firmware attend</translation></message>
     <message><source>What is lost once</source>
         <translation>Ce qui se perd une fois</translation></message>
-    <message><source>A lost byte of a command may leave too few values in it, which restarts the firmware</source>
-        <translation>Un octet perdu d'une commande peut y laisser trop peu de valeurs, ce qui redémarre le firmware</translation></message>
     <message><source>Lose it</source>
         <translation>Le perdre</translation></message>
     <message><source>It is lost in the next transfer</source>
@@ -3387,32 +3393,18 @@
         <translation>alterne {0}/s</translation></message>
     <message><source>short flash {0}/s</source>
         <translation>éclair bref {0}/s</translation></message>
-    <message><source>on: serial commands control the motors</source>
-        <translation>allumée : les commandes série commandent les moteurs</translation></message>
-    <message><source>on: the channels control the motors</source>
-        <translation>allumée : les voies commandent les moteurs</translation></message>
     <message><source>Safe-start: the motors wait until the sticks are centred.</source>
         <translation>Démarrage sécurisé : les moteurs attendent que les manches soient centrés.</translation></message>
     <message><source>Off for a second: jumpers are read, stored settings take effect</source>
         <translation>Coupée une seconde : les cavaliers sont lus, les réglages enregistrés prennent effet</translation></message>
-    <message><source>The mode jumper; the board reads it when power comes on</source>
-        <translation>Le cavalier de mode ; la carte le lit à la mise sous tension</translation></message>
-    <message><source>The mix jumper: input 2 drives forward, input 1 turns; takes effect at once</source>
-        <translation>Le cavalier Mix : l'entrée 2 fait avancer, l'entrée 1 fait tourner ; prend effet immédiatement</translation></message>
-    <message><source>Connects SO to ground; with Mix a power-up then learns the inputs' calibration</source>
-        <translation>Relie SO à la masse ; avec Mix, une mise sous tension apprend alors l'étalonnage des entrées</translation></message>
+    <message><source>A weak battery sags when the motors start, and the board resets</source>
+        <translation>La tension d'une batterie faible chute au démarrage des moteurs, et la carte redémarre</translation></message>
     <message><source>Hold all sticks centred, as safe-start requires</source>
         <translation>Maintenir tous les manches au centre, comme l'exige le démarrage sécurisé</translation></message>
-    <message><source>Input {0}: {1} in RC and analog mode, only measured in serial mode. A double click centres it.</source>
-        <translation>Entrée {0} : {1} en mode RC et analogique, seulement mesurée en mode série. Un double clic la centre.</translation></message>
-    <message><source>Unplugged, the port is gone: Serial Timeout and UART-Error Shutdown should stop motors</source>
-        <translation>Débranché, le port disparaît : « Délai série » et « Arrêt sur erreur UART » devraient arrêter les moteurs</translation></message>
-    <message><source>An error of the serial line that the board reports</source>
-        <translation>Une erreur de la liaison série que la carte signale</translation></message>
     <message><source>The next byte reaches the board with this error; Problems counts it. Only a board with parity detects a parity error.</source>
         <translation>Le prochain octet arrive à la carte avec cette erreur ; « Problèmes » la compte. Seule une carte avec parité détecte une erreur de parité.</translation></message>
-    <message><source>off: the power is off</source>
-        <translation>éteinte : l'alimentation est coupée</translation></message>
+    <message><source>An error of the serial line that the board reports</source>
+        <translation>Une erreur de la liaison série que la carte signale</translation></message>
     <message><source>The power is off: the board does not reply.</source>
         <translation>L'alimentation est coupée : la carte ne répond pas.</translation></message>
     <message><source>Safe-start: the motors wait for a signal on input {0}.</source>
@@ -3427,24 +3419,12 @@
         <translation>SO–G maintient la sortie série à la masse : aucune réponse ne sort.</translation></message>
     <message><source>Resets everything: stored settings, jumpers, sticks, loads and faults of the line</source>
         <translation>Réinitialise tout : réglages enregistrés, cavaliers, manches, charges et défauts de la liaison</translation></message>
-    <message><source>Power and jumpers</source>
-        <translation>Alimentation et cavaliers</translation></message>
     <message><source>Power on</source><comment>state</comment>
         <translation>Sous tension</translation></message>
     <message><source>The board's power switch</source>
         <translation>L'interrupteur d'alimentation de la carte</translation></message>
     <message><source>Battery voltage</source>
         <translation>Tension de la batterie</translation></message>
-    <message><source>Supply</source>
-        <translation>Alimentation</translation></message>
-    <message><source>Mix</source>
-        <translation>Mix</translation></message>
-    <message><source>SO–G</source>
-        <translation>SO–G</translation></message>
-    <message><source>Battery</source>
-        <translation>Batterie</translation></message>
-    <message><source>No signal</source>
-        <translation>Pas de signal</translation></message>
     <message><source>Move by themselves</source>
         <translation>Mouvement automatique</translation></message>
     <message><source>All sticks swing slowly; moving one holds that one</source>
@@ -3453,12 +3433,18 @@
         <translation>Centrer</translation></message>
     <message><source>Centre all sticks</source>
         <translation>Centrer tous les manches</translation></message>
-    <message><source>Motors</source>
-        <translation>Moteurs</translation></message>
-    <message><source>Load</source>
-        <translation>Charge</translation></message>
-    <message><source>Fault</source>
-        <translation>Défaut</translation></message>
+    <message><source>Battery</source>
+        <translation>Batterie</translation></message>
+    <message><source>Input {0}: {1}. A double click centres it, Delete unplugs it.</source>
+        <translation>Entrée {0} : {1}. Un double clic la centre, Suppr la débranche.</translation></message>
+    <message><source>Unplugged, the port is gone: Serial Timeout and UART-Error Shutdown should stop motors</source>
+        <translation>Débranché, le port disparaît : « Délai série » et « Arrêt sur erreur UART » devraient arrêter les moteurs</translation></message>
+    <message><source>The mode jumper; the board reads it when power comes on</source>
+        <translation>Le cavalier de mode ; la carte le lit à la mise sous tension</translation></message>
+    <message><source>The mix jumper: input 2 drives forward, input 1 turns; takes effect at once</source>
+        <translation>Le cavalier Mix : l'entrée 2 fait avancer, l'entrée 1 fait tourner ; prend effet immédiatement</translation></message>
+    <message><source>Connects SO to ground; with Mix a power-up then learns the inputs' calibration</source>
+        <translation>Relie SO à la masse ; avec Mix, une mise sous tension apprend alors l'étalonnage des entrées</translation></message>
     <message><source>RC mode.</source>
         <translation>Mode RC.</translation></message>
     <message><source>Analog mode.</source>
@@ -3491,16 +3477,14 @@
         <translation>Démo TReX</translation></message>
     <message><source>Factory state</source>
         <translation>État d'usine</translation></message>
-    <message><source>5 override</source>
-        <translation>5 priorité</translation></message>
-    <message><source>A weak battery sags when the motors start, and the board resets</source>
-        <translation>La tension d'une batterie faible chute au démarrage des moteurs, et la carte redémarre</translation></message>
-    <message><source>No jumper: serial</source>
-        <translation>Sans cavalier : série</translation></message>
     <message><source>The wire from SO is broken: the board executes commands, no reply arrives</source>
         <translation>Le fil de SO est coupé : la carte exécute les commandes, aucune réponse n'arrive</translation></message>
     <message><source>This share of the bytes is corrupted in either direction; CRC detects them</source>
         <translation>Cette proportion des octets est altérée dans chaque sens ; le CRC les détecte</translation></message>
+    <message><source>turn</source>
+        <translation>rotation</translation></message>
+    <message><source>Supply</source>
+        <translation>Alimentation</translation></message>
     <message><source>Channel 5 hands control to serial commands.</source>
         <translation>La voie 5 donne la main aux commandes série.</translation></message>
     <message><source>The sticks control the motors.</source>
@@ -3509,48 +3493,46 @@
         <translation>{0} pour apprendre les entrées.</translation></message>
     <message><source>{0} to enter {1} mode.</source>
         <translation>{0} pour passer en mode {1}.</translation></message>
-    <message><source>LEDs of the board</source>
-        <translation>LED de la carte</translation></message>
-    <message><source>{0:.1f} V at the board</source>
-        <translation>{0:.1f} V sur la carte</translation></message>
-    <message><source>switched off</source>
-        <translation>coupée</translation></message>
     <message><source>Mode is read at power-up; Mix takes effect at once.</source>
         <translation>Le mode est lu à la mise sous tension ; Mix prend effet immédiatement.</translation></message>
-    <message><source>Input {0}</source>
-        <translation>Entrée {0}</translation></message>
-    <message><source>turn</source>
-        <translation>rotation</translation></message>
-    <message><source>invalid</source>
-        <translation>non valide</translation></message>
-    <message><source>Stick of input {0}</source>
-        <translation>Manche de l'entrée {0}</translation></message>
-    <message><source>Unplug input {0}: an RC input is invalid 0.1 s later</source>
-        <translation>Débrancher l'entrée {0} : une entrée RC devient non valide 0,1 s plus tard</translation></message>
-    <message><source>Load of motor {0}</source>
-        <translation>Charge du moteur {0}</translation></message>
-    <message><source>The driver of motor {0} shuts down, as when hot or shorted</source>
-        <translation>Le driver du moteur {0} se coupe, comme en cas de surchauffe ou de court-circuit</translation></message>
     <message><source>Error of one byte</source>
         <translation>Erreur d'un octet</translation></message>
     <message><source>Corrupt one byte</source>
         <translation>Altérer un octet</translation></message>
-    <message><source>lit while a packet arrives</source>
-        <translation>allumée pendant l'arrivée d'un paquet</translation></message>
-    <message><source>fast flash: safe-start, the motors wait</source>
-        <translation>clignotement rapide : démarrage sécurisé, les moteurs attendent</translation></message>
+    <message><source>Stick of input {0}</source>
+        <translation>Manche de l'entrée {0}</translation></message>
+    <message><source>LEDs of the board</source>
+        <translation>LED de la carte</translation></message>
+    <message><source>The driver of motor {0} shuts down, as when hot or shorted</source>
+        <translation>Le driver du moteur {0} se coupe, comme en cas de surchauffe ou de court-circuit</translation></message>
+    <message><source>Load of motor {0}</source>
+        <translation>Charge du moteur {0}</translation></message>
+    <message><source>The current that motor {0} draws at full speed; at the right end it stalls, which triggers current limits and faults</source>
+        <translation>Le courant que consomme le moteur {0} à pleine vitesse ; à l'extrémité droite, il cale, ce qui déclenche limites de courant et défauts</translation></message>
+    <message><source>Load</source>
+        <translation>Charge</translation></message>
     <message><source>{0} to start the boot loader.</source>
         <translation>{0} pour démarrer le chargeur d'amorçage.</translation></message>
     <message><source>brake</source>
         <translation>freinage</translation></message>
-    <message><source>No signal at input {0}</source>
-        <translation>Pas de signal à l'entrée {0}</translation></message>
-    <message><source>The current that motor {0} draws at full speed; at the right end it stalls, which triggers current limits and faults</source>
-        <translation>Le courant que consomme le moteur {0} à pleine vitesse ; à l'extrémité droite, il cale, ce qui déclenche limites de courant et défauts</translation></message>
-    <message><source>Driver fault of motor {0}</source>
-        <translation>Défaut du driver du moteur {0}</translation></message>
     <message><source>Overrun</source>
         <translation>Débordement</translation></message>
+    <message><source>Input {0}</source>
+        <translation>Entrée {0}</translation></message>
+    <message><source>Plug of input {0}</source>
+        <translation>Fiche de l'entrée {0}</translation></message>
+    <message><source>Unplug input {0}: an RC input is invalid 0.1 s later</source>
+        <translation>Débrancher l'entrée {0} : une entrée RC devient non valide 0,1 s plus tard</translation></message>
+    <message><source>plugged in</source>
+        <translation>branché</translation></message>
+    <message><source>unplugged</source>
+        <translation>débranché</translation></message>
+    <message><source>switched off</source>
+        <translation>coupée</translation></message>
+    <message><source>Fault</source>
+        <translation>Défaut</translation></message>
+    <message><source>no fault</source>
+        <translation>pas de défaut</translation></message>
     <message><source>Findings about the settings</source>
         <translation>Constats sur les réglages</translation></message>
     <message numerus="yes"><source>and %n more</source>
@@ -4973,22 +4955,16 @@ avant {1}</translation></message>
         <translation>Connexion à {0} …</translation></message>
     <message><source>Disconnecting …</source>
         <translation>Déconnexion …</translation></message>
-    <message><source>The cable of the Demo {0} is unplugged. Check “Plugged in” on its panel, then connect again.</source>
-        <translation>Le câble de la démo {0} est débranché. Cochez « Branché » sur son panneau, puis reconnectez.</translation></message>
-    <message><source>Cable</source>
-        <translation>Câble</translation></message>
-    <message><source>Plugged in</source>
-        <translation>Branché</translation></message>
+    <message><source>The cable of the Demo {0} is unplugged. Plug it in on its panel, then connect again.</source>
+        <translation>Le câble de la démo {0} est débranché. Branchez-le sur son panneau, puis reconnectez.</translation></message>
     <message><source>Replies lost</source>
         <translation>Réponses perdues</translation></message>
     <message><source>Noise on the line</source>
         <translation>Bruit sur la liaison</translation></message>
-    <message><source>Cable plugged in</source>
-        <translation>Câble branché</translation></message>
     <message><source>The Demo {0} is not running. Press Connect.</source>
         <translation>La démo {0} n'est pas en marche. Cliquez sur « Connecter ».</translation></message>
-    <message><source>The cable is unplugged. Check “Plugged in”, then press Connect.</source>
-        <translation>Le câble est débranché. Cochez « Branché », puis cliquez sur « Connecter ».</translation></message>
+    <message><source>The cable is unplugged. Plug it in, then press Connect.</source>
+        <translation>Le câble est débranché. Branchez-le, puis cliquez sur « Connecter ».</translation></message>
     <message><source>The cable is plugged in again. Press Connect.</source>
         <translation>Le câble est de nouveau branché. Cliquez sur « Connecter ».</translation></message>
     <message><source>The Demo {0} is starting …</source>
