@@ -113,7 +113,8 @@ def test_frozen_window_reports_the_confirmed_stop(driven: DrivenDevice) -> None:
     assert driven.motors.stop_reason == STOOD_STILL
     cleared: list[bool] = []
     driven.notifier.cleared.connect(lambda: cleared.append(driven.motors.armed))
-    driven.wait(lambda: driven.motors.arm() or driven.motors.armed)
+    driven.wait(lambda: driven.motors.can_arm)
+    driven.motors.arm()
     assert cleared == [True], "the message is over"
 
 
