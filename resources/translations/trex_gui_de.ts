@@ -1299,8 +1299,8 @@
         <translation>Gestoppt. {0}</translation></message>
     <message><source>Arm the motors again to go on.</source>
         <translation>Geben Sie sie wieder frei, um fortzufahren.</translation></message>
-    <message><source>Not armed: nothing is sent yet.</source>
-        <translation>Nicht freigegeben: Es wird noch nichts gesendet.</translation></message>
+    <message><source>Not armed: no motor is driven.</source>
+        <translation>Nicht freigegeben: Kein Motor wird angesteuert.</translation></message>
     <message><source>Put the robot on blocks, then arm the motors.</source>
         <translation>Bocken Sie den Roboter auf und geben Sie dann die Motoren frei.</translation></message>
     <message><source>Motor {0} is slowed down: current over the limit.</source>

@@ -1299,7 +1299,7 @@
         <translation>Arrêt effectué. {0}</translation></message>
     <message><source>Arm the motors again to go on.</source>
         <translation>Réactivez-les pour continuer.</translation></message>
-    <message><source>Not armed: nothing is sent yet.</source>
+    <message><source>Not armed: no motor is driven.</source>
         <translation>Moteurs non activés : rien n'est encore envoyé.</translation></message>
     <message><source>Put the robot on blocks, then arm the motors.</source>
         <translation>Posez le robot sur cales, puis activez les moteurs.</translation></message>

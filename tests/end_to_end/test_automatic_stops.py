@@ -15,7 +15,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 
 LOCKED = "The screen was locked"
 MISTAKEN = "Internal error (ValueError)"
-NOT_ARMED = "Not armed: nothing is sent yet."
+NOT_ARMED = "Not armed: no motor is driven."
 
 
 def stopped(reason: str) -> str:

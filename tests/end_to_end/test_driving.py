@@ -59,7 +59,7 @@ def test_unarmed_controls_send_nothing(page: MotorsPage) -> None:
     assert not page.is_armed()
     assert page.simulator.show()["motors"] == before
     assert not moving(sent)
-    assert "nothing is sent yet" in page.text("motorsReason")
+    assert "no motor is driven" in page.text("motorsReason")
 
 
 def test_slider_entry_and_brake_button_drive_their_motor(armed: MotorsPage) -> None:

@@ -113,7 +113,7 @@ RC = BoardInputs(mode=Mode.RC, by_serial=False)
             [DriveBlocker.SEVERAL_BOARDS],
             "would reach several boards",
         ),
-        (DriveInputs(board=SERIAL), [DriveBlocker.NOT_ARMED], "nothing is sent yet"),
+        (DriveInputs(board=SERIAL), [DriveBlocker.NOT_ARMED], "no motor is driven"),
         (
             DriveInputs(board=SERIAL, stop_reason="The gamepad is gone."),
             [DriveBlocker.STOPPED],

@@ -125,7 +125,7 @@ class DriveBlocker(Enum):
     STOPPED = (Effect.BLOCKS, tr_noop("Stopped. {0}"), tr_noop("Arm the motors again to go on."))
     NOT_ARMED = (
         Effect.BLOCKS,
-        tr_noop("Not armed: nothing is sent yet."),
+        tr_noop("Not armed: no motor is driven."),
         tr_noop("Put the robot on blocks, then arm the motors."),
     )
     OVER_LIMIT = (
