@@ -1,8 +1,7 @@
 """Many rows of samples in bounded memory; any span is drawn and summarized at once.
 
 A plot of an hour needs the extremes of some hundred spans of samples. `SampleColumn` keeps those of
-blocks of rows, of blocks of blocks, and so on: they cost the same for eight samples and for a
-hundred thousand.
+blocks of rows: a million samples cost as much as some ten thousand.
 """
 
 import itertools
@@ -24,9 +23,8 @@ MAX_GAP = 0.5  # seconds without a sample that interrupt a curve: 40 samples of 
 _FIRST_ROOM = 4096
 
 _MAX_GAPS_DRAWN = 200  # gaps drawn in one plot; where there are more, only the longest
-FACTOR = 8  # rows in a block of the lowest level, and blocks in one of the next
-_BATCH = 64  # rows summarized at once: as many cost little more than a single block
-MAX_LEVELS = 6  # the largest block has 8 to the power of 6 rows: 55 minutes at 80 samples a second
+BLOCK = 64  # rows summarized at once
+_STEPS = 16  # parts of the capacity, of which one is dropped at once
 
 
 class SampleColumn:
@@ -34,103 +32,73 @@ class SampleColumn:
 
     NaN is left out; a block of nothing else is NaN itself. Integrals are by the trapezoidal rule:
     the interval before a row belongs to the row, and counts nothing if it is longer than `max_gap`
-    seconds or has NaN at one end. They are kept from the second level on: below, they would take
-    more memory than the values, and summing 64 rows costs little.
+    seconds or has NaN at one end.
     """
 
-    def __init__(self, kind: str, levels: int, max_gap: float) -> None:
-        self._kind = kind
-        self._levels = levels
+    def __init__(self, kind: str, max_gap: float) -> None:
         self._max_gap = max_gap
-        self._done = [0] * (levels + 1)  # whole blocks of each level; level 0: summarized rows
         self.values: Floats = np.empty(0, kind)
-        self._extremes: list[Floats] = [np.empty((2, 0), kind) for _ in range(levels + 1)]
-        self._integrals: list[Floats] = [np.empty((3, 0)) for _ in range(levels + 1)]
+        self._blocks = 0  # those summarized
+        self._extremes: Floats = np.empty((2, 0), kind)  # lowest and highest value
+        self._integrals: Floats = np.empty((3, 0))  # seconds, integral, integral of squares
 
     def resize(self, rows: int, size: int) -> None:
         """Make room for so many rows; the first `size` are in use."""
         self.values = _resized(self.values, rows, size)
-        for level in range(1, self._levels + 1):
-            room, done = rows // FACTOR**level, self._done[level]
-            self._extremes[level] = _resized(self._extremes[level], room, done)
-            if level > 1:
-                self._integrals[level] = _resized(self._integrals[level], room, done)
+        self._extremes = _resized(self._extremes, rows // BLOCK, self._blocks)
+        self._integrals = _resized(self._integrals, rows // BLOCK, self._blocks)
 
     def summarize(self, times: Floats, size: int) -> None:
-        """Summarize the rows up to `size` in batches; none is read twice."""
-        if size - self._done[0] < _BATCH:
+        """Summarize the whole blocks of the rows up to `size`; no row is read twice."""
+        first, stop = self._blocks, size // BLOCK
+        if first == stop:
             return
-        self._done[0] = size
-        for level in range(1, self._levels + 1):
-            first, done = self._done[level], self._done[level - 1] // FACTOR
-            if done == first:
-                return
-            begin, end = first * FACTOR, done * FACTOR
-            below = (self.values, self.values) if level == 1 else self._extremes[level - 1]
-            for reduce, summary, part in zip(
-                (np.fmin, np.fmax), self._extremes[level], below, strict=True
-            ):
-                reduce.reduce(part[begin:end].reshape(-1, FACTOR), axis=1, out=summary[first:done])
-            if level > 1:
-                if level == 2:
-                    added = self._intervals(times, begin * FACTOR, end * FACTOR)
-                else:
-                    added = self._integrals[level - 1][:, begin:end]
-                parts = added.reshape(3, done - first, -1)
-                np.add.reduce(parts, axis=2, out=self._integrals[level][:, first:done])
-            self._done[level] = done
+        begin, end = first * BLOCK, stop * BLOCK
+        values = self.values[begin:end].reshape(-1, BLOCK)
+        for reduce, summary in zip((np.fmin, np.fmax), self._extremes, strict=True):
+            reduce.reduce(values, axis=1, out=summary[first:stop])
+        added = self._intervals(times, begin, end).reshape(3, -1, BLOCK)
+        np.add.reduce(added, axis=2, out=self._integrals[:, first:stop])
+        self._blocks = stop
 
     def drop(self, rows: int, left: int) -> None:
-        """Drop the first rows; so many are left."""
+        """Drop the first rows, which are whole blocks; so many are left."""
         self.values[:left] = self.values[rows : rows + left].copy()
-        for level in range(self._levels + 1):
-            gone, done = rows // FACTOR**level, self._done[level]
-            if level and done > gone:
-                for blocks in (self._extremes[level], self._integrals[level]):
-                    if blocks.shape[1]:
-                        blocks[:, : done - gone] = blocks[:, gone:done].copy()
-            self._done[level] = max(0, done - gone)
+        gone, blocks = rows // BLOCK, self._blocks
+        self._blocks -= gone
+        for summaries in (self._extremes, self._integrals):
+            summaries[:, : self._blocks] = summaries[:, gone:blocks].copy()
 
     def extremes(
         self, first: int, stop: int, least: int
     ) -> tuple[NDArray[np.intp], Floats, Floats]:
-        """Return where the blocks that cover rows `first` to `stop` begin, and their extremes.
+        """Return where the parts of rows `first` to `stop` begin, and their extremes.
 
-        They are as large as possible while there are at least `least` of them, and smaller at
-        the ends, so that they cover exactly these rows.
+        They are blocks, and single rows at the ends. With fewer than `least` blocks all are rows.
         """
-        top = 0
-        while top < self._levels and (stop - first) // FACTOR ** (top + 1) >= least:
-            top += 1
-        if first >= stop:
-            return np.empty(0, np.intp), np.empty(0), np.empty(0)
-        starts, lows, highs = [], [], []
-        for level, begin, end in self._cover(first, stop, top):
-            size = FACTOR**level
-            span = slice(begin // size, end // size)
-            low, high = self._extremes[level] if level else (self.values, self.values)
-            starts.append(np.arange(begin, end, size))
-            lows.append(low[span])
-            highs.append(high[span])
-        return np.concatenate(starts), np.concatenate(lows), np.concatenate(highs)
+        begin, end = self._whole_blocks(first, stop)
+        if end - begin < least * BLOCK:
+            begin = end = stop
+        ends = np.arange(first, begin), np.arange(end, stop)
+        starts = np.concatenate([ends[0], np.arange(begin, end, BLOCK), ends[1]])
+        before, after = self.values[first:begin], self.values[end:stop]
+        blocks = self._extremes[:, begin // BLOCK : end // BLOCK]
+        low, high = (np.concatenate([before, each, after]) for each in blocks)
+        return starts, low, high
 
     def integrals(self, times: Floats, first: int, stop: int) -> tuple[float, float, float]:
         """Return seconds, integral and integral of squares between rows `first` and `stop` - 1."""
-        total = np.zeros(3)
-        for level, begin, end in self._cover(first + 1, stop, self._levels):
-            size = FACTOR**level
-            if level > 1:
-                total += self._integrals[level][:, begin // size : end // size].sum(axis=1)
-            else:
-                total += self._intervals(times, begin, end).sum(axis=1)
+        begin, end = self._whole_blocks(first + 1, stop)
+        total = self._integrals[:, begin // BLOCK : end // BLOCK].sum(axis=1)
+        for part in ((first + 1, begin), (end, stop)):
+            total += self._intervals(times, *part).sum(axis=1)
         seconds, integral, squares = total.tolist()
         return seconds, integral, squares
 
-    def _cover(self, first: int, stop: int, top: int) -> list[tuple[int, int, int]]:
-        """Return (level, from, to) of whole blocks, none above `top`, that cover these rows."""
-        done = max(first, min(stop, self._done[0]))
-        blocks = _whole_blocks(first, done, top)
-        return [*blocks, (0, done, stop)] if done < stop else blocks
+    def _whole_blocks(self, first: int, stop: int) -> tuple[int, int]:
+        """Return the first row of summarized blocks within these, and the row after the last."""
+        begin, end = -(-first // BLOCK) * BLOCK, min(stop // BLOCK, self._blocks) * BLOCK
+        return (begin, end) if begin < end else (stop, stop)
 
     def _intervals(self, times: Floats, first: int, stop: int) -> Floats:
         """Return what the interval before each row adds: (integrals, rows)."""
@@ -152,22 +120,6 @@ def _resized(array: Floats, room: int, used: int) -> Floats:
     grown = np.empty((*array.shape[:-1], room), array.dtype)
     grown[..., :used] = array[..., :used]
     return grown
-
-
-def _whole_blocks(first: int, stop: int, top: int) -> list[tuple[int, int, int]]:
-    if first >= stop:
-        return []
-    if top == 0:
-        return [(0, first, stop)]
-    size = FACTOR**top
-    begin, end = -(-first // size) * size, stop // size * size
-    if begin >= end:
-        return _whole_blocks(first, stop, top - 1)
-    return [
-        *_whole_blocks(first, begin, top - 1),
-        (top, begin, end),
-        *_whole_blocks(end, stop, top - 1),
-    ]
 
 
 @dataclass(frozen=True, slots=True)
@@ -204,19 +156,14 @@ class SampleHistory:
         self._kinds = ["float64"] * columns if isinstance(columns, int) else columns
         self.columns = len(self._kinds)
         self._max_gap = max_gap
-        # Rows are dropped in steps that hold whole blocks of every level, and are short beside
-        # the capacity: until a step is full, its rows are kept, too.
-        levels = 2
-        while levels < MAX_LEVELS and 16 * FACTOR ** (levels + 1) <= capacity:
-            levels += 1
-        self._levels = levels
-        self._step = FACTOR**levels
+        # Until a step of whole blocks can be dropped, its rows are kept, too.
+        self._step = max(1, capacity // (_STEPS * BLOCK)) * BLOCK
         self._max_rows = -(-capacity // self._step) * self._step + self._step
         self.clear()
 
     def clear(self) -> None:
         self._times: Floats = np.empty(0)
-        self._columns = [SampleColumn(kind, self._levels, self._max_gap) for kind in self._kinds]
+        self._columns = [SampleColumn(kind, self._max_gap) for kind in self._kinds]
         self._size = 0
         self._gaps: list[tuple[float, float]] = []  # when each ended and how long it was
 
@@ -369,8 +316,10 @@ class SampleHistory:
         if stop - first <= 2 * bins + 2:
             return self._times[first:stop].copy(), column_values[first:stop].copy()
         starts, low, high = self._columns[column].extremes(first, stop, 2 * bins)
-        bin_of = np.floor(self._times[starts] / width)
-        heads = np.flatnonzero(np.diff(bin_of, prepend=math.nan) != 0)
+        times = self._times[first:stop]
+        ends = np.arange(math.floor(times[0] / width), math.floor(times[-1] / width)) + 1
+        heads = np.unique(starts.searchsorted([first, *(first + times.searchsorted(ends * width))]))
+        heads = heads[heads < len(starts)]
         low, high = np.fmin.reduceat(low, heads), np.fmax.reduceat(high, heads)
         begins = starts[heads]
         ends = np.append(begins[1:], stop) - 1
