@@ -5,7 +5,6 @@ from enum import IntEnum, auto
 
 from PySide6.QtCore import (
     QAbstractTableModel,
-    QEvent,
     QModelIndex,
     QObject,
     QPersistentModelIndex,
@@ -59,6 +58,12 @@ class TraceColumn(IntEnum):
     LOW = auto()
 
 
+_STATISTICS = {  # fields of `Statistics`
+    TraceColumn.PEAK: "high",
+    TraceColumn.MEAN: "mean",
+    TraceColumn.RMS: "rms",
+    TraceColumn.LOW: "low",
+}
 _WIDEST = {TraceColumn.NOW: f"{WARNING_SIGN} 00.00 A", TraceColumn.CHARGE: "000.00 mAh"}
 
 
@@ -110,14 +115,13 @@ class TraceTable(QAbstractTableModel):
         )
 
     def is_needed(self, column: TraceColumn) -> bool:
-        match column:
-            case TraceColumn.DIFFERENCE:
-                return self._plot.mark_time is not None
-            case TraceColumn.HELD:
-                return self._plot.peaks_since is not None
-            case TraceColumn.LIMIT if self._plot.source is not None:
-                return bool(self._plot.source.limits)
-        return True
+        plot = self._plot
+        needed = {
+            TraceColumn.DIFFERENCE: plot.mark_time is not None,
+            TraceColumn.HELD: plot.peaks_since is not None,
+            TraceColumn.LIMIT: plot.source is None or bool(plot.source.limits),
+        }
+        return needed.get(column, True)
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 - as Qt has it
         return 0 if parent.isValid() else len(self._traces)
@@ -184,25 +188,18 @@ class TraceTable(QAbstractTableModel):
 
     def _text(self, trace: TraceInfo, column: TraceColumn) -> str:
         source, unit = self._plot.source, trace.unit
-        shown = trace.name in self._plot.shown or column is TraceColumn.LIMIT
-        if source is None or not shown:
+        if source is None or not (trace.name in self._plot.shown or column is TraceColumn.LIMIT):
             return ""
-        found = self._statistics.get(trace.name, Statistics())
-        match column:
-            case TraceColumn.LOW:
-                return value_text(found.low, unit)
-            case TraceColumn.PEAK:
-                return value_text(found.high, unit)
-            case TraceColumn.MEAN:
-                return mean_text(found.mean, unit)
-            case TraceColumn.RMS:
-                return mean_text(found.rms, unit)
-            case TraceColumn.CHARGE:
-                return charge_text(found) if unit == "A" else ""
+        if column is TraceColumn.CHARGE:
+            found = self._statistics.get(trace.name, Statistics())
+            return charge_text(found) if unit == "A" else ""
         value = self._value(source, trace.name, column)
+        if value is None:
+            return ""
+        if column in {TraceColumn.MEAN, TraceColumn.RMS}:
+            return mean_text(value, unit)
         near = self._limit_state(trace, column) is not LimitState.BELOW
-        sign = f"{WARNING_SIGN} " if near else ""
-        return "" if value is None else sign + value_text(value, unit)
+        return f"{WARNING_SIGN} {value_text(value, unit)}" if near else value_text(value, unit)
 
     def _limit_state(self, trace: TraceInfo, column: TraceColumn) -> LimitState:
         source = self._plot.source
@@ -220,24 +217,24 @@ class TraceTable(QAbstractTableModel):
         return text.format(trace.label, self._heads[column][0], self._text(trace, column))
 
     def _value(self, source: Traces, name: str, column: TraceColumn) -> float | None:
-        plot = self._plot
-        cursor = math.nan
-        if plot.cursor_time is not None:
-            cursor = source.value_at(name, plot.cursor_time)
+        cursor, mark = self._plot.cursor_time, self._plot.mark_time
         match column:
             case TraceColumn.NOW if source.span is not None:
                 return source.value_at(name, source.span[1])
-            case TraceColumn.CURSOR:
-                return cursor
-            case TraceColumn.DIFFERENCE:
-                if plot.mark_time is None or plot.cursor_time is None:
-                    return None
-                return cursor - source.value_at(name, plot.mark_time)
+            case TraceColumn.CURSOR if cursor is not None:
+                return source.value_at(name, cursor)
+            case TraceColumn.NOW | TraceColumn.CURSOR:
+                return math.nan
+            case TraceColumn.DIFFERENCE if cursor is not None and mark is not None:
+                return source.value_at(name, cursor) - source.value_at(name, mark)
             case TraceColumn.HELD:
-                return plot.peak_of(name)
+                return self._plot.peak_of(name)
             case TraceColumn.LIMIT:
                 return source.limits.get(name)
-        return math.nan
+            case column if field := _STATISTICS.get(column):
+                value: float = getattr(self._statistics.get(name, Statistics()), field)
+                return value
+        return None
 
 
 def swatch(color: QColor, size: QSize, *, dotted: bool = False) -> QPixmap:
@@ -280,9 +277,8 @@ class TraceTableView(QTableView):
                 self.setColumnHidden(column, not self._table.is_needed(column))
 
     def full_width(self) -> int:
-        bar = self.verticalScrollBar()
-        beside = bar.sizeHint().width() if bar.isVisibleTo(self) else 0
-        return self.horizontalHeader().length() + beside + 2 * self.frameWidth() + 2
+        bar = self.verticalScrollBar().sizeHint().width()
+        return self.horizontalHeader().length() + bar + 2 * self.frameWidth() + 2
 
     def _height_of(self, rows: float) -> int:
         return self.horizontalHeader().sizeHint().height() + round(rows * self._row)
@@ -373,17 +369,17 @@ class FiguresAndEvents(QSplitter):
         super().__init__(Qt.Orientation.Horizontal, parent)
         self.setObjectName("figuresSplitter")
         self._figures = figures
-        self._is_moved = False
-        self._is_resizing = False
         self._events = events
+        self.moved = False  # by the user
         self.addWidget(figures)
         self.addWidget(events)
-        follow_theme(self, "room", self._take_room)
         self.setChildrenCollapsible(False)
-        figures.horizontalHeader().geometriesChanged.connect(self._share)
-        figures.horizontalHeader().sectionResized.connect(self._share)
-        figures.verticalScrollBar().installEventFilter(self)
-        self.splitterMoved.connect(self.keep_sizes)
+        follow_theme(self, "room", self._take_room)
+        # Later: sharing while Qt moves the parts would leave one over the other.
+        later, header = Qt.ConnectionType.QueuedConnection, figures.horizontalHeader()
+        for changed in (header.geometriesChanged, header.sectionResized):
+            changed.connect(self._share, later)
+        self.splitterMoved.connect(lambda: setattr(self, "moved", True))
 
     def _take_room(self) -> None:
         character = self._events.fontMetrics().averageCharWidth()
@@ -391,27 +387,12 @@ class FiguresAndEvents(QSplitter):
         self._share()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        # Sharing while Qt moves the parts would leave one over the other.
-        self._is_resizing = True
         super().resizeEvent(event)
-        self._is_resizing = False
         self._share()
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Share the width again when the scroll bar appears or disappears."""
-        if event.type() in {QEvent.Type.Show, QEvent.Type.Hide}:
-            self._share()
-        return super().eventFilter(watched, event)
 
     @Slot()
     def _share(self) -> None:
         room = self.width() - self.handleWidth()
-        if self._is_moved or self._is_resizing or room <= 0:
-            return
-        figures = min(self._figures.full_width(), room - self._events.minimumWidth())
-        if self.sizes()[0] != figures:
+        if not self.moved and room > 0:
+            figures = min(self._figures.full_width(), room - self._events.minimumWidth())
             self.setSizes([figures, room - figures])
-
-    @Slot()
-    def keep_sizes(self) -> None:
-        self._is_moved = True

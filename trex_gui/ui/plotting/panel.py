@@ -95,8 +95,7 @@ class TracePanel(QWidget):
         column(bar, self._note, (parts, 1), into=self, margins=0)
         tab_order(self._hold, self.layout_button, self.export, self.plot, self._view, self._list)
         self._restore_layout(parts, "plot_splitter")
-        if self._restore_layout(below, "figures_splitter"):
-            below.keep_sizes()
+        below.moved = self._restore_layout(below, "figures_splitter")
         seconds = self._store.real(f"{self._key}window", _USUAL_SECONDS, MIN_SPAN, MAX_SPAN)
         self.plot.set_window(seconds)
         self._show_top(self._store.real(f"{self._key}top", 0, 0, LARGEST_TOP))
