@@ -4,7 +4,6 @@ import csv
 from pathlib import Path
 
 import pytest
-from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QApplication, QLabel, QTableView
 from shiboken6 import Shiboken
 
@@ -61,7 +60,7 @@ def test_currents_are_shown_and_exported(
 def test_plot_in_its_own_window_is_drawn_beside_another_page(
     page: CurrentsPage, quick_simulator: SimulatedDevice
 ) -> None:
-    page.parts.find(QAction, "plotWindowAction").trigger()
+    page.trigger("plot")
     page.open_page("motorsPage")
     (shown,) = (each for each in QApplication.topLevelWidgets() if isinstance(each, PlotWindow))
     shown.panel.plot.set_window(10)

@@ -94,7 +94,7 @@ def test_times_are_formatted_as_minutes_and_seconds() -> None:
     [
         (5, ["5 s", "4 s", "3 s", "2 s", "1 s", "now"]),
         (30, ["30 s", "25 s", "20 s", "15 s", "10 s", "5 s", "now"]),
-        (120, ["2 min", "90 s", "1 min", "30 s", "now"]),
+        (120, ["2 min", "1.5 min", "1 min", "30 s", "now"]),
         (600, ["10 min", "8 min", "6 min", "4 min", "2 min", "now"]),
         (3600, ["1 h", "50 min", "40 min", "30 min", "20 min", "10 min", "now"]),
     ],

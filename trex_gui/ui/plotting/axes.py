@@ -145,20 +145,18 @@ def time_step(length: float) -> float:
     return next(steps, round_up(length / _MAX_TIME_LABELS))
 
 
+def duration_text(seconds: float) -> str:
+    if seconds < 60:
+        return tr("{n} s").format(n=f"{Number(seconds):.3g}")
+    if seconds < 3600:
+        return tr("{n} min").format(n=f"{Number(seconds / 60):.3g}")
+    return tr("{n} h").format(n=f"{Number(seconds / 3600):.3g}")
+
+
 def ago_labels(length: float) -> Labels:
     """Return labels for the last seconds, counted from the right edge: `30 s` ... `now`."""
-    labels = []
-    for x in ticks(-length, 0, time_step(length)):
-        if abs(x) < 1e-9:
-            text = tr("now")
-        elif length >= 3600 and round(-x, 6) % 3600 == 0:
-            text = tr("{n} h").format(n=f"{Number(-x / 3600):g}")
-        elif length >= 120 and round(-x, 6) % 60 == 0:
-            text = tr("{n} min").format(n=f"{Number(-x / 60):g}")
-        else:
-            text = tr("{n} s").format(n=f"{Number(-x):g}")
-        labels.append((x, text))
-    return labels
+    marks = ticks(-length, 0, time_step(length))
+    return [(x, tr("now") if abs(x) < 1e-9 else duration_text(-x)) for x in marks]
 
 
 def since_labels(start: float, end: float) -> Labels:
@@ -208,7 +206,7 @@ class Span:
         self.length = min(max(seconds, MIN_SPAN), MAX_SPAN)
 
     def choose_length(self, seconds: float) -> None:
-        """Show that many seconds, when live again as well."""
+        """Show that many seconds, also when live again."""
         self.set_length(seconds)
         self._live_length = self.length
 

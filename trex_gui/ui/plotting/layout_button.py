@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QPoint, QSize, Qt, Slot
 from PySide6.QtGui import QIcon
-from PySide6.QtWidgets import QFileDialog, QMenu, QToolButton, QWidget
+from PySide6.QtWidgets import QMenu, QToolButton, QWidget
 
 from trex_gui.core.files import load, save
 from trex_gui.core.translation import tr
@@ -73,11 +73,8 @@ class LayoutButton(QToolButton):
         set_icon(self, "settings")
         menu = QMenu(parent)
         self.setMenu(menu)
-        self._window = action(self, "plotWindowAction", tr("Show in a &window of its own"))
-        self._window.setVisible(False)
         self._colors = QMenu(tr("&Colours"), menu)
         self._colors.aboutToShow.connect(self._fill_colors)
-        menu.addAction(self._window)
         menu.addMenu(self._colors)
         menu.addSeparator()
         for name, text, slot in (
@@ -86,11 +83,6 @@ class LayoutButton(QToolButton):
             ("layoutResetAction", tr("&Reset layout"), partial(self._use, None)),
         ):
             menu.addAction(action(self, name, text, on_trigger=slot))
-
-    def offer_window(self, show: Callable[[], object]) -> None:
-        """Let the user show the same plot in a window of its own."""
-        self._window.triggered.connect(lambda _checked: show())
-        self._window.setVisible(True)
 
     @Slot()
     def _fill_colors(self) -> None:
@@ -120,14 +112,9 @@ class LayoutButton(QToolButton):
         menu.popup(place)
 
     def _ask_and_open(self) -> None:
-        chosen, _ = QFileDialog.getOpenFileName(
-            self.window(),
-            tr("Open layout"),
-            str(file_questions.last_folder()),
-            self._filter(),
-        )
-        if chosen:
-            self.open(Path(chosen))
+        path = file_questions.ask_to_open(self.window(), tr("Open layout"), self._filter())
+        if path is not None:
+            self.open(path)
 
     def open(self, path: Path) -> None:
         """Show the plot as a file says; the file is read beside the window's thread."""

@@ -1,7 +1,7 @@
 """Layouts of a plot as small TOML files: time shown, range, and each curve with its colour."""
 
 import tomllib
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from reprlib import repr as shortened  # a table may be nested, too
 from typing import Any
@@ -27,6 +27,8 @@ COLORS = {
     "foreground": "plot_text",
 }
 """Colours of curves by their names in files; each theme has its own shade of them."""
+
+_RANGES = {"seconds": (MIN_SPAN, MAX_SPAN), "top": (0, LARGEST_TOP)}
 
 
 def color_name(color: str) -> str:
@@ -72,45 +74,36 @@ def read_layout(data: bytes, name: str, known: Collection[str]) -> PlotLayout:
                 shortened(version), VERSION
             )
         raise SettingsError.of(name, message)
-    problems: list[Finding] = []
-
-    def take(key: str, check: Callable[[Any], str]) -> Any:
-        value = found.pop(key, None)
-        message = tr("is missing") if value is None else check(value)
-        if message:
-            problems.append(Finding(None, key, message))
-        return value
-
-    def check_curves(curves: Any) -> str:
-        if not isinstance(curves, dict):
-            return tr("is not a table of curves")
-        for curve, color in curves.items():
-            if curve not in known:
-                message = tr("is no curve of this plot, which has {0}").format(", ".join(known))
-                problems.append(Finding(None, curve, message))
-            elif not isinstance(color, str) or color not in COLORS:
-                message = tr("has the colour {0}, which is none of {1}").format(
-                    shortened(color), ", ".join(COLORS)
-                )
-                problems.append(Finding(None, curve, message))
-        return ""
-
-    seconds = take("seconds", lambda value: _number(value, MIN_SPAN, MAX_SPAN))
-    top = take("top", lambda value: _number(value, 0, LARGEST_TOP))
-    curves = take("curves", check_curves)
-    problems += [Finding(None, key, tr("is not known in a plot layout")) for key in found]
-    if problems:
+    if problems := [Finding(None, *problem) for problem in _problems(found, known)]:
         raise SettingsError(name, problems)
-    return PlotLayout(float(seconds), float(top), curves)
+    return PlotLayout(float(found["seconds"]), float(found["top"]), found["curves"])
 
 
-def _number(value: Any, lowest: float, highest: float) -> str:
-    if (
-        isinstance(value, int | float)
-        and not isinstance(value, bool)
-        and lowest <= value <= highest
-    ):
-        return ""
-    return tr("is {0}, not a number from {1} to {2}").format(
-        shortened(value), f"{lowest:g}", f"{highest:g}"
-    )
+def _problems(found: Mapping[str, Any], known: Collection[str]) -> Iterator[tuple[str, str]]:
+    """Yield what is wrong in a layout: the key, and the message."""
+    for key in (*_RANGES, "curves"):
+        if key not in found:
+            yield key, tr("is missing")
+        elif key in _RANGES:
+            value, (lowest, highest) = found[key], _RANGES[key]
+            is_number = isinstance(value, int | float) and not isinstance(value, bool)
+            if not (is_number and lowest <= value <= highest):
+                text = tr("is {0}, not a number from {1} to {2}")
+                yield key, text.format(shortened(value), f"{lowest:g}", f"{highest:g}")
+        elif not isinstance(found[key], dict):
+            yield key, tr("is not a table of curves")
+        else:
+            yield from _curve_problems(found[key], known)
+    for key in found:
+        if key not in _RANGES and key != "curves":
+            yield key, tr("is not known in a plot layout")
+
+
+def _curve_problems(curves: Mapping[str, Any], known: Collection[str]) -> Iterator[tuple[str, str]]:
+    for curve, color in curves.items():
+        if curve not in known:
+            text = tr("is no curve of this plot, which has {0}")
+            yield curve, text.format(", ".join(known))
+        elif not isinstance(color, str) or color not in COLORS:
+            text = tr("has the colour {0}, which is none of {1}")
+            yield curve, text.format(shortened(color), ", ".join(COLORS))

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QSplitter, QWidget
 from trex_gui.core.events import Event
 from trex_gui.core.translation import Number, tr
 from trex_gui.ui.notifier import Notifier
-from trex_gui.ui.plotting.axes import MAX_SPAN, MIN_SPAN
+from trex_gui.ui.plotting.axes import MAX_SPAN, MIN_SPAN, duration_text
 from trex_gui.ui.plotting.export import ExportButton
 from trex_gui.ui.plotting.figures import EventList, FiguresAndEvents, TraceTable, TraceTableView
 from trex_gui.ui.plotting.layout_button import LayoutButton
@@ -46,7 +46,7 @@ class TracePanel(QWidget):
             self,
             "currentsWindow",
             tr("Time shown"),
-            items=[(self._length_text(seconds), seconds) for seconds in _WINDOWS],
+            items=[(duration_text(seconds), seconds) for seconds in _WINDOWS],
             on_activate=lambda index: self._choose_window(_WINDOWS[index]),
         )
         window_label = label(self, text=tr("Show the &last"), buddy=self._window)
@@ -153,13 +153,6 @@ class TracePanel(QWidget):
         self._view.show_needed_columns()
         self._list.refresh()
 
-    def _length_text(self, seconds: float) -> str:
-        if seconds < 60:
-            return tr("{n} s").format(n=f"{Number(seconds):.3g}")
-        if seconds < 3600:
-            return tr("{n} min").format(n=f"{Number(seconds / 60):.3g}")
-        return tr("{n} h").format(n=f"{Number(seconds / 3600):.3g}")
-
     def _choose_window(self, seconds: float) -> None:
         self._store.set(f"{self._key}window", seconds)
         self.plot.set_window(seconds)
@@ -235,7 +228,7 @@ class TracePanel(QWidget):
         self._pause.setText(tr("Pa&use") if span.live else tr("Back to li&ve"))
         set_icon(self._pause, "pause" if span.live else "run")
         self._window.setCurrentIndex(self._window.findData(span.length))
-        self._window.setPlaceholderText(self._length_text(span.length))
+        self._window.setPlaceholderText(duration_text(span.length))
 
     @Slot(object)
     def _on_event_chosen(self, event: Event) -> None:

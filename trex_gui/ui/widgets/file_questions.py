@@ -103,10 +103,10 @@ def remember_folder(path: Path, key: str = _FOLDER) -> None:
     Preferences().set(key, str(path.parent))
 
 
-def ask_to_open(window: QWidget, title: str) -> Path | None:
-    """Let the user choose a settings file, in the last folder first."""
+def ask_to_open(window: QWidget, title: str, filters: str = "") -> Path | None:
+    """Let the user choose a file, by default of settings, in the last folder first."""
     folder = str(last_folder())
-    chosen, _ = QFileDialog.getOpenFileName(window, title, folder, file_filter())
+    chosen, _ = QFileDialog.getOpenFileName(window, title, folder, filters or file_filter())
     return Path(chosen) if chosen else None
 
 

@@ -90,7 +90,7 @@ class TrexWorkspace(Workspace):
                 PageInfo("board", tr("B&oard"), self._make_board_page, "board"),
                 PageInfo("channels", tr("&Channels"), self._make_channels_page, "channels"),
                 PageInfo("motors", tr("&Motors"), self._make_motors_page, "motor"),
-                PageInfo("currents", tr("C&urrents"), self._make_currents_page, "plot"),
+                PageInfo("currents", tr("C&urrents"), partial(CurrentsPage, device, self), "plot"),
                 PageInfo("parameters", tr("&Parameters"), self._make_parameters_page, "settings"),
                 *diagnostics.pages(make_errors, self._make_traffic_page),
             )
@@ -165,11 +165,6 @@ class TrexWorkspace(Workspace):
         page = ParametersPage(self._device, self._linter, self)
         page.power_cycle_requested.connect(self._settings.power.guide)
         self._parameter_shown.connect(page.table.show_parameter)
-        return page
-
-    def _make_currents_page(self) -> QWidget:
-        page = CurrentsPage(self._device, self)
-        page.window_wanted.connect(self._show_plot)
         return page
 
     @Slot()

@@ -1,6 +1,5 @@
 """Currents of both motors against time, with setpoints, channels and events."""
 
-from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.trex.model.device import Device
@@ -9,8 +8,6 @@ from trex_gui.ui.widgets.builders import column
 
 
 class CurrentsPage(PlotPage):
-    window_wanted = Signal()  # the same plot in a window of its own
-
     def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("currentsPage")
@@ -21,6 +18,4 @@ class CurrentsPage(PlotPage):
             CurrentsPanel,
         )
 
-        panel = CurrentsPanel(self._device, self)
-        panel.layout_button.offer_window(self.window_wanted.emit)
-        column(panel, into=self)
+        column(CurrentsPanel(self._device, self), into=self)
