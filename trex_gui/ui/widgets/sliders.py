@@ -15,6 +15,7 @@ class PaintedSlider(QSlider, Spoken):
 
     spoken_role = QAccessible.Role.Slider
     positions_per_unit = 1.0  # of the unit in which users and screen readers see the value
+    room_below = 0  # pixels of height below groove and handle
 
     def __init__(self, lowest: int, highest: int, parent: QWidget | None = None) -> None:
         super().__init__(Qt.Orientation.Horizontal, parent)
@@ -22,10 +23,6 @@ class PaintedSlider(QSlider, Spoken):
         self.setRange(lowest, highest)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         theme().changed.connect(self.update)
-
-    def room_below(self) -> int:
-        """Return the pixels of height below groove and handle."""
-        return 0
 
     def paint_groove(self, painter: QPainter, handle: QRect) -> None:
         raise NotImplementedError
@@ -43,7 +40,7 @@ class PaintedSlider(QSlider, Spoken):
     def initStyleOption(self, option: QStyleOptionSlider) -> None:
         """Keep groove and handle, painted or clicked on, above the area below."""
         super().initStyleOption(option)
-        option.rect = self.rect().adjusted(0, 0, 0, -self.room_below())
+        option.rect = self.rect().adjusted(0, 0, 0, -self.room_below)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
@@ -101,23 +98,21 @@ class PressSlider(PaintedSlider):
             self.grabbed.emit()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Take the left button only: a middle one would make Qt jump to where it is."""
-        if event.button() is not Qt.MouseButton.LeftButton:
-            event.ignore()
-            return
-        self.grab_handle()
-        super().mousePressEvent(event)
+        """Press with the left button only: a middle one would make Qt jump to where it is."""
+        event.ignore()
+        if event.button() is Qt.MouseButton.LeftButton:
+            self.grab_handle()
+            super().mousePressEvent(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if self.held:  # a released handle must not follow the mouse
             super().mouseMoveEvent(event)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        if event.button() is not Qt.MouseButton.LeftButton:
-            event.ignore()
-            return
-        super().mouseReleaseEvent(event)
-        self.release()
+        event.ignore()
+        if event.button() is Qt.MouseButton.LeftButton:
+            super().mouseReleaseEvent(event)
+            self.release()
 
 
 class StickSlider(PaintedSlider):

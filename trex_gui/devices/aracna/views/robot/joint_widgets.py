@@ -23,6 +23,8 @@ class JointSlider(PressSlider):
     The handle stays within the limits; beyond them the groove is thin and grey.
     """
 
+    room_below = _WEDGE
+
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(0, HIGHEST, parent)
         self._limits = Limits()
@@ -68,9 +70,6 @@ class JointSlider(PressSlider):
 
     def minimumSizeHint(self) -> QSize:
         return QSize(70, self.sizeHint().height())
-
-    def room_below(self) -> int:
-        return _WEDGE
 
     def paint_groove(self, painter: QPainter, handle: QRect) -> None:
         """Paint the whole travel, and the part within the limits."""
