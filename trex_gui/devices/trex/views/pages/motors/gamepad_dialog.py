@@ -29,6 +29,7 @@ from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.leds import Lamp
 
 _LAMPS_A_ROW = 6
+_AXES = "first", "second"  # keys of rows; the other rows are buttons
 
 
 class PartBar(OutputBar):
@@ -43,8 +44,7 @@ class PartBar(OutputBar):
         value = self.value
         return "" if value is None else f"{signed_text(round(100 * value / FULL_SCALE))} %"
 
-    def _spoken_value(self) -> str:
-        return self._value_text()
+    _spoken_value = _value_text
 
     def spoken_range(self) -> SpokenRange:
         return SpokenRange(-100, round(100 * (self.value or 0) / FULL_SCALE), 100)
@@ -102,8 +102,9 @@ class PartRow(QWidget):
     chosen = Signal()  # the user chose another axis or button, or its direction
     detect_toggled = Signal(bool)  # whether to detect the one that is moved or pressed now
 
-    def __init__(self, name: str, detect: str, parent: QWidget, *, inverts: bool = False) -> None:
+    def __init__(self, name: str, parent: QWidget, *, is_axis: bool) -> None:
         super().__init__(parent)
+        detect = tr("Move it…") if is_axis else tr("Press it…")
         self._combo = ui.combo_box(self, f"gamepad{name}Combo", "", on_activate=self.chosen)
         self.label = ui.label(parent, buddy=self._combo)  # the use of the axis or button
         self._combo.setSizeAdjustPolicy(self._combo.SizeAdjustPolicy.AdjustToContents)
@@ -113,7 +114,7 @@ class PartRow(QWidget):
         )
         name = f"gamepad{name}Invert"
         self._invert = ui.check_box(self, name, tr("Invert"), on_toggle=self.chosen)
-        self._invert.setVisible(inverts)
+        self._invert.setVisible(is_axis)
         self.setFocusProxy(self._combo)
         ui.row((self._combo, 1), self._detect, self._invert, into=self, margins=0)
 
@@ -181,15 +182,10 @@ class GamepadDialog(ReusedDialog):
             items=[(mixed, Style.MIXED), (tank, Style.TANK)],
             on_activate=self._on_edited,
         )
-        move, press = tr("Move it…"), tr("Press it…")
         self._rows = {
-            "first": PartRow("First", move, uses, inverts=True),
-            "second": PartRow("Second", move, uses, inverts=True),
-            "hold": PartRow("Hold", press, uses),
-            "stop": PartRow("Stop", press, uses),
+            key: PartRow(key.capitalize(), uses, is_axis=key in _AXES)
+            for key in (*_AXES, "hold", "stop")
         }
-        self._rows["first"].set_use(tr("&Forward"))
-        self._rows["second"].set_use(tr("&Turn"))
         self._rows["hold"].set_use(tr("&Hold to drive"))
         self._rows["stop"].set_use(tr("&Stop everything"))
         percent = partial(ui.spin_box, uses, lowest=0, suffix=" %", on_change=self._on_edited)
@@ -279,7 +275,7 @@ class GamepadDialog(ReusedDialog):
 
     def _on_detection_step(self, detector: InputDetector, state: PadState) -> None:
         row = self._rows[self._detecting]
-        if self._detecting in {"first", "second"}:
+        if self._detecting in _AXES:
             if axis := detector.axis(state):
                 row.show_part(axis.number, inverted=axis.inverted)
                 self._on_edited()
@@ -290,6 +286,9 @@ class GamepadDialog(ReusedDialog):
     @Slot()
     def _on_gamepad_changed(self) -> None:
         pad, profile = self._gamepad.pad, self._gamepad.profile
+        is_tank = profile.style is Style.TANK
+        self._rows["first"].set_use(tr("&Left motor") if is_tank else tr("&Forward"))
+        self._rows["second"].set_use(tr("Right &motor") if is_tank else tr("&Turn"))
         if pad != self._live.pad:
             old, self._live = self._live, PadView(pad, self._live.parentWidget())
             self._live_layout.replaceWidget(old, self._live)
@@ -308,10 +307,7 @@ class GamepadDialog(ReusedDialog):
         self._show_note()
 
     def _show_profile(self, pad: Pad, profile: GamepadProfile) -> None:
-        is_tank = profile.style is Style.TANK
         first, second, hold, stop = self._rows.values()
-        first.set_use(tr("&Left motor") if is_tank else tr("&Forward"))
-        second.set_use(tr("Right &motor") if is_tank else tr("&Turn"))
         for row, axis in ((first, profile.first), (second, profile.second)):
             row.set_parts(_axis_names(pad))
             row.show_part(axis.number, inverted=axis.inverted)

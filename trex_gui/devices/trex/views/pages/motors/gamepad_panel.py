@@ -1,7 +1,7 @@
 """Panel of the gamepad: switching it on, choosing one, and its state."""
 
-from PySide6.QtCore import QSignalBlocker, Qt, Slot
-from PySide6.QtGui import QGuiApplication, QHideEvent, QShowEvent
+from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Slot
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.translation import tr
@@ -34,7 +34,11 @@ class GamepadPanel(QWidget):
         )
         title = tr("Gamepad")
         self._pads = ui.combo_box(
-            self, "gamepadCombo", title, tip=title, on_activate=self._on_pad_activated
+            self,
+            "gamepadCombo",
+            title,
+            tip=title,
+            on_activate=lambda index: self.gamepad.choose(self.gamepad.pads[index]),
         )
         adjust = ComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         self._pads.setSizeAdjustPolicy(adjust)
@@ -67,11 +71,6 @@ class GamepadPanel(QWidget):
             app.applicationStateChanged.connect(self._attend)
         self._on_gamepad_changed()
 
-    @Slot(int)
-    def _on_pad_activated(self, index: int) -> None:
-        if 0 <= index < len(self.gamepad.pads):
-            self.gamepad.choose(self.gamepad.pads[index])
-
     @Slot()
     def _on_set_up_clicked(self) -> None:
         if self._dialog is None:
@@ -100,13 +99,11 @@ class GamepadPanel(QWidget):
         self._state.setAccessibleName(gamepad.text or tr("Gamepad"))
         self._attend()
 
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        self._attend()
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        super().hideEvent(event)
-        self._attend()
+    def event(self, event: QEvent) -> bool:
+        handled = super().event(event)
+        if event.type() in {QEvent.Type.Show, QEvent.Type.Hide}:
+            self._attend()
+        return handled
 
     @Slot()
     def _attend(self) -> None:

@@ -71,8 +71,8 @@ class DriveWith(ui.Card):
     def __init__(self, device: Device, parent: QWidget) -> None:
         super().__init__(tr("Drive with"), parent)
         self.setObjectName("driveWith")
-        self._motors = motors = device.motors
-        self._joint = False
+        self._device, self._motors = device, device.motors
+        motors = device.motors
         tip = tr(
             "Held keys drive wherever the focus is on this page, except in number fields, "
             "tables and lists; sliders then get no arrow keys. In the pad they always drive."
@@ -86,13 +86,9 @@ class DriveWith(ui.Card):
         set_look(self.more, "link")
         more = self.more, 0, Qt.AlignmentFlag.AlignLeft
         ui.column(self.keys, self._link, gamepad, more, 1, into=self, margins=0, spacing=4)
-        motors.options_changed.connect(self._show_link)
-        motors.board_changed.connect(self._on_board_changed)
-        motors.setpoints_changed.connect(self._show_link)
-        self._show_link()
-
-    def set_joint(self, joint: bool) -> None:
-        self._joint = joint
+        for changed in (motors.options_changed, motors.setpoints_changed, device.state_changed):
+            changed.connect(self._show_link)
+        motors.board_changed.connect(lambda: self.keys.setChecked(False))
         self._show_link()
 
     @Slot()
@@ -101,14 +97,10 @@ class DriveWith(ui.Card):
         motors = self._motors
         can_link = motors.linked or motors.can_link
         self._link.setChecked(motors.linked)
-        self._link.setEnabled(can_link and not self._joint)
+        self._link.setEnabled(can_link and not self._device.board.is_joint)
         linked = tr("Either slider sets both motors; the robot does not turn")
         blocked = tr("The motors run differently: stop both, or give both the same speed")
         self._link.setToolTip(linked if can_link else blocked)
-
-    @Slot()
-    def _on_board_changed(self) -> None:
-        self.keys.setChecked(False)
 
 
 class Options(ui.Card):
@@ -157,17 +149,19 @@ class Options(ui.Card):
             "Stop both motors and the auxiliary when another page is shown or the window is "
             "minimised"
         )
-        self._leave = self._make_stored("stopOnLeaving", text, tip, "motors/stop_on_leaving")
+        self.stop_on_leaving = self._make_stored(
+            "stopOnLeaving", text, tip, "motors/stop_on_leaving"
+        )
         text = tr("Sliders return to &zero")
         tip = tr("A slider drives only while you hold it; letting go brakes its motor")
-        self._return = self._make_stored("returnToZero", text, tip, "motors/return_to_zero")
+        self.return_to_zero = self._make_stored("returnToZero", text, tip, "motors/return_to_zero")
 
         numbers = ui.grid(spacing=(_SPACING, _SPACING), stretch=[(0, 1)])
         for line, (text, entry) in enumerate(((title, brake), (lock_title, lock))):
             label = ui.label(self, "", text, tip=entry.toolTip(), buddy=entry)
             numbers.addWidget(label, line, 0)
             numbers.addWidget(entry, line, 1)
-        parts = accelerate, at_once, numbers, self._leave, self._return, 1
+        parts = accelerate, at_once, numbers, self.stop_on_leaving, self.return_to_zero, 1
         ui.column(*parts, into=self, margins=0, spacing=_SPACING)
 
         accelerate.toggled.connect(partial(setattr, motors, "accelerate"))
@@ -179,14 +173,6 @@ class Options(ui.Card):
         """Create a check box whose state is stored; it is cleared by default."""
         checked, store = self._store.flag(key, default=False), partial(self._store.set, key)
         return ui.check_box(self, name, text, tip=tip, checked=checked, on_toggle=store)
-
-    @property
-    def returns_to_zero(self) -> bool:
-        return self._return.isChecked()
-
-    @property
-    def stops_on_leaving(self) -> bool:
-        return self._leave.isChecked()
 
     def _on_brake_chosen(self, duty: int) -> None:
         self._motors.set_release_brake(duty)

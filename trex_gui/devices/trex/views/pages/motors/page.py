@@ -8,9 +8,14 @@ from PySide6.QtGui import QHideEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QBoxLayout, QFrame, QSizePolicy, QWidget
 
 from trex_gui.core.translation import tr, tr_noop
-from trex_gui.devices.trex.board.drive_status import drive_statuses
+from trex_gui.devices.trex.board.drive_status import (
+    AUXILIARY,
+    DriveInputs,
+    SetpointSource,
+    drive_statuses,
+    motor_setpoint,
+)
 from trex_gui.devices.trex.driving.blockers import DriveBlocker
-from trex_gui.devices.trex.driving.board_reasons import held_by_safe_start
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import drive_inputs
@@ -37,7 +42,6 @@ from trex_gui.ui.widgets.bar import NO_VALUE, WARNING_SIGN
 from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.labels import LinkLabel, PageHead
 
-_AUXILIARY = 3  # number of the auxiliary motor among the controls: that of its channel
 _UNLIMITED = 16_777_215  # the height of widgets without a limit, QWIDGETSIZE_MAX in C++
 _ANYWHERE = Qt.AlignmentFlag(0)
 _GAP = 8  # pixels between cards
@@ -59,7 +63,6 @@ class MotorsPage(QWidget):
         self._holder = ""
         self._dragged: int | None = None
         self._is_held_still = False
-        self._is_held = False  # by safe-start, while channels drive
         self._forget_holder = new_timer(self, 0, self._on_event_over, single_shot=True)
 
         self._head = PageHead("", self)
@@ -71,7 +74,7 @@ class MotorsPage(QWidget):
         self._controls = {
             1: DriveControl(tr("Motor 1"), "motor1", parent=drive_box),
             2: DriveControl(tr("Motor 2"), "motor2", parent=drive_box),
-            _AUXILIARY: DriveControl(tr("Auxiliary"), "aux", two_way=False, parent=drive_box),
+            AUXILIARY: DriveControl(tr("Auxiliary"), "aux", two_way=False, parent=drive_box),
         }
         self._side = side = QWidget(self)
         title = tr("Motor currents, 10 s")
@@ -175,7 +178,7 @@ class MotorsPage(QWidget):
 
     def _on_speed_wanted(self, number: int, speed: int) -> None:
         holder = _name(number) if self._motors.holder == _name(number) else ""
-        if number == _AUXILIARY:
+        if number == AUXILIARY:
             self._motors.set_auxiliary(speed, holder)
         else:
             self._motors.set_speed(number, speed, holder)
@@ -186,7 +189,7 @@ class MotorsPage(QWidget):
 
     def _on_grabbed(self, number: int) -> None:
         self._dragged = number
-        if self._options.returns_to_zero:
+        if self._options.return_to_zero.isChecked():
             self._motors.acquire(_name(number))
 
     def _on_released(self, number: int) -> None:
@@ -211,7 +214,6 @@ class MotorsPage(QWidget):
         for drive in (self._pad_drive, self._key_drive):
             drive.joint = joint
         self._controls[1].set_title(tr("Motor (joint)") if joint else tr("Motor 1"))
-        self._drive_with.set_joint(joint)
         self._show_stored()
         self._show_options()
 
@@ -259,38 +261,38 @@ class MotorsPage(QWidget):
 
     @Slot()
     def _show_setpoints(self) -> None:
-        ceiling = FULL_SCALE if self._channels_drive() else self._motors.ceiling
+        inputs = drive_inputs(self._device)
+        board = inputs.board if inputs.link is None else None
+        by_channels = board is not None and not board.by_serial
+        ceiling = FULL_SCALE if by_channels else self._motors.ceiling
         self._pad.set_ceiling(ceiling)
         for number, control in self._controls.items():
             control.set_ceiling(ceiling)
-            speed, text = self._setpoint_of(number)
+            speed, text = self._setpoint_of(number, inputs)
             control.show_setpoint(speed, text)
-            if number != _AUXILIARY:
+            if number != AUXILIARY:
                 side: Side = "left" if number == 1 else "right"
                 motor = 1 if self._is_unused(number) else number
                 self._pad.show_wheel(side, speed / FULL_SCALE, f"motor{motor}")
 
-    def _setpoint_of(self, number: int) -> tuple[int, str]:
-        """Return what a motor is told by this program or its channel, and words for it."""
+    def _setpoint_of(self, number: int, inputs: DriveInputs) -> tuple[int, str]:
+        """Return the speed at which a motor is set to turn, and words for it."""
         motors, telemetry = self._motors, self._device.telemetry
-        if self._is_unused(number):
-            return self._setpoint_of(1)[0], tr("works with motor 1")
-        if self._channels_drive():
-            value = telemetry.remapped_of(number)
-            if self._is_held:
-                return 0, tr("held by safe-start")
-            if value is None:
-                return 0, NO_VALUE
-            if telemetry.raw is not None and telemetry.raw_of(number) is None:
-                return 0, tr("no signal")
-            # Channel 3 drives one way only, whichever side the stick is on.
-            return abs(value) if number == _AUXILIARY else value, share_text(value)
-        if not motors.armed:
-            return 0, ""
-        if number == _AUXILIARY:
-            return motors.auxiliary, share_text(motors.auxiliary)
         drive = motors.drive(number)
-        return drive.signed if drive else 0, setpoint_text(drive)
+        sent = motors.auxiliary if number == AUXILIARY else drive.signed if drive else 0
+        setpoint = motor_setpoint(number, inputs, self._device.board.newest, sent)
+        match setpoint.source:
+            case SetpointSource.JOINT:
+                return self._setpoint_of(1, inputs)[0], tr("works with motor 1")
+            case SetpointSource.SAFE_START:
+                return 0, tr("held by safe-start")
+            case SetpointSource.CHANNEL if telemetry.raw and telemetry.raw_of(number) is None:
+                return 0, tr("no signal")
+            case SetpointSource.SERIAL if number != AUXILIARY:
+                return setpoint.speed, setpoint_text(drive)
+            case SetpointSource.SERIAL | SetpointSource.CHANNEL:
+                return setpoint.speed, share_text(setpoint.speed)
+        return 0, "" if setpoint.source is SetpointSource.NOT_ARMED else NO_VALUE
 
     @Slot()
     @only_when_visible
@@ -308,7 +310,7 @@ class MotorsPage(QWidget):
         is_sensed = device.is_connected and not device.board.is_joint
         for number, control in self._controls.items():
             report = "" if self._is_unused(number) else report_text(device, number)
-            if number == _AUXILIARY:
+            if number == AUXILIARY:
                 report = report or tr("one way")
             amps = currents.get(number) if is_sensed else None
             control.show_current(amps, device.current_limit(number), report)
@@ -316,9 +318,7 @@ class MotorsPage(QWidget):
 
     def _show_status(self) -> None:
         """Show what matters most as the title, and every other reason below it."""
-        inputs = drive_inputs(self._device)
-        self._is_held = inputs.board is not None and bool(held_by_safe_start(inputs.board))
-        first, *others = drive_statuses(inputs)
+        first, *others = drive_statuses(drive_inputs(self._device))
         title = first.text
         if first.blocker is DriveBlocker.RUNNING:
             title = tr("Armed: these controls move the motors.")
@@ -327,12 +327,6 @@ class MotorsPage(QWidget):
         self._head.show_state(more)
         self._head.title.setAccessibleName(f"{title} {more}")
         self._lost.show_loss(f"{first.text} {first.remedy}".strip())
-
-    def _channels_drive(self) -> bool:
-        state = self._device.state
-        if state is None or not self._device.is_connected or state.mode.is_serial:
-            return False
-        return not self._device.telemetry.serial_controls
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -344,7 +338,7 @@ class MotorsPage(QWidget):
         self._dragged = None
         if self._holder or is_dragged:
             self._motors.stop(tr("The Motors page was left while a control was held."))
-        elif self._options.stops_on_leaving and self._motors.armed:
+        elif self._options.stop_on_leaving.isChecked() and self._motors.armed:
             self._motors.stop(tr("The Motors page was left."))
         super().hideEvent(event)
         self._hold_still()
@@ -391,7 +385,7 @@ class LostPanel(QFrame):
 
 
 def _name(number: int) -> str:
-    return "auxiliary slider" if number == _AUXILIARY else f"motor {number} slider"
+    return "auxiliary slider" if number == AUXILIARY else f"motor {number} slider"
 
 
 _Facts = dict[str, dict[str, str]]
