@@ -27,7 +27,7 @@ class BenchTestDialog(WidgetDriver):
         super().__init__(dialog, qtbot)
         self.device, self.motors = device, device.motors
         self.bench = bench
-        self.files = dialog.files
+        self.dialog = dialog
         self.wait(lambda: dialog.findChild(BenchPlot, "benchPlot") is not None)
         self.plot = self.find(BenchPlot, "benchPlot")
         self.hold_button = self.find(HoldButton, "benchHoldButton")

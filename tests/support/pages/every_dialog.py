@@ -212,7 +212,7 @@ def _bench(window: WindowDriver, folder: Path) -> Iterator[QWidget]:
     for name, end in (("complete", End.COMPLETE), ("aborted", End.ABORTED)):
         path = folder / f"{name}.csv"
         path.write_text(to_csv(run_of(readings, end=end)), "utf-8")
-        bench.files.open(path)
+        bench.open_run(path)
         window.wait_for_files()
         yield bench
     bench.close()

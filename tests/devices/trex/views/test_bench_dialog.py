@@ -222,10 +222,10 @@ def test_reason_for_an_abort_is_shown(dialog: BenchTestDialog) -> None:
 def test_saved_run_can_be_opened(dialog: BenchTestDialog, tmp_path: Path) -> None:
     dialog.bench.add_run(run_of(READINGS))
     path = tmp_path / "test.csv"
-    dialog.files.save(dialog.bench.runs[0], path)
+    dialog.dialog.save_run(dialog.bench.runs[0], path)
     dialog.wait_for_files()
     assert "Saved as test.csv" in dialog.note
-    dialog.files.open(path)
+    dialog.dialog.open_run(path)
     dialog.wait_for_files()
     assert len(dialog.bench.runs) == 2
     assert dialog.figure(0, 2) == "+0.00 A"
@@ -245,7 +245,7 @@ def test_invalid_file_is_rejected_with_the_reason(
     path = tmp_path / "other.csv"
     if content is not None:
         path.write_bytes(content)
-    dialog.files.open(path)
+    dialog.dialog.open_run(path)
     dialog.wait_for_files()
     assert words in dialog.note
     assert dialog.bench.runs == ()
@@ -254,14 +254,14 @@ def test_invalid_file_is_rejected_with_the_reason(
 @pytest.mark.skipif(sys.platform == "win32", reason="every folder can be written to")
 def test_run_is_saved_as_a_picture_of_its_plot(dialog: BenchTestDialog, tmp_path: Path) -> None:
     dialog.bench.add_run(run_of(READINGS))
-    dialog.files.save(dialog.bench.runs[0], tmp_path / "test.PNG")
+    dialog.dialog.save_run(dialog.bench.runs[0], tmp_path / "test.PNG")
     dialog.wait_for_files()
     picture = QImage(str(tmp_path / "test.PNG"))
     plot = dialog.plot
     assert picture.width() == plot.width() * plot.devicePixelRatio()
     assert picture.height() > plot.height() * plot.devicePixelRatio(), "no room for the heading"
     assert "Saved as test.PNG" in dialog.note
-    dialog.files.save(dialog.bench.runs[0], tmp_path / "nowhere" / "test.png")
+    dialog.dialog.save_run(dialog.bench.runs[0], tmp_path / "nowhere" / "test.png")
     dialog.wait_for_files()
     assert "test.png was not saved" in dialog.note
 

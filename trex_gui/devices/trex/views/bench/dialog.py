@@ -1,25 +1,37 @@
 """The window of bench tests: hold a button, see what the motor draws, tune, hold it again."""
 
+from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSignalBlocker, Signal, Slot
 from PySide6.QtGui import QImage, QShowEvent
 from PySide6.QtWidgets import QWidget
 
+from trex_gui.core.errors import StudioError
+from trex_gui.core.files import reason_of, save
 from trex_gui.core.timing import FRAME_MS
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.bench.figures import BAND
+from trex_gui.devices.trex.bench.files import load_run, to_csv
 from trex_gui.devices.trex.bench.run import End, Run
 from trex_gui.devices.trex.model.bench import Bench, Phase
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.views.bench.forms import PlanForm, TuningForm
-from trex_gui.devices.trex.views.bench.results import BenchFiles, FiguresTable
+from trex_gui.devices.trex.views.bench.results import FiguresTable
 from trex_gui.devices.trex.views.motor_controls import ActionBar, ArmButton
+from trex_gui.ui.files import ResultT, in_background, save_picture
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import HoldButton, ReusedDialog, only_when_visible
+from trex_gui.ui.widgets.file_questions import (
+    ask_to_open,
+    ask_to_save,
+    last_folder,
+    remember_folder,
+)
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.placement import resize_with_font
 from trex_gui.ui.widgets.scroll_box import ScrollBox
@@ -31,7 +43,7 @@ _PREVIOUS, _NOTHING = -1, -2  # choices of what to compare with, beside the runs
 
 
 class BenchDialog(ReusedDialog):
-    """Not modal; closing it while a test runs stops and disarms all motors."""
+    """Not modal. Closing it while a test runs stops and disarms all motors."""
 
     stays_on_stop = True  # the result is read there
 
@@ -46,7 +58,6 @@ class BenchDialog(ReusedDialog):
         self.bench = bench
         self._message = ""
         self._plot: BenchPlot | None = None
-        self.files = BenchFiles(bench, self, self._picture)
         self._timer = new_timer(self, FRAME_MS, self._draw, single_shot=True)
         self._adding = new_timer(self, FRAME_MS, self._add_plot, single_shot=True)
 
@@ -76,9 +87,11 @@ class BenchDialog(ReusedDialog):
         ui.set_bold(self._hold)
         set_look(self._hold, "primary")
         tip = tr("Open a saved test")
-        self._open = button("benchOpenButton", tr("&Open…"), icon="open", tip=tip)
+        ask = self._ask_and_open
+        self._open = button("benchOpenButton", tr("&Open…"), icon="open", tip=tip, on_click=ask)
         tip = tr("Save this test to compare with later, or a picture of it")
-        self._save = button("benchSaveButton", tr("Sa&ve…"), icon="save", tip=tip)
+        ask = self._ask_and_save
+        self._save = button("benchSaveButton", tr("Sa&ve…"), icon="save", tip=tip, on_click=ask)
         close = button("benchCloseButton", tr("&Close"), on_click=self.close)
 
         compare_title = ui.label(self, text=tr("Compar&e with"), buddy=self._compare)
@@ -90,12 +103,9 @@ class BenchDialog(ReusedDialog):
         ui.column(self._note, (middle, 1), bar, into=self)
         ui.tab_order(left, self._compare, self._band, self._figures, bar.stop)
 
-        self._open.clicked.connect(self.files.ask_and_open)
-        self._save.clicked.connect(lambda: self.files.ask_and_save(bench.runs[-1]))
         self._band.valueChanged.connect(self._show_figures)
         self._hold.hold_started.connect(bench.start)
         self._hold.hold_ended.connect(bench.release)
-        self.files.reported.connect(self._on_reported)
         tuning.apply.clicked.connect(self.apply_requested)
         bench.changed.connect(self._on_changed)
         bench.started.connect(self._on_started)
@@ -125,15 +135,67 @@ class BenchDialog(ReusedDialog):
         ui.tab_order(self._hold, self._plot, self._compare)
         self._want_frame()
 
-    def _picture(self) -> QImage:
+    # --- Files --------------------------------------------------------------------------
+
+    @Slot()
+    def _ask_and_save(self) -> None:
+        run = self.bench.runs[-1]
+        name = f"bench_motor{run.motor}_{run.profile.shape.value}_{run.started:%Y%m%d_%H%M%S}.csv"
+        title, kinds = tr("Save bench test"), tr("Bench tests (*.csv);;Pictures (*.png)")
+        if path := ask_to_save(self, title, last_folder() / name, kinds):
+            self.save_run(run, path)
+
+    @Slot()
+    def _ask_and_open(self) -> None:
+        kinds = tr("Bench tests (*.csv);;All files (*)")
+        if path := ask_to_open(self, tr("Open bench test"), kinds):
+            self.open_run(path)
+
+    def save_run(self, run: Run, path: Path) -> None:
+        """Write a test, or a picture of the plot if the name ends in .png."""
+        if path.suffix.lower() == ".png":
+            work = partial(save_picture, path, self._picture(run))
+        else:
+            work = partial(save, path, to_csv(run))
+        text = tr("Saved as {0}.").format(path.name)
+        self._start(work, path, lambda _: self._report(text), tr("{0} was not saved: {1}."))
+
+    def open_run(self, path: Path) -> None:
+        """Read a test and add it to those that were run."""
+
+        def add(run: Run) -> None:
+            self.bench.add_run(run)
+            self._report(tr("{0}: {1}.").format(path.name, run.title))
+
+        self._start(partial(load_run, path), path, add, tr("{0} was not opened: {1}."))
+
+    def _start(
+        self,
+        work: Callable[[], ResultT],
+        path: Path,
+        then: Callable[[ResultT], object],
+        failure: str,
+    ) -> None:
+        def on_failed(error: StudioError) -> None:
+            self._report(failure.format(path.name, reason_of(error)))
+
+        remember_folder(path)
+        in_background(self, work, then, on_failed)
+
+    def _report(self, text: str) -> None:
+        self._message = text
+        self._on_text_due()
+
+    def _picture(self, run: Run) -> QImage:
         if self._plot is None:
             return QImage()
         from trex_gui.ui.plotting.export import with_heading  # noqa: PLC0415 - as the plot
 
-        run = self.bench.runs[-1]
         heading = tr("Bench test of motor {0}: {1}, {2:%Y-%m-%d %H:%M}")
         picture = self._plot.grab().toImage()
         return with_heading(picture, heading.format(run.motor, run.title, run.started))
+
+    # --- What is shown ------------------------------------------------------------------
 
     @Slot()
     def _on_changed(self) -> None:
@@ -174,11 +236,6 @@ class BenchDialog(ReusedDialog):
         }[run.end]
         return text.format(Number(run.ended), run.reason)
 
-    @Slot(str)
-    def _on_reported(self, text: str) -> None:
-        self._message = text
-        self._on_text_due()
-
     @Slot()
     def _on_started(self) -> None:
         self._message = ""
@@ -192,17 +249,17 @@ class BenchDialog(ReusedDialog):
         self._show_figures()
 
     def _fill_compare(self) -> None:
-        """Offer every test but the last; keep the choice."""
+        """Offer every test but the last, and keep the choice."""
         chosen = self._compare.currentData()
         text = tr("{0:%H:%M:%S}, motor {1}: {2}")
-        choices: list[object] = [_PREVIOUS, _NOTHING, *reversed(self.bench.runs[:-1])]
         with QSignalBlocker(self._compare):
             self._compare.clear()
             self._compare.addItem(tr("the previous test"), _PREVIOUS)
             self._compare.addItem(tr("nothing"), _NOTHING)
             for run in reversed(self.bench.runs[:-1]):
                 self._compare.addItem(text.format(run.started, run.motor, run.title), run)
-            self._compare.setCurrentIndex(choices.index(chosen) if chosen in choices else 0)
+            data = [self._compare.itemData(row) for row in range(self._compare.count())]
+            self._compare.setCurrentIndex(data.index(chosen) if chosen in data else 0)
 
     @property
     def _before(self) -> Run | None:

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from functools import partial
+from typing import TypeVar
 
 from PySide6.QtCore import QSignalBlocker, Qt, Slot
 from PySide6.QtWidgets import QDoubleSpinBox, QFormLayout, QLabel, QSpinBox, QWidget
@@ -17,6 +18,8 @@ from trex_gui.devices.trex.views.pages.parameters.editors import Editor, editor_
 from trex_gui.ui.theme.theme import set_text_color
 from trex_gui.ui.widgets import builders as ui
 
+WidgetT = TypeVar("WidgetT", bound=QWidget)
+
 _WIDEST = "127 per 100 ms (127 ms)"
 
 
@@ -29,50 +32,54 @@ def _form(parent: QWidget | None = None) -> QFormLayout:
 
 
 class PlanForm(ui.Card):
-    """Edits the plan of a bench; disabled while a test runs."""
+    """Edits the plan of a bench. It is disabled while a test runs."""
 
     def __init__(self, device: Device, bench: Bench, parent: QWidget) -> None:
         super().__init__(tr("Test"), parent)
         self._bench = bench
         self._motors = device.motors
-        combo = partial(ui.combo_box, self, on_change=self._on_edited)
-        number = partial(ui.double_spin_box, self, decimals=2, step=0.5, on_change=self._on_edited)
+        form = _form()
+        combo = partial(ui.combo_box, self, accessible="", on_change=self._on_edited)
+        spin = partial(ui.double_spin_box, self, accessible="", decimals=2, step=0.5)
+        number = partial(spin, on_change=self._on_edited)
         seconds = partial(number, lowest=SHORTEST, highest=LONGEST, suffix=tr(" s"))
 
+        def add(text: str, field: WidgetT) -> WidgetT:
+            """Add a field to the form, with its title as accessible name."""
+            field.setAccessibleName(text.replace("&", ""))
+            form.addRow(text, field)
+            return field
+
         motors = [(tr("Motor {0}").format(motor), motor) for motor in (1, 2)]
-        self._motor = combo("benchMotor", tr("Motor to test"), items=motors)
+        self._motor = add(tr("&Motor"), combo("benchMotor", items=motors))
         shapes = [
             (tr("Step: at once"), Shape.STEP),
             (tr("Ramp: rising linearly"), Shape.RAMP),
             (tr("Reverse: back and forth"), Shape.REVERSE),
             (tr("Sine"), Shape.SINE),
         ]
-        self._shape = combo("benchShape", tr("Speed profile"), items=shapes)
+        self._shape = add(tr("Pro&file"), combo("benchShape", items=shapes))
         directions = [(tr("Forward"), 1), (tr("Reverse"), -1)]
-        self._direction = combo("benchDirection", tr("First direction"), items=directions)
-        self._speed = ui.spin_box(
-            self,
-            "benchSpeed",
-            tr("Highest speed of the test"),
-            1,
-            FULL_SCALE,
-            suffix=f" / {FULL_SCALE}",
-            on_change=self._on_edited,
-        )
-        self._duration = seconds("benchDuration", tr("Duration of the test"))
-        self._period = seconds("benchPeriod", tr("Period of the test"))
+        self._direction = add(tr("Direc&tion"), combo("benchDirection", items=directions))
+        speed = ui.spin_box(self, "benchSpeed", "", 1, FULL_SCALE, on_change=self._on_edited)
+        speed.setSuffix(f" / {FULL_SCALE}")
+        self._speed = add(tr("&Speed"), speed)
+        self._duration = add(tr("&Duration"), seconds("benchDuration"))
+        self._period = seconds("benchPeriod")
         self._period_name = ui.label(self, buddy=self._period)
+        form.addRow(self._period_name, self._period)
         ways = [(tr("Accelerate"), True), (tr("Set at once"), False)]
         tip = tr(
             "Accelerate uses the board's acceleration, brake duration and current limit; "
             "Set at once bypasses the first two and, for a moment, the limit, too."
         )
-        self._sent = combo("benchSent", tr("How setpoints are sent"), items=ways, tip=tip)
+        self._sent = add(tr("Se&nt as"), combo("benchSent", items=ways, tip=tip))
         tip = tr(
             "One reading above it stops and disarms all motors. A motor draws most when it starts."
         )
-        title, most = tr("Abort current"), bench.highest_current
-        self._abort = number("benchAbort", title, 0.1, most, suffix=tr(" A"), tip=tip)
+        abort = number("benchAbort", lowest=0.1, highest=bench.highest_current, suffix=tr(" A"))
+        self._abort = add(tr("Abort &above"), abort)
+        abort.setToolTip(ui.plain(tip))
         self._at_limit = ui.check_box(
             self,
             "benchAbortAtLimit",
@@ -80,19 +87,9 @@ class PlanForm(ui.Card):
             tip=tr("Stop when the board reports that its own current limit was exceeded."),
             on_toggle=self._on_edited,
         )
+        form.addRow(self._at_limit)
         for box in (self._speed, self._duration, self._period, self._abort):
             box.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-
-        form = _form()
-        form.addRow(tr("&Motor"), self._motor)
-        form.addRow(tr("Pro&file"), self._shape)
-        form.addRow(tr("Direc&tion"), self._direction)
-        form.addRow(tr("&Speed"), self._speed)
-        form.addRow(tr("&Duration"), self._duration)
-        form.addRow(self._period_name, self._period)
-        form.addRow(tr("Se&nt as"), self._sent)
-        form.addRow(tr("Abort &above"), self._abort)
-        form.addRow(self._at_limit)
         ui.column(form, into=self)
 
         bench.changed.connect(self._on_bench_changed)
@@ -148,7 +145,9 @@ class PlanForm(ui.Card):
         self.setEnabled(not self._bench.is_driving)
 
     def _show_period(self, shape: Shape) -> None:
-        self._period_name.setText(tr("R&ises in") if shape is Shape.RAMP else tr("&Period"))
+        name = tr("R&ises in") if shape is Shape.RAMP else tr("&Period")
+        self._period_name.setText(name)
+        self._period.setAccessibleName(name.replace("&", ""))
         self._period_name.setEnabled(shape.has_period)
         self._period.setEnabled(shape.has_period)
         tips = {
@@ -197,9 +196,8 @@ class TuningForm(ui.Card):
         keys = tuple(
             key for key in self._bench.tuned_keys() if device.parameters.values.can_edit(key)
         )
-        shown = device.parameters.model_key, keys
-        if shown != self._shown:
-            self._shown = shown
+        if (device.parameters.model_key, keys) != self._shown:
+            self._shown = device.parameters.model_key, keys
             self._make_editors(keys)
         self.setTitle(tr("Settings of motor {0}").format(self._bench.plan.motor))
         self._empty.setVisible(not keys)

@@ -1,4 +1,4 @@
-"""Setpoint and current of a bench test, against time; importing it loads pyqtgraph."""
+"""Setpoint and current of a bench test, against time. Importing it loads pyqtgraph."""
 
 import math
 

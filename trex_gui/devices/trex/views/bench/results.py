@@ -1,33 +1,20 @@
-"""Results of bench tests: their figures beside those of another test, and their files."""
+"""Figures of a bench test beside those of another one."""
 
-from collections.abc import Callable
-from functools import partial
-from pathlib import Path
-from typing import Any
-
-from PySide6.QtCore import QObject, QSize, Qt, Signal
-from PySide6.QtGui import QImage
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QFileDialog,
     QHeaderView,
     QTableWidget,
     QTableWidgetItem,
     QWidget,
 )
 
-from trex_gui.core.errors import StudioError
-from trex_gui.core.files import reason_of, save
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.bench.figures import BAND, Figures, figures
-from trex_gui.devices.trex.bench.files import load_run, to_csv
 from trex_gui.devices.trex.bench.run import Run
-from trex_gui.devices.trex.model.bench import Bench
-from trex_gui.ui.files import in_background, save_picture
 from trex_gui.ui.widgets.bar import MINUS, NO_VALUE
 from trex_gui.ui.widgets.behaviour import name_headers
 from trex_gui.ui.widgets.builders import plain, set_row_height
-from trex_gui.ui.widgets.file_questions import last_folder, remember_folder
 
 
 def _rows(band: float = BAND) -> tuple[tuple[str, str, str, str], ...]:
@@ -85,7 +72,7 @@ class FiguresTable(QTableWidget):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
 
     def show_runs(self, run: Run | None, before: Run | None, band: float) -> None:
-        """Show the figures of two tests; `band` (0 to 1) of the steady current is settled."""
+        """Show the figures of two tests. Within `band` (0 to 1) the steady current is settled."""
         now, then = (Figures() if test is None else figures(test, band) for test in (run, before))
         for index, (name, field, unit, _) in enumerate(_rows(band)):
             one, other = getattr(now, field), getattr(then, field)
@@ -109,62 +96,3 @@ def _text(value: float | None, unit: str, sign: str = "") -> str:
         return NO_VALUE
     number = f"{1000 * value:{sign}.0f}" if unit == "ms" else f"{Number(value):{sign}.2f}"
     return f"{number.replace('-', MINUS)} {unit}"
-
-
-class BenchFiles(QObject):
-    """Saves tests as files or pictures, and opens files to compare with."""
-
-    reported = Signal(str)  # the result, for the user
-
-    def __init__(self, bench: Bench, window: QWidget, picture: Callable[[], QImage]) -> None:
-        """`picture` returns the plot as it is shown."""
-        super().__init__(window)
-        self._picture = picture
-        self._bench = bench
-        self._window = window
-
-    def ask_and_save(self, run: Run) -> None:
-        name = f"bench_motor{run.motor}_{run.profile.shape.value}_{run.started:%Y%m%d_%H%M%S}.csv"
-        title, kinds = tr("Save bench test"), tr("Bench tests (*.csv);;Pictures (*.png)")
-        path = str(last_folder() / name)
-        chosen, _ = QFileDialog.getSaveFileName(self._window, title, path, kinds)
-        if chosen:
-            self.save(run, Path(chosen))
-
-    def ask_and_open(self) -> None:
-        title, kinds = tr("Open bench test"), tr("Bench tests (*.csv);;All files (*)")
-        chosen, _ = QFileDialog.getOpenFileName(self._window, title, str(last_folder()), kinds)
-        if chosen:
-            self.open(Path(chosen))
-
-    def save(self, run: Run, path: Path) -> None:
-        """Write a test, or a picture if the name ends in .png; replaces an older file."""
-        if path.suffix.lower() == ".png":
-            work = partial(save_picture, path, self._picture())
-        else:
-            work = partial(save, path, to_csv(run))
-        text = tr("Saved as {0}.").format(path.name)
-        self._start(work, path, lambda _: text, tr("{0} was not saved: {1}."))
-
-    def open(self, path: Path) -> None:
-        """Read a test and add it to those that were run."""
-
-        def add(run: Run) -> str:
-            self._bench.add_run(run)
-            return tr("{0}: {1}.").format(path.name, run.title)
-
-        self._start(partial(load_run, path), path, add, tr("{0} was not opened: {1}."))
-
-    def _start(
-        self, work: Callable[[], Any], path: Path, report: Callable[[Any], str], failure: str
-    ) -> None:
-        """Work in the background, and report the result or the failure."""
-
-        def on_done(result: object) -> None:
-            remember_folder(path)
-            self.reported.emit(report(result))
-
-        def on_failed(error: StudioError) -> None:
-            self.reported.emit(failure.format(path.name, reason_of(error)))
-
-        in_background(self, work, on_done, on_failed)
