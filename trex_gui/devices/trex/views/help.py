@@ -1,4 +1,4 @@
-"""Which part of the help is about which page, dialog and message of a TReX."""
+"""Topics of the help on the pages, dialogs and messages of a TReX."""
 
 from trex_gui.core.errors import PortFault
 from trex_gui.devices.trex.driving.blockers import DriveBlocker

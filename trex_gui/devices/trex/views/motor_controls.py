@@ -9,7 +9,7 @@ from trex_gui.devices.trex.board.drive_status import drive_statuses
 from trex_gui.devices.trex.driving.blockers import DriveBlocker
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import drive_inputs, recent_fault_text
-from trex_gui.devices.trex.model.drive_texts import TimeoutWarning, timeout_warning
+from trex_gui.devices.trex.model.drive_texts import timeout_warning
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.theme import set_look, set_style_property
 from trex_gui.ui.widgets import builders as ui
@@ -23,7 +23,7 @@ _ARROWS = {Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Up, Qt.Key.Key_Down}
 
 
 def arm(device: Device, window: QWidget) -> None:
-    """Arm the motors; on a real board without a serial timeout that should stop them, ask first."""
+    """Arm the motors. On a real board without a serial timeout that should stop them, ask first."""
     motors, warning = device.motors, timeout_warning(device)
     is_real = device.settings is not None and not device.settings.name
     lacks_stop = device.board.timeout_stop.may_be_mended
@@ -38,7 +38,7 @@ class ArmDialog(QDialog):
     """Arms the motors once a serial timeout is written, or without one, now and later."""
 
     def __init__(self, device: Device, text: str, seconds: float, parent: QWidget) -> None:
-        """Propose a timeout in `seconds`; `text` says what is wrong with the present one."""
+        """Propose a timeout in `seconds`. `text` says what is wrong with the present one."""
         super().__init__(parent)
         self.setObjectName("armDialog")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -91,7 +91,6 @@ class ArmDialog(QDialog):
 
     @Slot(str)
     def _show_state(self, text: str, *, is_writing: bool = False) -> None:
-        """Show the progress, or why the timeout was not written."""
         self._note.show_note(text, alarming=not is_writing)
         for choice in self._choices:
             choice.setEnabled(not is_writing)
@@ -104,7 +103,7 @@ class TimeoutNotice(QWidget):
         super().__init__(parent)
         self.setObjectName("timeoutNotice")
         self._device = device
-        self._warning: TimeoutWarning | None = None
+        self._seconds: float | None = None  # of a better timeout
         self._text = ui.named(Note(3, self), "timeoutLabel")
         name = tr("Write the serial timeout")
         self._button = ui.button(self, "timeoutButton", accessible=name, on_click=self._on_clicked)
@@ -119,9 +118,9 @@ class TimeoutNotice(QWidget):
 
     @Slot()
     def _on_changed(self) -> None:
-        self._warning = warning = timeout_warning(self._device)
+        warning = timeout_warning(self._device)
         self._button.setEnabled(not self._device.writer.running)
-        seconds = None if warning is None else warning.seconds
+        self._seconds = seconds = None if warning is None else warning.seconds
         can_write = seconds is not None and not self._device.writer.is_rejected
         self._button.setVisible(can_write)
         text = self._device.board.silence_remedy if warning is None else warning.text
@@ -139,12 +138,12 @@ class TimeoutNotice(QWidget):
 
     @Slot()
     def _on_clicked(self) -> None:
-        if self._warning is not None and self._warning.seconds is not None:
-            self._device.writer.set_serial_timeout(self._warning.seconds)
+        if self._seconds is not None:
+            self._device.writer.set_serial_timeout(self._seconds)
 
 
 class StopButton(RedButton):
-    """The same text, colour and effect everywhere; Esc does the same."""
+    """The same text, colour and effect everywhere. Esc does the same."""
 
     def __init__(self, device: Device, name: str, parent: QWidget | None = None) -> None:
         super().__init__(name, device.press_stop, parent)
@@ -166,7 +165,7 @@ class StopButton(RedButton):
 
 
 class ActionBar(ActionFrame):
-    """The row with the stop button at the bottom of a window; amber while motors are armed."""
+    """The row with the stop button at the bottom of a window, amber while motors are armed."""
 
     def __init__(self, device: Device, stop_name: str, parent: QWidget) -> None:
         super().__init__(parent)
@@ -181,7 +180,7 @@ class ActionBar(ActionFrame):
 
 
 class ArmButton(ConfirmButton):
-    """Arms the motors; while they are armed it stops and disarms them, without the lock of Stop."""
+    """Arms the motors. While they are armed it stops and disarms them, without the lock of Stop."""
 
     def __init__(self, device: Device, name: str, parent: QWidget) -> None:
         super().__init__("", parent)
@@ -239,7 +238,6 @@ class ControlBar(ActionBar):
     apply_requested = Signal()
 
     def __init__(self, device: Device, recording: QWidget, parent: QWidget) -> None:
-        """`recording` is shown beside the changes."""
         super().__init__(device, "stopButton", parent)
         self._device = device
 
@@ -285,19 +283,19 @@ class ControlBar(ActionBar):
 
     @property
     def _is_out_of_reach(self) -> bool:
-        """Whether motors may be turning, and no stop can be sent to them."""
+        """Motors may be turning, and no stop can be sent to them."""
         reached = {ConnectionState.CONNECTED, ConnectionState.DISCONNECTING}
         return self._device.may_stop_matter and self._device.link not in reached
 
     @property
     def _is_beyond_reach(self) -> bool:
-        """Whether the user pressed Stop while channels control the motors."""
+        """The user pressed Stop while channels control the motors."""
         motors = self._device.motors
         is_locked_out = not motors.is_available and not self._device.driving.reaches_several
         return self._device.is_connected and is_locked_out and motors.locked_for > 0
 
     def _state_text(self) -> str:
-        """Return what is sent, or the first reason why nothing is; faults are in another text."""
+        """Return what is sent, or the first reason why nothing is. Faults are in another text."""
         device, motors = self._device, self._device.motors
         if motors.armed:
             sent = tr("Armed. Sent: {0}").format(motors.text)

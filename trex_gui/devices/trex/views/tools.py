@@ -1,8 +1,7 @@
 """Windows beside the pages. This module is imported when the first of them is opened."""
 
+from dataclasses import dataclass
 from functools import cached_property
-
-from PySide6.QtCore import QObject
 
 from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.boards import BoardList
@@ -19,51 +18,43 @@ from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.notifier import Remedy
 
 
-class Tools(QObject):
-    """The windows; each is created when it is first opened, and then reused."""
+@dataclass
+class Tools:
+    """The windows. Each is created when it is first opened, and then reused."""
 
-    def __init__(
-        self,
-        device: Device,
-        boards: BoardList,
-        learning: Learning,
-        review: Review,
-        frame: MainWindow,
-    ) -> None:
-        super().__init__(frame)
-        self._device = device
-        self._boards = boards
-        self._learning = learning
-        self._review = review
-        self._frame = frame
+    device: Device
+    boards: BoardList
+    learning: Learning
+    review: Review
+    frame: MainWindow
 
     @cached_property
     def bench(self) -> BenchDialog:
-        dialog = BenchDialog(self._device, Bench(self._device, self), self._frame)
-        dialog.apply_requested.connect(self._review.review)
+        dialog = BenchDialog(self.device, Bench(self.device, self.frame), self.frame)
+        dialog.apply_requested.connect(self.review.review)
         return dialog
 
     @cached_property
     def history(self) -> HistoryDialog:
-        dialog = HistoryDialog(self._device, self._frame)
-        dialog.restore_requested.connect(self._review.review)
+        dialog = HistoryDialog(self.device, self.frame)
+        dialog.restore_requested.connect(self.review.review)
         return dialog
 
     @cached_property
     def setup(self) -> SetupFlow:
-        flow = SetupFlow(self._device, self._learning)
-        flow.apply_requested.connect(self._review.review)
-        Steps(self._device, flow, self._frame)
+        flow = SetupFlow(self.device, self.learning)
+        flow.apply_requested.connect(self.review.review)
+        Steps(self.device, flow, self.frame)
         return flow
 
     @cached_property
     def apply_to_boards(self) -> ApplyToSeveral:
-        return ApplyToSeveral(self._boards, self._device, self._frame)
+        return ApplyToSeveral(self.boards, self.device, self.frame)
 
     @cached_property
     def check_board(self) -> CheckBoardFlow:
-        flow = CheckBoardFlow(self._device)
-        flow.find_requested.connect(lambda: self._frame.apply_remedy(Remedy.FIND))
-        flow.connect_requested.connect(self._frame.apply_remedy)
-        Steps(self._device, flow, self._frame)
+        flow = CheckBoardFlow(self.device)
+        flow.find_requested.connect(lambda: self.frame.apply_remedy(Remedy.FIND))
+        flow.connect_requested.connect(self.frame.apply_remedy)
+        Steps(self.device, flow, self.frame)
         return flow

@@ -36,7 +36,7 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
         yield from tour.wait(_HOLD_S)
 
     def is_reached(page: str) -> bool:
-        """Return whether it is shown; on a busy computer the stop may take several tries."""
+        """Return whether it is shown. On a busy computer the stop may take several tries."""
         return tour.is_visible(page) or (tour.press("learnAgainButton") and False)
 
     yield drive

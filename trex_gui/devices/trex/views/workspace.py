@@ -61,7 +61,7 @@ if TYPE_CHECKING:
 
 
 class TrexWorkspace(Workspace):
-    """Everything of the window that is about a TReX; it holds no state of the device."""
+    """Everything of the window that is about a TReX. It holds no state of the device."""
 
     _parameter_shown = Signal(object)  # its key, on the parameters page
 
@@ -169,7 +169,6 @@ class TrexWorkspace(Workspace):
 
     @Slot()
     def _show_plot(self) -> None:
-        """Show the plot of the currents in a window of its own, beside any page."""
         from trex_gui.devices.trex.views.pages.currents_panel import PlotWindow  # noqa: PLC0415
 
         if self._plot is None or not Shiboken.isValid(self._plot):
@@ -235,9 +234,7 @@ class TrexWorkspace(Workspace):
         factory = partial(settings.review.review_defaults, serial_only=False)
         serial = partial(settings.review.review_defaults, serial_only=True)
         plot_title = tr("Plot of currents in its o&wn window")
-
-        def open_guide() -> None:
-            QDesktopServices.openUrl(QUrl(GUIDE))
+        open_guide = partial(QDesktopServices.openUrl, QUrl(GUIDE))
 
         return {
             Menu.FILE: (
