@@ -10,6 +10,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from trex_gui.devices.trex.model.telemetry import Series, board_traces
+from trex_gui.ui.files import end_background
 from trex_gui.ui.plotting.export import write_csv
 from trex_gui.ui.plotting.history import SampleHistory
 from trex_gui.ui.plotting.panel import TracePanel
@@ -67,7 +68,7 @@ def test_interrupted_export_leaves_the_old_file(panel: TracePanel, tmp_path: Pat
     path = tmp_path / "all.csv"
     path.write_text("what was there")
     panel.export.save_table(path, -np.inf, np.inf)
-    panel.export.finish()
+    assert end_background(1000)
     assert path.read_text() == "what was there"
     assert list(tmp_path.iterdir()) == [path]
 

@@ -3,7 +3,6 @@
 import csv
 import math
 import re
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -94,7 +93,7 @@ class TracePanelDriver(WidgetDriver):
 
 
 @pytest.fixture
-def panel(qapp: QApplication, qtbot: QtBot, source: Source) -> Iterator[TracePanelDriver]:
+def panel(qapp: QApplication, qtbot: QtBot, source: Source) -> TracePanelDriver:
     theme().install(qapp)
     theme().set_scheme("light")
     panel = TracePanel()
@@ -103,8 +102,7 @@ def panel(qapp: QApplication, qtbot: QtBot, source: Source) -> Iterator[TracePan
     panel.set_source(source)
     panel.grab()
     panel.refresh()
-    yield TracePanelDriver(panel, source, qtbot)
-    panel.export.finish()
+    return TracePanelDriver(panel, source, qtbot)
 
 
 @pytest.fixture

@@ -65,11 +65,6 @@ def test_span_is_selected_in_both_directions_and_never_empty(span: Span) -> None
     assert (span.start + span.end) / 2 == pytest.approx(50)
 
 
-def test_zero_length_is_rejected(span: Span) -> None:
-    with pytest.raises(ValueError, match="shows nothing"):
-        span.set_length(0)
-
-
 @examples(40)
 @given(moves=st.lists(st.floats(-1000, 1000), max_size=20))
 def test_panning_never_leaves_the_recorded_time(moves: list[float]) -> None:

@@ -1,1 +1,1 @@
-"""Curves over time; the only package that imports pyqtgraph."""
+"""Curves over time. No other package imports pyqtgraph."""

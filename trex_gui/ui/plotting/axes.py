@@ -14,7 +14,7 @@ _TIME_STEPS = (
 _MAX_TIME_LABELS = 7
 
 FULL_COUNTS = 127.0
-"""The highest speed and the highest remapped channel; plain counts seldom exceed it."""
+"""The highest speed and the highest remapped channel. Plain counts seldom exceed it."""
 
 _SMALLEST_END = 1.0
 
@@ -83,7 +83,7 @@ class ValueAxis:
         self._low, self._high = 0.0, top or _SMALLEST_END
 
     def fit(self, extremes: Sequence[tuple[float, float]]) -> None:
-        """Fit these lowest and highest values; without any the axis stays as it is."""
+        """Fit these lowest and highest values. Without any the axis stays as it is."""
         if extremes and self._top is None:
             self._high = _fitted_end(self._high, max(high for _, high in extremes))
             self._low = -_fitted_end(-self._low, -min(low for low, _ in extremes))
@@ -107,7 +107,7 @@ class ValueAxis:
         return low - margin, high + margin
 
     def labels(self) -> Labels:
-        """Label round values; the highest has the unit."""
+        """Label round values. The highest has the unit."""
         if self._is_fixed:
             return count_labels()
         low, high = self.ends
@@ -133,7 +133,6 @@ def count_labels() -> Labels:
 
 
 def value_labels(values: Sequence[float], unit: str) -> Labels:
-    """Label these values; the last has the unit."""
     texts = [f"{Number(value):g}".replace("-", MINUS) for value in values]
     if texts:
         texts[-1] = f"{texts[-1]} {unit}".strip()
@@ -160,7 +159,7 @@ def ago_labels(length: float) -> Labels:
 
 
 def since_labels(start: float, end: float) -> Labels:
-    """Return labels for times counted from the origin, `1:30`; their x counts from `end`."""
+    """Return labels for times counted from the origin, `1:30`. Their x counts from `end`."""
     step = time_step(end - start)
     return [(time - end, clock_text(time, step)) for time in ticks(start, end, step)]
 
@@ -177,7 +176,7 @@ def clock_text(seconds: float, step: float = 0.001) -> str:
 
 
 class Span:
-    """A part of the time axis, in seconds; while `live` it follows the newest sample."""
+    """A part of the time axis, in seconds. While `live` it follows the newest sample."""
 
     def __init__(self, length: float = 30.0) -> None:
         self.length = self._live_length = length
@@ -196,13 +195,7 @@ class Span:
         self._oldest, self._newest = oldest, newest
 
     def set_length(self, seconds: float) -> None:
-        """Show that many seconds; the right edge stays where it is.
-
-        Raises:
-            ValueError: it is not more than 0.
-        """
-        if seconds <= 0:
-            raise ValueError(f"a window of {seconds} s shows nothing")
+        """Show that many seconds. The right edge stays where it is."""
         self.length = min(max(seconds, MIN_SPAN), MAX_SPAN)
 
     def choose_length(self, seconds: float) -> None:
@@ -227,7 +220,7 @@ class Span:
         """Show from one time to another, in either order, and stay there."""
         self._leave_live()
         middle = (start + end) / 2
-        self.set_length(max(abs(end - start), MIN_SPAN))
+        self.set_length(abs(end - start))
         self._end = middle + self.length / 2
 
     def zoom(self, factor: float, around: float) -> None:

@@ -142,7 +142,7 @@ class PlotCanvas(QWidget):
     def __init__(
         self, name: str, parent: QWidget | None = None, *, is_navigable: bool = False
     ) -> None:
-        """A screen reader reads `name`; only a navigable plot takes drags and the wheel."""
+        """A screen reader reads `name`. Only a navigable plot takes drags and the wheel."""
         super().__init__(parent)
         self.is_navigable = is_navigable
         self._box = _MouseBox(enableMouse=False, enableMenu=False, defaultPadding=0)
@@ -183,7 +183,7 @@ class PlotCanvas(QWidget):
     def add_curve(
         self, color: str, width: float = 1, style: Qt.PenStyle = Qt.PenStyle.SolidLine
     ) -> Curve:
-        """Add a line through points; with a width of 1 it is not smoothed and costs least."""
+        """Add a line through points. With a width of 1 it is not smoothed and costs least."""
         kind = pg.PlotCurveItem if width > 1 else _ThinCurve
         item = kind(antialias=width > 1, skipFiniteCheck=True)
         item.setSegmentedLineMode("off")  # which would break dashes
@@ -196,14 +196,14 @@ class PlotCanvas(QWidget):
     def add_line(
         self, color: str, style: Qt.PenStyle = Qt.PenStyle.SolidLine, *, vertical: bool = False
     ) -> Line:
-        """Add a straight line across the plot; it is hidden until it has a value."""
+        """Add a straight line across the plot, hidden until it has a value."""
         item = pg.InfiniteLine(angle=90 if vertical else 0)
         item.setAcceptedMouseButtons(Qt.MouseButton.NoButton)
         item.hide()
         return self._add(Line(item, color, _pen(self.devicePixelRatioF(), style)))
 
     def add_band(self, color: str) -> Band:
-        """Add a filled range below everything else; it is hidden until it has one."""
+        """Add a filled range below everything else, hidden until it has ends."""
         item = pg.LinearRegionItem(movable=False, pen=QPen(Qt.PenStyle.NoPen))
         item.setZValue(-20)
         item.hide()
@@ -224,7 +224,7 @@ class PlotCanvas(QWidget):
     def set_axes(
         self, x: tuple[float, float], y: tuple[float, float], x_labels: Labels, y_labels: Labels
     ) -> None:
-        """Show these ranges; an upper end below the lower one inverts the y axis."""
+        """Show these ranges. An upper end below the lower one inverts the y axis."""
         self._x_range = x
         self._box.invertY(y[1] < y[0])
         self._box.setRange(xRange=x, yRange=(min(y), max(y)), padding=0)
@@ -241,7 +241,7 @@ class PlotCanvas(QWidget):
         self.arranged.emit()
 
     def set_right_axis(self, labels: Labels) -> None:
-        """Label values of the left axis at the right; without labels there is no axis."""
+        """Label values of the left axis at the right. Without labels there is no axis."""
         axis = self._axes["right"]
         if bool(labels) != self._has_right_axis:
             self._has_right_axis = bool(labels)

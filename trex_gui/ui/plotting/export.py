@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TextIO
 
 import numpy as np
-from PySide6.QtCore import QBuffer, QLocale, QPoint, QRectF, QSize, Qt, Slot
+from PySide6.QtCore import QBuffer, QLocale, QPoint, QRectF, QSize, Qt
 from PySide6.QtGui import QFont, QFontMetricsF, QImage, QPainter, QPalette, QPen, QRegion
 from PySide6.QtSvg import QSvgGenerator
 from PySide6.QtWidgets import QMenu, QToolButton, QWidget
@@ -20,7 +20,7 @@ from PySide6.QtWidgets import QMenu, QToolButton, QWidget
 from trex_gui.core.files import save
 from trex_gui.core.recording.export import csv_cell
 from trex_gui.core.translation import tr
-from trex_gui.ui.files import save_in_background, save_picture
+from trex_gui.ui.files import save_in_background, save_picture, start_in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.plotting.history import Floats
 from trex_gui.ui.plotting.marks import charge_text, value_text
@@ -32,7 +32,7 @@ from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.builders import action
 from trex_gui.ui.widgets.painted import Painter
-from trex_gui.ui.workers.file_worker import FileSaver, ProgressCallback
+from trex_gui.ui.workers.file_worker import ProgressCallback, write_text
 
 _LIGHT = "export/light_background"
 
@@ -77,9 +77,6 @@ class ExportButton(QToolButton):
         self._plot = plot
         self._notifier = notifier
         self._store = Preferences()
-        self._tables = FileSaver(self)
-        self._tables.saved.connect(self._on_saved)
-        self._tables.failed.connect(self._notifier.error)
         if tables:
             self._add("exportShownAction", tr("&Visible range as CSV…"), "csv", False)
             self._add("exportAllAction", tr("&Everything as CSV…"), "csv", True)
@@ -129,12 +126,13 @@ class ExportButton(QToolButton):
             events=[(event.time, event.text) for event in source.events_between(start, end)],
             origin=self._plot.origin if self._plot.origin is not None else source.span[0],
         )
-        self._tables.save(path, write)
 
-    @Slot(int, object)
-    def _on_saved(self, count: int, path: Path) -> None:
-        text = tr("{0} sample(s) written to {1}.", "", count)
-        self._notifier.info.emit(text.format(QLocale().toString(count), path))
+        def report(count: int) -> None:
+            text = tr("{0} sample(s) written to {1}.", "", count)
+            self._notifier.info.emit(text.format(QLocale().toString(count), path))
+
+        work = partial(write_text, path, write)
+        start_in_background(self, work, report, self._notifier.report_error)
 
     def save_picture(self, path: Path) -> None:
         source = self._plot.source
@@ -153,10 +151,6 @@ class ExportButton(QToolButton):
             work = partial(save, path, picture)
         text = tr("The picture was written to {0}.").format(path)
         save_in_background(self, work, self._notifier, text)
-
-    def finish(self) -> None:
-        """Cancel a table that is being written, without waiting for a disk that hangs."""
-        self._tables.finish()
 
 
 def write_csv(

@@ -13,12 +13,11 @@ from PySide6.QtCore import (
     Signal,
     Slot,
 )
-from PySide6.QtGui import QColor, QIcon, QPainter, QPaintEvent, QPixmap, QResizeEvent
+from PySide6.QtGui import QColor, QIcon, QPainter, QPaintEvent, QPixmap
 from PySide6.QtWidgets import (
     QHeaderView,
     QListWidget,
     QListWidgetItem,
-    QSplitter,
     QTableView,
     QWidget,
 )
@@ -68,7 +67,7 @@ _WIDEST = {TraceColumn.NOW: f"{WARNING_SIGN} 00.00 A", TraceColumn.CHARGE: "000.
 
 
 class TraceTable(QAbstractTableModel):
-    """A row for each curve of a plot; checking a row draws the curve."""
+    """A row for each curve of a plot. Checking a row draws the curve."""
 
     def __init__(self, plot: TracePlot, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -276,16 +275,13 @@ class TraceTableView(QTableView):
             if self.isColumnHidden(column) == self._table.is_needed(column):
                 self.setColumnHidden(column, not self._table.is_needed(column))
 
-    def full_width(self) -> int:
-        bar = self.verticalScrollBar().sizeHint().width()
-        return self.horizontalHeader().length() + bar + 2 * self.frameWidth() + 2
-
     def _height_of(self, rows: float) -> int:
         return self.horizontalHeader().sizeHint().height() + round(rows * self._row)
 
     def sizeHint(self) -> QSize:
+        width = self.horizontalHeader().length() + self.verticalScrollBar().sizeHint().width()
         # Half a row shows that there are more.
-        return QSize(self.horizontalHeader().length(), self._height_of(4.5))
+        return QSize(width + 2 * self.frameWidth() + 2, self._height_of(4.5))
 
     def minimumSizeHint(self) -> QSize:
         return QSize(self._row * 8, self._height_of(2.5))
@@ -317,6 +313,10 @@ class EventList(QListWidget):
     def sizeHint(self) -> QSize:
         metrics = self.fontMetrics()
         return QSize(metrics.averageCharWidth() * 34, metrics.height() * 5)
+
+    def minimumSizeHint(self) -> QSize:
+        width = self.fontMetrics().averageCharWidth() * _MIN_EVENT_WIDTH
+        return QSize(width, super().minimumSizeHint().height())
 
     def refresh(self) -> None:
         events: tuple[Event, ...] = ()
@@ -360,39 +360,3 @@ class EventList(QListWidget):
     @Slot(QListWidgetItem)
     def _on_chosen(self, item: QListWidgetItem) -> None:
         self.chosen.emit(self._events[self.row(item)])
-
-
-class FiguresAndEvents(QSplitter):
-    """Gives the figures the width that they need, until the user has moved the handle."""
-
-    def __init__(self, figures: TraceTableView, events: EventList, parent: QWidget) -> None:
-        super().__init__(Qt.Orientation.Horizontal, parent)
-        self.setObjectName("figuresSplitter")
-        self._figures = figures
-        self._events = events
-        self.moved = False  # by the user
-        self.addWidget(figures)
-        self.addWidget(events)
-        self.setChildrenCollapsible(False)
-        follow_theme(self, "room", self._take_room)
-        # Later: sharing while Qt moves the parts would leave one over the other.
-        later, header = Qt.ConnectionType.QueuedConnection, figures.horizontalHeader()
-        for changed in (header.geometriesChanged, header.sectionResized):
-            changed.connect(self._share, later)
-        self.splitterMoved.connect(lambda: setattr(self, "moved", True))
-
-    def _take_room(self) -> None:
-        character = self._events.fontMetrics().averageCharWidth()
-        self._events.setMinimumWidth(character * _MIN_EVENT_WIDTH)
-        self._share()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._share()
-
-    @Slot()
-    def _share(self) -> None:
-        room = self.width() - self.handleWidth()
-        if not self.moved and room > 0:
-            figures = min(self._figures.full_width(), room - self._events.minimumWidth())
-            self.setSizes([figures, room - figures])

@@ -43,13 +43,13 @@ class SampleColumn:
         self._integrals: Floats = np.empty((3, 0))  # seconds, integral, integral of squares
 
     def resize(self, rows: int, size: int) -> None:
-        """Make room for so many rows; the first `size` are in use."""
+        """Reserve space for so many rows, of which the first `size` are in use."""
         self.values = _resized(self.values, rows, size)
         self._extremes = _resized(self._extremes, rows // BLOCK, self._blocks)
         self._integrals = _resized(self._integrals, rows // BLOCK, self._blocks)
 
     def summarize(self, times: Floats, size: int) -> None:
-        """Summarize the whole blocks of the rows up to `size`; no row is read twice."""
+        """Summarize the whole blocks of the rows up to `size`. No row is read twice."""
         first, stop = self._blocks, size // BLOCK
         if first == stop:
             return
@@ -62,7 +62,7 @@ class SampleColumn:
         self._blocks = stop
 
     def drop(self, rows: int, left: int) -> None:
-        """Drop the first rows, which are whole blocks; so many are left."""
+        """Drop the first rows, which are whole blocks. So many rows are left."""
         self.values[:left] = self.values[rows : rows + left].copy()
         gone, blocks = rows // BLOCK, self._blocks
         self._blocks -= gone
@@ -116,7 +116,7 @@ class SampleColumn:
 
 
 def _resized(array: Floats, room: int, used: int) -> Floats:
-    """Return a copy with room for so many values in its last dimension; keep those in use."""
+    """Return a copy with space for so many values in its last dimension, with those in use."""
     grown = np.empty((*array.shape[:-1], room), array.dtype)
     grown[..., :used] = array[..., :used]
     return grown
@@ -124,7 +124,7 @@ def _resized(array: Floats, room: int, used: int) -> Floats:
 
 @dataclass(frozen=True, slots=True)
 class Statistics:
-    """Figures of a curve within a span; times without samples are left out, NaN means unknown."""
+    """Figures of a curve within a span. Times without samples are left out, NaN means unknown."""
 
     seconds: float = 0.0  # for which there were samples
     integral: float = 0.0  # unit x seconds
@@ -154,7 +154,6 @@ class SampleHistory:
     ) -> None:
         self.capacity = capacity
         self._kinds = ["float64"] * columns if isinstance(columns, int) else columns
-        self.columns = len(self._kinds)
         self._max_gap = max_gap
         # Until a step of whole blocks can be dropped, its rows are kept, too.
         self._step = max(1, capacity // (_STEPS * BLOCK)) * BLOCK
@@ -172,11 +171,11 @@ class SampleHistory:
 
     @property
     def times(self) -> Floats:
-        """A view, oldest first; valid until the next row."""
+        """A view, oldest first, valid until the next row."""
         return self._times[self._begin : self._size]
 
     def values(self, column: int) -> Floats:
-        """Return a view, oldest first; valid until the next row."""
+        """Return a view, oldest first, valid until the next row."""
         return self._columns[column].values[self._begin : self._size]
 
     @property
@@ -184,21 +183,12 @@ class SampleHistory:
         return (float(self.times[0]), float(self.times[-1])) if self._size else None
 
     def append(self, time: float, *values: float) -> None:
-        """Add a row; a time before the newest one is replaced by the newest."""
-        self._make_room(1)
-        end = self._size
-        if end:
-            last = float(self._times[end - 1])
-            time = max(time, last)
-            if time - last > self._max_gap:
-                self._gaps.append((time, time - last))
-        self._times[end] = time
-        for column, value in zip(self._columns, values, strict=True):
-            column.values[end] = value
-        self._grow(end + 1)
+        """Add a row. A time before the newest one is replaced by the newest."""
+        last = self._times[self._size - 1] if self._size else time
+        self._extend(np.array([max(time, last)]), [np.array([value]) for value in values])
 
     def extend(self, times: Floats, values: Sequence[Floats]) -> None:
-        """Add rows, a sequence of values for each column; times rise."""
+        """Add rows, a sequence of values for each column. Times rise."""
         for first in range(0, len(times), self._step):
             span = slice(first, first + self._step)
             self._extend(times[span], [column[span] for column in values])
@@ -213,12 +203,9 @@ class SampleHistory:
         width = self._times[begin:stop] - self._times[begin - 1 : stop - 1]
         for at in np.flatnonzero(width > self._max_gap):
             self._gaps.append((float(self._times[begin + at]), float(width[at])))
-        self._grow(stop)
-
-    def _grow(self, size: int) -> None:
-        self._size = size
+        self._size = stop
         for column in self._columns:
-            column.summarize(self._times, size)
+            column.summarize(self._times, stop)
 
     def _make_room(self, rows: int) -> None:
         if self._size + rows > self._max_rows:
@@ -256,7 +243,7 @@ class SampleHistory:
         return self._begin + first, self._begin + max(first, stop)
 
     def value_at(self, column: int, time: float) -> float:
-        """Return the last value before or at a time; NaN before the first and within a gap."""
+        """Return the last value before or at a time, NaN before the first and within a gap."""
         _, stop = self._rows(-math.inf, time)
         if stop == self._begin or time - self._times[stop - 1] > self._max_gap:
             return math.nan

@@ -30,22 +30,6 @@ from trex_gui.ui.widgets.builders import action
 _SUFFIX = ".toml"
 
 
-def color_text(name: str) -> str:
-    """Return the name of a colour for the user."""
-    return {
-        "blue": tr("Blue"),
-        "orange": tr("Orange"),
-        "green": tr("Green"),
-        "yellow": tr("Yellow"),
-        "purple": tr("Purple"),
-        "red": tr("Red"),
-        "teal": tr("Teal"),
-        "pink": tr("Pink"),
-        "grey": tr("Grey"),
-        "foreground": tr("As text"),
-    }[name]
-
-
 class LayoutButton(QToolButton):
     """Opens a menu of colours and of layout files."""
 
@@ -58,7 +42,7 @@ class LayoutButton(QToolButton):
         layout: Callable[[], PlotLayout],
         use: Callable[[PlotLayout | None], object],
     ) -> None:
-        """`layout` returns what is shown; `use` shows another one, or with `None` the usual."""
+        """`layout` returns what is shown. `use` shows another one, or with `None` the default."""
         super().__init__(parent)
         self._plot = plot
         self._notifier = notifier
@@ -94,19 +78,17 @@ class LayoutButton(QToolButton):
                 self._colors.addMenu(self.colors_of(trace, self._colors))
 
     def colors_of(self, trace: TraceInfo, parent: QWidget) -> QMenu:
-        """Return a menu of colours for one curve."""
         menu = QMenu(trace.label, parent)
-        for name, color in COLORS.items():
+        for name, (color, text) in COLORS.items():
             choose = partial(self._plot.set_color, trace.name, color)
             key = f"color_{trace.name}_{name}"
-            entry = action(menu, key, color_text(name), checkable=True, on_trigger=choose)
+            entry = action(menu, key, tr(text), checkable=True, on_trigger=choose)
             entry.setIcon(QIcon(swatch(theme().color(color), QSize(14, 14))))
             entry.setChecked(trace.color == color)
             menu.addAction(entry)
         return menu
 
     def show_colors_of(self, trace: TraceInfo, place: QPoint) -> None:
-        """Open the menu of colours for one curve at a place on the screen."""
         menu = self.colors_of(trace, self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         menu.popup(place)
@@ -117,7 +99,7 @@ class LayoutButton(QToolButton):
             self.open(path)
 
     def open(self, path: Path) -> None:
-        """Show the plot as a file says; the file is read beside the window's thread."""
+        """Show the plot as a file says, which is read beside the window's thread."""
         source = self._plot.source
         known = [] if source is None else [trace.name for trace in source.traces]
 

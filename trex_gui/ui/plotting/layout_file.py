@@ -7,7 +7,7 @@ from reprlib import repr as shortened  # a table may be nested, too
 from typing import Any
 
 from trex_gui.core.files import Finding, SettingsError, decode
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import tr, tr_noop
 from trex_gui.ui.plotting.axes import MAX_SPAN, MIN_SPAN
 
 VERSION = 1
@@ -15,25 +15,25 @@ LARGEST_FILE = 64 * 1024  # bytes; one has some 600
 LARGEST_TOP = 1e6
 
 COLORS = {
-    "blue": "motor1",
-    "orange": "motor2",
-    "green": "good",
-    "yellow": "warning",
-    "purple": "dirty",
-    "red": "danger",
-    "teal": "teal",
-    "pink": "pink",
-    "grey": "muted",
-    "foreground": "plot_text",
+    "blue": ("motor1", tr_noop("Blue")),
+    "orange": ("motor2", tr_noop("Orange")),
+    "green": ("good", tr_noop("Green")),
+    "yellow": ("warning", tr_noop("Yellow")),
+    "purple": ("dirty", tr_noop("Purple")),
+    "red": ("danger", tr_noop("Red")),
+    "teal": ("teal", tr_noop("Teal")),
+    "pink": ("pink", tr_noop("Pink")),
+    "grey": ("muted", tr_noop("Grey")),
+    "foreground": ("plot_text", tr_noop("As text")),
 }
-"""Colours of curves by their names in files; each theme has its own shade of them."""
+"""Colours of curves by their names in files: the name in the theme, and the one for the user."""
 
 _RANGES = {"seconds": (MIN_SPAN, MAX_SPAN), "top": (0, LARGEST_TOP)}
 
 
 def color_name(color: str) -> str:
     """Return the name in files of a colour of the theme."""
-    return next((name for name, own in COLORS.items() if own == color), "foreground")
+    return next((name for name, (own, _) in COLORS.items() if own == color), "foreground")
 
 
 @dataclass(frozen=True, slots=True)

@@ -26,16 +26,16 @@ EVENT_COLORS: dict[EventKind, str] = {
     EventKind.LINK: "info",
     EventKind.NOTE: "muted",
 }
-"""Names of the theme; a word is beside each, so that no state is shown by colour alone."""
+"""Names of the theme. A word is beside each, so that no state is shown by colour alone."""
 
 MAX_MARKS = 200  # events marked in one plot: the newest
 _NEAR = 6  # pixels from an event in which the mouse still finds it
-_FAR = 60  # pixels that a word may be moved from its line to make room for others
+_FAR = 60  # pixels that a word may be moved to the left to make space for newer ones
 _BESIDE = 8  # pixels between the cursor and its values
 
 
 def value_text(value: float, unit: str) -> str:
-    """Return a value with two decimals and its unit; plain counts whole, with a sign."""
+    """Return a value with two decimals and its unit, plain counts whole, with a sign."""
     if not math.isfinite(value):
         return NO_VALUE
     text = f"{Number(value):.2f} {unit}" if unit else f"{value:+.0f}" if round(value) else "0"
@@ -59,7 +59,7 @@ def charge_text(found: Statistics) -> str:
 
 
 class EventMarks(Painted):
-    """The strip above the plot with a word for each event; the tool tip has all of it."""
+    """The strip above the plot with a word for each event. The tool tip has all of it."""
 
     chosen = Signal(object)  # the `Event` that was clicked
 
@@ -88,18 +88,19 @@ class EventMarks(Painted):
         return QSize(100, self.fontMetrics().height() + 2)
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002 - it is small
-        metrics = self.fontMetrics()
-        words = [self._words[event.kind] for _, event in self.marks]
-        widths = [metrics.horizontalAdvance(word) + 4.0 for word in words]
-        lefts = _left_ends([x for x, _ in self.marks], widths, self.width())
-        hidden = len(words) - len(lefts)
+        metrics, end = self.fontMetrics(), float(self.width())
         with Painter(self) as painter:
-            for row, left in enumerate(lefts, hidden):
-                x, marked = self.marks[row]
+            for x, marked in reversed(self.marks):
+                word = self._words[marked.kind]
+                wide = metrics.horizontalAdvance(word) + 4.0
+                left = max(0.0, min(x - wide / 2, end - wide))
+                if left + wide > end or x - (left + wide / 2) > _FAR:
+                    return
                 painter.setPen(theme().color(EVENT_COLORS[marked.kind]))
-                box = QRectF(left, 0, widths[row], metrics.height())
-                painter.drawText(box, Qt.AlignmentFlag.AlignCenter, words[row])
+                box = QRectF(left, 0, wide, metrics.height())
+                painter.drawText(box, Qt.AlignmentFlag.AlignCenter, word)
                 painter.drawLine(int(x), self.height() - 2, int(x), self.height())
+                end = left - 4
 
     def _near(self, x: float) -> list[Event]:
         reach = max(_NEAR, self.fontMetrics().averageCharWidth() * 2)
@@ -116,17 +117,6 @@ class EventMarks(Painted):
         near = self._near(event.position().x())
         if near:
             self.chosen.emit(near[-1])
-
-
-def _left_ends(centres: Sequence[float], widths: Sequence[float], room: float) -> list[float]:
-    """Return where the words at these places begin; only the last ones that fit."""
-    for first in range(len(centres)):
-        moved = spread(centres[first:], widths[first:], 0, room, 4)
-        if moved is not None and all(
-            abs(new - old) <= _FAR for new, old in zip(moved, centres[first:], strict=True)
-        ):
-            return [new - wide / 2 for new, wide in zip(moved, widths[first:], strict=True)]
-    return []
 
 
 class CurveTags(Painted):

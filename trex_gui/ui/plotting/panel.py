@@ -3,7 +3,8 @@
 Importing it loads pyqtgraph: do so when a plot is to be shown.
 """
 
-from PySide6.QtCore import QEvent, QPoint, Qt, Slot
+from PySide6.QtCore import QPoint, Qt, Slot
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QSplitter, QWidget
 
 from trex_gui.core.events import Event
@@ -11,13 +12,14 @@ from trex_gui.core.translation import Number, tr
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.plotting.axes import MAX_SPAN, MIN_SPAN, duration_text
 from trex_gui.ui.plotting.export import ExportButton
-from trex_gui.ui.plotting.figures import EventList, FiguresAndEvents, TraceTable, TraceTableView
+from trex_gui.ui.plotting.figures import EventList, TraceTable, TraceTableView
 from trex_gui.ui.plotting.layout_button import LayoutButton
 from trex_gui.ui.plotting.layout_file import COLORS, LARGEST_TOP, PlotLayout, color_name
 from trex_gui.ui.plotting.plot import TracePlot
 from trex_gui.ui.plotting.traces import Traces
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.builders import button, column, combo_box, label, row, splitter, tab_order
 
 _WINDOWS = (10, 30, 60, 300, 600, 1800, 3600)  # seconds that can be chosen to be shown
@@ -84,9 +86,9 @@ class TracePanel(QWidget):
         self._view = TraceTableView(self._table, self)
         self._list = EventList(self.plot, self)
 
-        below = FiguresAndEvents(self._view, self._list, self)
-        vertical = Qt.Orientation.Vertical
-        parts = splitter(self, "tracesSplitter", vertical, (self.plot, 1), (below, 0))
+        ways, figures = Qt.Orientation, ((self._view, 0), (self._list, 1))
+        self._below = below = splitter(self, "figuresSplitter", ways.Horizontal, *figures)
+        parts = splitter(self, "tracesSplitter", ways.Vertical, (self.plot, 1), (below, 0))
         bar = row(
             *(window_label, self._window, top_label, self._top, self._pause, self._hold),
             *(self.layout_button, self.export, 1),
@@ -95,7 +97,7 @@ class TracePanel(QWidget):
         column(bar, self._note, (parts, 1), into=self, margins=0)
         tab_order(self._hold, self.layout_button, self.export, self.plot, self._view, self._list)
         self._restore_layout(parts, "plot_splitter")
-        below.moved = self._restore_layout(below, "figures_splitter")
+        self._restore_layout(below, "figures_splitter")
         seconds = self._store.real(f"{self._key}window", _USUAL_SECONDS, MIN_SPAN, MAX_SPAN)
         self.plot.set_window(seconds)
         self._show_top(self._store.real(f"{self._key}top", 0, 0, LARGEST_TOP))
@@ -114,11 +116,21 @@ class TracePanel(QWidget):
         self.notifier.error.connect(self.set_note)
         self._show_state()
 
-    def _restore_layout(self, parts: QSplitter, key: str) -> bool:
-        """Return whether the user arranged these parts in an earlier run; remember the next."""
+    def _restore_layout(self, parts: QSplitter, key: str) -> None:
+        """Arrange parts as the user did, now and in later runs."""
         key, store = self._key + key, self._store
         parts.splitterMoved.connect(lambda *_: store.set(key, parts.saveState()))
-        return parts.restoreState(store.data(key))
+        parts.restoreState(store.data(key))
+
+    def _share_width(self) -> None:
+        """Give the figures the width that they need, until the user has moved the handle."""
+        if self._store.data(f"{self._key}figures_splitter").isEmpty():
+            figures = self._view.sizeHint().width()
+            self._below.setSizes([figures, max(0, self._below.width() - figures)])
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._share_width()
 
     def set_source(self, source: Traces) -> None:
         self.plot.set_source(source)
@@ -130,7 +142,7 @@ class TracePanel(QWidget):
         chosen = self._store.text(f"{self._key}colors").split()
         for name, _, color in (entry.partition("=") for entry in chosen):
             if name in colors and color in COLORS:
-                self.plot.set_color(name, COLORS[color])
+                self.plot.set_color(name, COLORS[color][0])
         self._table.show_source()
         self._view.resizeColumnToContents(0)
         self.refresh()
@@ -139,6 +151,8 @@ class TracePanel(QWidget):
     def set_note(self, text: str) -> None:
         self._note.setText(text)
 
+    @Slot()
+    @only_when_visible
     def draw_live(self) -> None:
         """Draw new samples, unless the plot is paused."""
         if self.plot.span.live:
@@ -151,6 +165,7 @@ class TracePanel(QWidget):
     def refresh_figures(self) -> None:
         self._table.refresh()
         self._view.show_needed_columns()
+        self._share_width()
         self._list.refresh()
 
     def _choose_window(self, seconds: float) -> None:
@@ -203,7 +218,7 @@ class TracePanel(QWidget):
         self._choose_top(layout.top)
         self.plot.shown = set(layout.curves)
         for name, color in (self._usual_colors | dict(layout.curves)).items():
-            self.plot.set_color(name, COLORS[color])
+            self.plot.set_color(name, COLORS[color][0])
         self.plot.shown_changed.emit()
         self.refresh()
 
@@ -236,8 +251,3 @@ class TracePanel(QWidget):
         half = self.plot.span.length / 2
         self.plot.show_span(event.time - half, event.time + half)
         self.plot.set_cursor(event.time)
-
-    def event(self, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.DeferredDelete:
-            self.export.finish()
-        return super().event(event)

@@ -160,7 +160,7 @@ class TracePlot(Painted):
         self.cursor_changed.emit()
 
     def set_mark(self, time: float | None) -> None:
-        """Count differences from a time; `None` removes the mark."""
+        """Count differences from a time. `None` removes the mark."""
         self.mark_time = time
         self._show_cursors()
         self.cursor_changed.emit()
@@ -189,7 +189,7 @@ class TracePlot(Painted):
         return clock_text(time - (self.origin or 0.0))
 
     def draw(self) -> None:
-        """Draw a frame; its cost does not depend on the number of samples."""
+        """Draw a frame. Its cost does not depend on the number of samples."""
         source, span = self.source, self.span
         if source is None:
             return
@@ -214,7 +214,7 @@ class TracePlot(Painted):
         self._tags.set_heights(heights)
 
     def _fit_axes(self, source: Traces) -> dict[str, Points]:
-        """Fit the axes to what is shown; return the points of the curves that have any."""
+        """Fit the axes to what is shown, and return the points of the curves that have any."""
         span, lines = self.span, {}
         extremes: dict[bool, list[tuple[float, float]]] = {False: [], True: []}
         for trace in source.traces:
@@ -247,7 +247,7 @@ class TracePlot(Painted):
         self._canvas.set_axes((-span.length, 0.0), left.reach, x_labels, left.labels())
 
     def _draw_curves(self, source: Traces, lines: dict[str, Points]) -> dict[str, float]:
-        """Draw the curves; return the pixel from the top at which each ends."""
+        """Draw the curves, and return the pixel from the top at which each ends."""
         heights = {}
         for trace in source.traces:
             curve, line = self._shapes[trace.name][0], lines.get(trace.name)
@@ -282,7 +282,7 @@ class TracePlot(Painted):
         return at0 + value * (at1 - at0)
 
     def peak_of(self, name: str) -> float | None:
-        """Return the highest value since peaks are held; `None` while they are not."""
+        """Return the highest value since peaks are held, `None` while they are not."""
         if self.source is None or self.peaks_since is None:
             return None
         high = self.source.statistics(name, self.peaks_since, math.inf).high

@@ -14,7 +14,7 @@ if TYPE_CHECKING:  # numpy takes as long to load as the window
 
 @dataclass(frozen=True, slots=True)
 class TraceInfo:
-    """One curve; the first unit of a source is that of the left axis, others go to the right."""
+    """One curve. The first unit of a source is that of the left axis, others go to the right."""
 
     name: str  # one word, for programs and files: "motor1_current"
     label: str  # for the user: "Motor 1 current"
@@ -28,9 +28,6 @@ class Traces:
     """One curve for each column of a history, and events; both may grow while they are shown.
 
     `limits` are in the curves' units; `events` are in the order of time.
-
-    Raises:
-        ValueError: the number of names is not that of the columns.
     """
 
     def __init__(
@@ -40,8 +37,6 @@ class Traces:
         events: Sequence[Event] = (),
         limits: Mapping[str, float] | None = None,
     ) -> None:
-        if len(traces) != history.columns:
-            raise ValueError(f"{len(traces)} names for {history.columns} columns")
         self.traces = tuple(traces)
         self.limits = {} if limits is None else limits  # may be filled later
         self._columns = {trace.name: column for column, trace in enumerate(traces)}
@@ -49,14 +44,13 @@ class Traces:
         self._events = events
 
     def set_color(self, name: str, color: str) -> None:
-        """Give a curve another colour of the theme."""
         self.traces = tuple(
             replace(trace, color=color) if trace.name == name else trace for trace in self.traces
         )
 
     @property
     def span(self) -> tuple[float, float] | None:
-        """The times in seconds of the oldest and of the newest sample; `None` without any."""
+        """The times in seconds of the oldest and of the newest sample, `None` without any."""
         return self._history.span
 
     @property

@@ -1,4 +1,4 @@
-"""Plot of a board's currents, for its page and a window; importing it loads pyqtgraph."""
+"""Plot of a board's currents, for its page and a window. Importing it loads pyqtgraph."""
 
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QCloseEvent, QKeySequence, QShortcut, QShowEvent
@@ -35,7 +35,7 @@ class CurrentsPanel(TracePanel):
 
         device.link_changed.connect(self._on_device_changed)
         device.state_changed.connect(self._on_device_changed)
-        device.telemetry.frame_due.connect(self._on_frame_due)
+        device.telemetry.frame_due.connect(self.draw_live)
         device.telemetry.text_due.connect(self._on_text_due)
         device.events.happened.connect(self._on_text_due)
 
@@ -70,11 +70,6 @@ class CurrentsPanel(TracePanel):
 
     @Slot()
     @only_when_visible
-    def _on_frame_due(self) -> None:
-        self.draw_live()
-
-    @Slot()
-    @only_when_visible
     def _on_text_due(self) -> None:
         self.refresh_figures()
 
@@ -84,7 +79,7 @@ class CurrentsPanel(TracePanel):
 
 
 class PlotWindow(QMainWindow):
-    """The plot beside another page; what it shows is chosen apart from the page's."""
+    """The plot beside another page. Its choices are apart from the page's."""
 
     _KEY = "plot_window"
 
