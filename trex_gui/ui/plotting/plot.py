@@ -67,7 +67,6 @@ class TracePlot(Painted):
         self.peaks_since: float | None = None  # time from which peaks are held, if they are
         self.cursor_time: float | None = None
         self.mark_time: float | None = None
-        self.points_drawn = 0  # the points of all curves in the last frame
         self.top: float | None = None  # where the left axis ends; `None`: where the values do
         self._left, self._right = ValueAxis(""), ValueAxis("")
         self._shapes: dict[str, tuple[Curve, Line, Line]] = {}  # a curve, its limit and its peak
@@ -257,7 +256,6 @@ class TracePlot(Painted):
                 curve.set_points(line[0], y, gaps=not np.isfinite(y).all())
                 if math.isfinite(y[-1]):
                     heights[trace.name] = self._canvas.y_of(float(y[-1]))
-        self.points_drawn = sum(len(x) for x, _ in lines.values())
         return heights
 
     def _draw_events(self, events: Sequence[Event]) -> None:

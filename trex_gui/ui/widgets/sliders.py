@@ -28,7 +28,7 @@ class PaintedSlider(QSlider, Spoken):
         raise NotImplementedError
 
     def paint_below(self, painter: QPainter, handle: QRect) -> None:
-        """Paint the area below the handle; nothing by default."""
+        """Paint the area below the handle, by default nothing."""
 
     def spoken_range(self) -> SpokenRange:
         positions = self.minimum(), self.value(), self.maximum()
@@ -83,7 +83,7 @@ class PressSlider(PaintedSlider):
 
     @Slot()
     def release(self) -> None:
-        """End a hold; the user has to press again."""
+        """End a hold. The user has to press again."""
         if self.held:
             self.held = False
             self._monitor.end()
@@ -105,6 +105,8 @@ class PressSlider(PaintedSlider):
             super().mousePressEvent(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if self.isSliderDown() and not event.buttons() & Qt.MouseButton.LeftButton:
+            self.release()  # that of the button was not reported
         if self.held:  # a released handle must not follow the mouse
             super().mouseMoveEvent(event)
 

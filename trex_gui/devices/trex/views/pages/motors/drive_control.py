@@ -1,7 +1,7 @@
 """Controls of one motor: slider, entry box, zero and brake, and what the board reports."""
 
 from PySide6.QtCore import QEvent, QRect, QRectF, QSignalBlocker, QSize, Qt, Signal, Slot
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPen, QWheelEvent
+from PySide6.QtGui import QKeyEvent, QPainter, QPen, QWheelEvent
 from PySide6.QtWidgets import QSpinBox, QStyle, QStyleOptionSlider, QWidget
 
 from trex_gui.core.texts import signed_text
@@ -37,7 +37,6 @@ class SpeedSlider(PressSlider):
     """
 
     def __init__(self, lowest: int, parent: QWidget | None = None, color: str = "bar") -> None:
-        """`color` is that of the motor in the theme."""
         super().__init__(lowest, FULL_SCALE, parent)
         self.setOrientation(Qt.Orientation.Vertical)
         set_look(self, color)
@@ -47,12 +46,6 @@ class SpeedSlider(PressSlider):
 
     def limited(self, speed: int) -> int:
         return max(-self.ceiling, min(speed, self.ceiling))
-
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """End the hold if the release of the button was not reported."""
-        if self.isSliderDown() and not event.buttons() & Qt.MouseButton.LeftButton:
-            self.release()
-        super().mouseMoveEvent(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         match event.key():
@@ -161,7 +154,6 @@ class SpeedEntry(QSpinBox):
             self.put(speed)
 
     def put(self, speed: int) -> None:
-        """Show a setpoint in place of anything typed."""
         self._setpoint = speed
         self._is_typed = False
         with QSignalBlocker(self):
@@ -196,7 +188,7 @@ class SpeedEntry(QSpinBox):
 
 
 class DriveControl(ui.Card):
-    """Slider and entry of one speed; and the current, with its limit."""
+    """Slider and entry of one speed, and the current with its limit."""
 
     speed_wanted = Signal(int)  # a speed of 0 or -127 to 127 that the user chose
     brake_wanted = Signal()
