@@ -25,7 +25,7 @@ _BLOCKERS = {
     Status.MOTOR2_OVER_LIMIT: DriveBlocker.OVER_LIMIT,
     UartError.TIMEOUT: DriveBlocker.TIMEOUT,
 }
-"""What the help explains the errors with; the others are serial errors."""
+"""Topics of the help on these errors. The others are serial errors."""
 
 
 class ErrorsPage(ProblemsPage):

@@ -1,4 +1,4 @@
-"""Currents of the last ten seconds; importing it loads pyqtgraph."""
+"""Currents of the last ten seconds. Importing it loads pyqtgraph."""
 
 import numpy as np
 from PySide6.QtCore import Qt

@@ -31,7 +31,7 @@ _ROBOT = 0.42  # its height as a share of the field
 
 
 class DrivePad(RobotView):
-    """Steers while it is `held` with a mouse button or a finger; keys belong to `KeyDriver`."""
+    """Steers while it is `held` with a mouse button or a finger. Keys belong to `KeyDriver`."""
 
     spoken_role = QAccessible.Role.Canvas
 
@@ -60,20 +60,18 @@ class DrivePad(RobotView):
             self.update()
 
     def set_ceiling(self, ceiling: int) -> None:
-        """Show which speed, 1-127, full deflection gives."""
         if ceiling != self._ceiling:
             self._ceiling = ceiling
             self.update()
 
     @Slot(float, float)
     def show_position(self, forward: float, turn: float) -> None:
-        """Show the position of the keys, unless the pad is held."""
         if not self.held:
             self._put(forward, turn)
 
     @Slot()
     def release(self) -> None:
-        """Return to the centre; the user has to press again."""
+        """Return to the centre. The user has to press again."""
         if self.held:
             self.held = False
             self._watch.end()
@@ -99,7 +97,7 @@ class DrivePad(RobotView):
         return self._on_touch(event) if isinstance(event, QTouchEvent) else super().event(event)
 
     def _on_touch(self, event: QTouchEvent) -> bool:
-        """Let the first finger steer until it goes up; ignore others."""
+        """Let the first finger steer until it goes up, and ignore others."""
         event.accept()
         if event.type() == QEvent.Type.TouchBegin:
             self._finger = event.points()[0].id()

@@ -33,7 +33,7 @@ _AXES = "first", "second"  # keys of rows; the other rows are buttons
 
 
 class PartBar(OutputBar):
-    """Shows -1 to 1 from the centre in percent; grey while nothing is read."""
+    """Shows -1 to 1 from the centre in percent, grey while nothing is read."""
 
     def set_part(self, part: float | None) -> None:
         self.set_connected(part is not None)
@@ -67,15 +67,12 @@ class PadView(QWidget):
     def __init__(self, pad: Pad | None, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.pad = pad
-        self._bars: list[PartBar] = []
-        self._lamps: list[Lamp] = []
         axes = ui.grid(stretch=[(1, 1)])
         for number, name in enumerate(_axis_names(pad)):
             bar = ui.named(PartBar(self), f"gamepadAxisBar{number}", accessible=name)
             bar.setMinimumWidth(18 * bar.fontMetrics().averageCharWidth())
             axes.addWidget(ui.label(self, text=name), number, 0)
             axes.addWidget(bar, number, 1)
-            self._bars.append(bar)
         buttons = ui.grid(spacing=(12, -1))
         buttons.setAlignment(Qt.AlignmentFlag.AlignLeft)
         for number, name in enumerate(_button_names(pad)):
@@ -85,13 +82,12 @@ class PadView(QWidget):
                 widget.setToolTip(ui.plain(name))
             cell = ui.row(lamp, (label, 1), spacing=4)
             buttons.addLayout(cell, number // _LAMPS_A_ROW, number % _LAMPS_A_ROW)
-            self._lamps.append(lamp)
         ui.column(axes, buttons, into=self, margins=0, spacing=14)
 
     def show_state(self, state: PadState | None) -> None:
-        for number, bar in enumerate(self._bars):
+        for number, bar in enumerate(self.findChildren(PartBar)):
             bar.set_part(None if state is None else state.axis(number))
-        for number, lamp in enumerate(self._lamps):
+        for number, lamp in enumerate(self.findChildren(Lamp)):
             lamp.set_lit(state is not None and state.pressed(number))
             lamp.setAccessibleDescription(tr("pressed") if lamp.lit else "")
 
@@ -126,7 +122,7 @@ class PartRow(QWidget):
         self._invert.setAccessibleName(tr("{0}: inverted").format(use))
 
     def set_parts(self, names: list[str], none: str = "") -> None:
-        """List axes or buttons by their names; `none` is an entry for none of them."""
+        """List axes or buttons by their names. `none` is an entry for none of them."""
         texts = [none, *names] if none else names
         if texts != [self._combo.itemText(row) for row in range(self._combo.count())]:
             self._combo.clear()
@@ -152,13 +148,12 @@ class PartRow(QWidget):
             self._invert.setChecked(inverted)
 
     def show_detecting(self, detecting: bool) -> None:
-        """Show whether this one is being detected without reporting it."""
         with QSignalBlocker(self._detect):
             self._detect.setChecked(detecting)
 
 
 class GamepadDialog(ReusedDialog):
-    """Applies choices at once; its owner keeps the gamepad from driving while it is open."""
+    """Applies choices at once. Its owner keeps the gamepad from driving while it is open."""
 
     def __init__(self, gamepad: Gamepad, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -265,7 +260,7 @@ class GamepadDialog(ReusedDialog):
             self._gamepad.set_profile(default_profile(self._gamepad.pad))
 
     def _detect(self, key: str) -> None:
-        """Assign the next axis or button that is used to this row; empty: detect none."""
+        """Assign the next axis or button that is used to this row, or detect none without a key."""
         state = self._gamepad.state
         self._detecting = key if state is not None else ""
         self._detector = InputDetector(state) if key and state is not None else None

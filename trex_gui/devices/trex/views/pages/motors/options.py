@@ -1,4 +1,4 @@
-"""What drives, and how speeds are sent: ceiling, ramp, brake strength, lock, spring return."""
+"""Options of driving: ceiling, ramp, brake strength, lock, spring return, and other controls."""
 
 from collections.abc import Callable
 from functools import partial
@@ -21,7 +21,7 @@ _SPACING = 6  # pixels
 
 
 class _StrengthEntry(SpeedEntry):
-    """Shows beside the number its share of full scale; a typed number counts with Enter."""
+    """Shows beside the number its share of full scale. A typed number counts with Enter."""
 
     def __init__(self, lowest: int, apply: Callable[[int], object], parent: QWidget) -> None:
         super().__init__(parent)
@@ -66,7 +66,7 @@ class SpeedCeiling(QWidget):
 
 
 class DriveWith(ui.Card):
-    """What drives beside pad and sliders; nothing of it is stored."""
+    """Controls that drive beside pad and sliders. None of them is stored."""
 
     def __init__(self, device: Device, parent: QWidget) -> None:
         super().__init__(tr("Drive with"), parent)
@@ -104,7 +104,7 @@ class DriveWith(ui.Card):
 
 
 class Options(ui.Card):
-    """What is rarely changed. All is stored but the ramp."""
+    """Options that are rarely changed. All but the ramp are stored."""
 
     def __init__(self, motors: Motors, parent: QWidget | None = None) -> None:
         super().__init__(tr("Options"), parent)
@@ -170,7 +170,7 @@ class Options(ui.Card):
         self._on_options_changed()
 
     def _make_stored(self, name: str, text: str, tip: str, key: str) -> QCheckBox:
-        """Create a check box whose state is stored; it is cleared by default."""
+        """Create a check box whose state is stored, by default cleared."""
         checked, store = self._store.flag(key, default=False), partial(self._store.set, key)
         return ui.check_box(self, name, text, tip=tip, checked=checked, on_toggle=store)
 

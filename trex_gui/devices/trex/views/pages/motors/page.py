@@ -48,7 +48,7 @@ _GAP = 8  # pixels between cards
 
 
 class MotorsPage(QWidget):
-    """Nothing moves before the motors are armed; leaving the page releases every control."""
+    """Nothing moves before the motors are armed. Leaving the page releases every control."""
 
     parameter_wanted = Signal(str)  # the key of a parameter that the user wants to see or change
     plot_wanted = Signal()
@@ -219,7 +219,7 @@ class MotorsPage(QWidget):
 
     @Slot()
     def _show_stored(self) -> None:
-        """Show the stored settings; grey, and without links, while the board may store others."""
+        """Show the stored settings, grey and without links while the board may store others."""
         device, is_connected = self._device, self._device.is_connected
         facts = _stored_facts(device)
         self._stored.setText(_table(facts, linked=is_connected))
@@ -317,7 +317,6 @@ class MotorsPage(QWidget):
         self._strip.draw()
 
     def _show_status(self) -> None:
-        """Show what matters most as the title, and every other reason below it."""
         first, *others = drive_statuses(drive_inputs(self._device))
         title = first.text
         if first.blocker is DriveBlocker.RUNNING:
@@ -423,7 +422,7 @@ def _stored_facts(device: Device) -> _Facts:
 
 
 def _table(facts: _Facts, *, linked: bool) -> str:
-    """Return the titles above their values; `linked`: values are links to their parameters."""
+    """Return the titles above their values, which are links to their parameters if `linked`."""
 
     def link(text: str, key: str) -> str:
         style = f"color:{theme().color('link').name()}; text-decoration:none"
