@@ -68,7 +68,7 @@ class FiguresTable(QTableWidget):
         self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
         for headers in (self.horizontalHeader(), self.verticalHeader()):
             headers.setHighlightSections(False)
-        set_row_height(self, 6)
+        set_row_height(self, 12)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
 
     def show_runs(self, run: Run | None, before: Run | None, band: float) -> None:
