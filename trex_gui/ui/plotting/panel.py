@@ -66,7 +66,7 @@ class TracePanel(QWidget):
             "pauseButton",
             tr("Pa&use"),
             checkable=True,
-            on_click=self._on_pause_clicked,
+            on_click=lambda paused: self.plot.set_live(not paused),
         )
         self._hold = button(
             self,
@@ -221,13 +221,6 @@ class TracePanel(QWidget):
             self.plot.set_color(name, COLORS[color][0])
         self.plot.shown_changed.emit()
         self.refresh()
-
-    @Slot()
-    def _on_pause_clicked(self) -> None:
-        if self._pause.isChecked():
-            self.plot.hold()
-        else:
-            self.plot.go_live()
 
     @Slot(bool)
     def _on_hold_toggled(self, hold: bool) -> None:

@@ -172,12 +172,8 @@ class TracePlot(Painted):
         self.span.show(start, end)
         self._on_view_changed()
 
-    def hold(self) -> None:
-        self.span.hold()
-        self._on_view_changed()
-
-    def go_live(self) -> None:
-        self.span.go_live()
+    def set_live(self, live: bool) -> None:
+        (self.span.go_live if live else self.span.hold)()
         self._on_view_changed()
 
     def _on_view_changed(self) -> None:
@@ -360,7 +356,7 @@ class TracePlot(Painted):
             case Qt.Key.Key_M:
                 self.set_mark(self.cursor_time if self.mark_time is None else None)
             case Qt.Key.Key_L:
-                self.go_live()
+                self.set_live(True)
             case _:
                 super().keyPressEvent(event)
 
