@@ -111,6 +111,8 @@ class TracePanel(QWidget):
         self.plot.colors_changed.connect(self._on_colors_changed)
         self._view.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self._view.customContextMenuRequested.connect(self._on_menu_requested)
+        columns_changed = self._view.horizontalHeader().geometriesChanged
+        columns_changed.connect(self._share_width, Qt.ConnectionType.QueuedConnection)
         self._list.chosen.connect(self._on_event_chosen)
         self.notifier.info.connect(self.set_note)
         self.notifier.error.connect(self.set_note)
@@ -122,6 +124,7 @@ class TracePanel(QWidget):
         parts.splitterMoved.connect(lambda *_: store.set(key, parts.saveState()))
         parts.restoreState(store.data(key))
 
+    @Slot()
     def _share_width(self) -> None:
         """Give the figures the width that they need, until the user has moved the handle."""
         if self._store.data(f"{self._key}figures_splitter").isEmpty():
