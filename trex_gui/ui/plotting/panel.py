@@ -76,7 +76,7 @@ class TracePanel(QWidget):
             checkable=True,
             on_toggle=self._on_hold_toggled,
         )
-        self.plot = TracePlot(self)
+        self.plot: TracePlot = TracePlot(self)
         self.notifier = Notifier(self)
         self.layout_button = LayoutButton(
             self.plot, self.notifier, self, layout=self.shown_layout, use=self._use_layout
