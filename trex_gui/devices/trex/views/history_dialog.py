@@ -3,7 +3,7 @@
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QItemSelectionModel, QModelIndex, Qt, QUrl, Signal, Slot
+from PySide6.QtCore import QEvent, QItemSelectionModel, Qt, QUrl, Signal, Slot
 from PySide6.QtGui import QDesktopServices, QKeySequence, QShortcut
 from PySide6.QtWidgets import QAbstractItemView, QStackedWidget, QTableView, QWidget
 
@@ -40,6 +40,8 @@ class HistoryDialog(ReusedDialog):
         self.setWindowFlags(Qt.WindowType.Window)
         self._history = device.writer.history
         self._table = SnapshotTable(device.writer.history, self)
+        self._place: tuple[int, Path | None] = 0, None  # of the newest selected snapshot
+        self._is_fitted = False
         self._bound_problem = ""
         self._later = new_timer(self, 0, self._renew, single_shot=True)
         # The thread that reads slows this one down: not before the window was drawn.
@@ -49,7 +51,11 @@ class HistoryDialog(ReusedDialog):
         device.notifier.log_also(notifier)
         self._banner = ui.named(Banner(self, notifier), "historyBanner")
         self._question = ui.named(InlinePrompt(self), "historyQuestion")
-        self._list = _SnapshotList(self._table, self)
+        hint = tr("Search times, boards, adapters (Ctrl+F)")
+        self._search = ui.search_field(self, "snapshotSearch", tr("Search snapshots"), hint)
+        self._view = self._list_view()
+        self._none = ui.label(self, "snapshotNoMatch", tr("No snapshot matches the search."))
+        self._none.hide()
         button = partial(ui.button, self, default=False)  # Enter means something else
         tip = tr("Save a copy as a settings file")
         self._save = button("saveSnapshotButton", tr("Save &as…"), icon="save", tip=tip)
@@ -69,7 +75,8 @@ class HistoryDialog(ReusedDialog):
         empty.setMaximumWidth(72 * self.fontMetrics().averageCharWidth())
 
         left, below = QWidget(self), ui.row(self._save, self._delete, 1)
-        ui.column((self._list, 1), below, into=left, margins=(0, 0, 6, 0))
+        listed = self._search, (self._view, 1), self._none
+        ui.column(*listed, below, into=left, margins=(0, 0, 6, 0))
         halves = ui.splitter(self, "", Qt.Orientation.Horizontal, (left, 2), (self._pane, 3))
         nothing = QWidget(self)
         ui.row(empty, into=nothing)
@@ -85,11 +92,10 @@ class HistoryDialog(ReusedDialog):
         self._save.clicked.connect(self._on_save_clicked)
         self._delete.clicked.connect(self._on_delete_clicked)
         self._folder.clicked.connect(self._on_folder_clicked)
+        self._search.textChanged.connect(self._table.set_words)
         self._table.listed.connect(self._on_listed)
         self._table.loaded.connect(self._later.start)
         self._table.failed.connect(self._banner.show_problem)
-        self._list.chosen_changed.connect(self._later.start)
-        self._list.delete_key.activated.connect(self._on_delete_clicked)
         self._pane.present_chosen.connect(self._on_present_chosen)
         self._pane.restore_requested.connect(self.restore_requested)
         self._bound.changed.connect(self.refresh)
@@ -104,6 +110,19 @@ class HistoryDialog(ReusedDialog):
         for ended in (device.applied, device.request_failed):
             ended.connect(self._on_written)
 
+    def _list_view(self) -> QTableView:
+        view = ui.flat_table(QTableView(self), "snapshotView", tr("Snapshots"))
+        view.setModel(self._table)
+        view.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        view.setWordWrap(False)
+        header = view.horizontalHeader()
+        header.setStretchLastSection(True)
+        header.setResizeContentsPrecision(50)  # rows that are measured for a width
+        keys, context = QKeySequence.StandardKey.Delete, Qt.ShortcutContext.WidgetShortcut
+        QShortcut(keys, view, self._on_delete_clicked, context=context)
+        view.selectionModel().selectionChanged.connect(self._on_selection_changed)
+        return view
+
     def open_history(self) -> None:
         self.show_in_front()
         self._reading.start()
@@ -113,16 +132,59 @@ class HistoryDialog(ReusedDialog):
         """Read the folder and the bound again."""
         self._table.refresh()
 
+    # --- The list -----------------------------------------------------------------------
+
+    @property
+    def _chosen(self) -> tuple[Snapshot, ...]:
+        """The selected snapshots, the newest first."""
+        rows = sorted(index.row() for index in self._view.selectionModel().selectedRows())
+        return tuple(self._table.snapshots[row] for row in rows)
+
+    def _choose(self, path: Path | None, otherwise: int = 0) -> None:
+        """Select a snapshot, or if it is not listed the row `otherwise`."""
+        found = None if path is None else self._table.row_of(path)
+        row = min(otherwise, self._table.rowCount() - 1) if found is None else found
+        index, flags = self._table.index(row, 0), QItemSelectionModel.SelectionFlag
+        self._view.selectionModel().setCurrentIndex(index, flags.ClearAndSelect | flags.Rows)
+        self._view.scrollTo(index)
+
+    @Slot()
+    def _on_selection_changed(self) -> None:
+        if chosen := self._chosen:
+            self._place = self._table.snapshots.index(chosen[0]), chosen[0].path
+        self._later.start()
+
     @Slot(object)
     def _on_listed(self, listing: Listing) -> None:
-        self._list.update_choice()
+        count = self._table.rowCount()
+        if count and not self._chosen:
+            row, path = self._place
+            self._choose(path, row)
+        self._none.setVisible(bool(listing.snapshots) and count == 0)
+        self._fit_columns()
         self._bound.show_bound(listing)
-        if self._bound.problem:
-            self._banner.show_problem(self._bound.problem)
-        elif self._bound_problem and self._banner.text == self._bound_problem:
+        problem, self._bound_problem = self._bound_problem, listing.bound.problem
+        if self._bound_problem:
+            self._banner.show_problem(self._bound_problem)
+        elif problem and self._banner.text == problem:
             self._banner.clear()
-        self._bound_problem = self._bound.problem
         self._renew()
+
+    def _fit_columns(self) -> None:
+        """Fit the columns to the first snapshots that are listed."""
+        if self._is_fitted or not self._table.snapshots:
+            return
+        self._is_fitted = True
+        self._view.resizeColumnsToContents()
+        character = self.fontMetrics().averageCharWidth()
+        for section in SnapshotColumn:
+            size = self._view.columnWidth(section) + 2 * character
+            title = self._view.horizontalHeader().sectionSizeHint(section)
+            self._view.setColumnWidth(section, max(min(size, _WIDEST * character), title))
+        last = self._view.horizontalHeader().minimumSectionSize()  # it takes what is left
+        self._view.setColumnWidth(SnapshotColumn.ADAPTER, last)
+
+    # --- The selected snapshots ---------------------------------------------------------
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.WindowActivate:
@@ -142,9 +204,8 @@ class HistoryDialog(ReusedDialog):
     @Slot()
     def _renew(self) -> None:
         self._later.stop()
-        chosen = self._list.chosen
-        listing = self._table.listing
-        self._pages.setCurrentIndex(int(listing is not None and listing.total == 0))
+        chosen, listing = self._chosen, self._table.listing
+        self._pages.setCurrentIndex(int(listing is not None and not listing.snapshots))
         self._folder.setEnabled(listing is not None and listing.has_folder)
         self._pane.show_chosen(chosen)
         self._save.setEnabled(len(chosen) == 1 and not self._table.problem_of(chosen[0]))
@@ -153,14 +214,13 @@ class HistoryDialog(ReusedDialog):
     @Slot()
     def _on_present_chosen(self) -> None:
         """Compare the older of two selected snapshots with the user's choice."""
-        chosen = self._list.chosen
-        if len(chosen) == 2:
-            self._list.choose(chosen[-1].path)
+        if len(self._chosen) == 2:
+            self._choose(self._chosen[-1].path)
         self._renew()
 
     @Slot()
     def _on_save_clicked(self) -> None:
-        chosen = self._list.chosen
+        chosen = self._chosen
         if len(chosen) != 1:
             return
         source = chosen[0].path
@@ -181,7 +241,7 @@ class HistoryDialog(ReusedDialog):
 
     @Slot()
     def _on_delete_clicked(self) -> None:
-        chosen = self._list.chosen
+        chosen = self._chosen
         if not chosen:
             return
         text = tr("Permanently delete %n snapshot(s), the newest of {0}?", "", len(chosen))
@@ -215,101 +275,6 @@ class HistoryDialog(ReusedDialog):
         super().reject()
 
 
-class _SnapshotList(QWidget):
-    """A search field above the snapshots, of which one or several can be chosen."""
-
-    chosen_changed = Signal()
-
-    def __init__(self, table: SnapshotTable, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._table = table
-        self._sought: Path | None = None  # what was chosen before another search
-        self._vacant: int | None = None  # the row of what was chosen and is gone
-        self._is_fitted = False
-
-        hint = tr("Search times, boards, adapters (Ctrl+F)")
-        self._search = ui.search_field(self, "snapshotSearch", tr("Search snapshots"), hint)
-        self._view = ui.flat_table(QTableView(self), "snapshotView", tr("Snapshots"))
-        # Before the view takes back what it selected.
-        table.rowsAboutToBeRemoved.connect(self._on_rows_about_to_be_removed)
-        self._view.setModel(table)
-        self._view.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
-        self._view.setWordWrap(False)
-        header = self._view.horizontalHeader()
-        header.setStretchLastSection(True)
-        header.setResizeContentsPrecision(50)  # rows that are measured for a width
-        self._none = ui.label(self, "snapshotNoMatch", tr("No snapshot matches the search."))
-        self._fit_columns()  # to their titles, as long as nothing is listed
-        ui.column(self._search, (self._view, 1), self._none, into=self, margins=0)
-
-        self.delete_key = QShortcut(QKeySequence.StandardKey.Delete, self._view)
-        self.delete_key.setContext(Qt.ShortcutContext.WidgetShortcut)
-        self._search.textChanged.connect(table.set_words)
-        self._view.selectionModel().selectionChanged.connect(self.chosen_changed)
-        table.modelAboutToBeReset.connect(self._on_about_to_be_reset)
-        table.rowsInserted.connect(self._on_rows_inserted)
-
-    @property
-    def chosen(self) -> tuple[Snapshot, ...]:
-        """The selected snapshots, the newest first."""
-        rows = sorted(index.row() for index in self._selected)
-        return tuple(self._table.snapshots[row] for row in rows)
-
-    def choose(self, path: Path) -> None:
-        if (row := self._table.row_of(path)) is not None:
-            self._choose_row(row)
-
-    @Slot()
-    def _on_about_to_be_reset(self) -> None:
-        """Choose the same snapshot again if it is found by the new search, too."""
-        self._sought = next((snapshot.path for snapshot in self.chosen), None)
-
-    @Slot(QModelIndex, int, int)
-    def _on_rows_inserted(self, _parent: QModelIndex, first: int, last: int) -> None:
-        if self._sought is None and self._table.rowCount() == last - first + 1:
-            self._choose_row(0)
-
-    @Slot(QModelIndex, int, int)
-    def _on_rows_about_to_be_removed(self, _parent: QModelIndex, first: int, last: int) -> None:
-        """If all that is chosen goes, choose what takes its place."""
-        rows = [index.row() for index in self._selected]
-        if rows and first <= min(rows) and max(rows) <= last:
-            self._vacant = first
-
-    def update_choice(self) -> None:
-        """Choose another snapshot if the one that was chosen is gone, once all are listed."""
-        if self._sought is not None:
-            self.choose(self._sought)
-        count = self._table.rowCount()
-        if self._vacant is not None and count and not self._selected:
-            self._choose_row(min(self._vacant, count - 1))
-        self._sought = self._vacant = None
-        if count and not self._is_fitted:
-            self._is_fitted = True
-            self._fit_columns()
-        self._none.setVisible(bool(self._search.text().strip()) and count == 0)
-
-    @property
-    def _selected(self) -> list[QModelIndex]:
-        return self._view.selectionModel().selectedRows()
-
-    def _choose_row(self, row: int) -> None:
-        index = self._table.index(row, 0)
-        flags = QItemSelectionModel.SelectionFlag
-        self._view.selectionModel().setCurrentIndex(index, flags.ClearAndSelect | flags.Rows)
-        self._view.scrollTo(index)
-
-    def _fit_columns(self) -> None:
-        self._view.resizeColumnsToContents()
-        character = self.fontMetrics().averageCharWidth()
-        for section in SnapshotColumn:
-            size = self._view.columnWidth(section) + 2 * character
-            title = self._view.horizontalHeader().sectionSizeHint(section)
-            self._view.setColumnWidth(section, max(min(size, _WIDEST * character), title))
-        last = self._view.horizontalHeader().minimumSectionSize()  # it takes what is left
-        self._view.setColumnWidth(SnapshotColumn.ADAPTER, last)
-
-
 class _BoundField(QWidget):
     """`Keep 500 snapshots`; the Set button makes it the bound, 0 keeps all."""
 
@@ -322,18 +287,15 @@ class _BoundField(QWidget):
         self._notifier = notifier
         self._history = history
         self._question = question
-        self.problem = ""  # why the bound is not known, as a sentence; empty if it is
-        self._stored: int | None = KEPT
-        self._total: int | None = None  # snapshots that there are, once they were counted
+        self._listing: Listing | None = None  # `None` before the snapshots are counted
 
         title = tr("How many snapshots are kept")
         self._count = ui.spin_box(self, "keptField", title, 0, _MOST_KEPT, value=KEPT)
         self._count.setSpecialValueText(tr("all"))
         self._count.setKeyboardTracking(True)
         self._count.valueChanged.connect(self._on_edited)
-        self._set = ui.button(
-            self, "keptButton", tr("&Set"), default=False, on_click=self._on_set_clicked
-        )
+        self._set = ui.button(self, "keptButton", tr("&Set"), default=False)
+        self._set.clicked.connect(self._on_set_clicked)
         keep = ui.label(self, text=tr("&Keep"), buddy=self._count)
         snapshots = ui.label(self, text=tr("snapshots"))
         ui.row(keep, self._count, snapshots, self._set, into=self, margins=0)
@@ -343,24 +305,26 @@ class _BoundField(QWidget):
         """Show the bound that was read; an edit in progress stays."""
         if self._wanted == self._stored:
             self._count.setValue(listing.bound.kept or 0)
-        self._total = listing.total
-        self.problem = listing.bound.problem
-        self._stored = listing.bound.kept
+        self._listing = listing
         self._on_edited()
 
     @property
     def _wanted(self) -> int | None:
         return self._count.value() or None
 
+    @property
+    def _stored(self) -> int | None:
+        return KEPT if self._listing is None else self._listing.bound.kept
+
     @Slot()
     def _on_edited(self) -> None:
-        is_edited = bool(self.problem) or self._wanted != self._stored
-        self._set.setEnabled(is_edited and self._total is not None)
+        listing, is_edited = self._listing, self._wanted != self._stored
+        self._set.setEnabled(listing is not None and (is_edited or bool(listing.bound.problem)))
 
     @Slot()
     def _on_set_clicked(self) -> None:
-        wanted = self._wanted
-        removed = 0 if wanted is None or self._total is None else max(0, self._total - wanted)
+        wanted, total = self._wanted, 0 if self._listing is None else len(self._listing.snapshots)
+        removed = 0 if wanted is None else max(0, total - wanted)
         if not removed:
             self._keep(wanted)
             return
@@ -372,7 +336,7 @@ class _BoundField(QWidget):
         text = tr("Permanently remove the oldest %n of {0} snapshots?", "", removed)
         remove = tr("Remove {0}").format(removed)
         answer = Answer("historyQuestionYes", remove, lambda: self._keep(wanted))
-        self._question.ask(text.format(self._total), answer, otherwise=on_cancelled)
+        self._question.ask(text.format(total), answer, otherwise=on_cancelled)
         self._count.setValue(wanted or 0)
         self._set.setEnabled(False)
 

@@ -1,24 +1,17 @@
 """The history as Qt sees it."""
 
-import shutil
-from datetime import UTC, datetime, timedelta
+from datetime import datetime, timedelta
 from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 from PySide6.QtCore import Qt
 from pytestqt.modeltest import ModelTester
 from pytestqt.qtbot import QtBot
 
 from tests.support.snapshots import ADAPTER, take
 from tests.support.virtual_time import VirtualRuntime
-from trex_gui.devices.trex.model.settings.snapshots import (
-    SnapshotColumn,
-    SnapshotTable,
-    row_edits,
-)
+from trex_gui.devices.trex.model.settings.snapshots import SnapshotColumn, SnapshotTable
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.history import SettingsHistory, Snapshot
 from trex_gui.ui.files import background
@@ -170,45 +163,6 @@ def test_window_reads_no_snapshot_itself(
     assert isinstance(table.content_of(table.snapshots[0]), Settings)
 
 
-def test_newest_snapshots_are_shown_before_all_are_read(table: ListedHistory) -> None:
-    first = take(table.history)
-    for number in range(300):
-        shutil.copy(first.path, first.path.with_name(f"20200101T{number:06}Z-trex-1.2.txt"))
-    found: list[int] = []
-
-    def progress(share: float) -> None:
-        if share > 0.9:
-            table._on_progressed(share)
-            found.append(table.rowCount())
-
-    table.refresh()
-    table._cancel()
-    assert table._search is not None
-    table._search.run(progress)
-    table._on_progressed(1.0)
-    assert 0 < found[0] < 301
-    assert table.snapshots[0].path == first.path
-    finish()
-    assert table.rowCount() == 301
-
-
-@given(
-    before=st.sets(st.integers(0, 30)),
-    after=st.sets(st.integers(0, 30)),
-)
-def test_row_edits_make_the_rows_shown_those_wanted(before: set[int], after: set[int]) -> None:
-    def snapshots(numbers: set[int]) -> list[Snapshot]:
-        paths = (Path(f"20260101T0000{number:02}Z-trex-1.2.txt") for number in numbers)
-        made = (Snapshot(path, datetime.now(UTC)) for path in paths)
-        return sorted(made, key=lambda one: one.path.name, reverse=True)
-
-    rows, wanted = snapshots(before), snapshots(after)
-    for edit in row_edits(tuple(rows), wanted):
-        rows[edit.place : edit.place + edit.removed] = edit.rows
-    assert [one.path for one in rows] == [one.path for one in wanted]
-    assert not list(row_edits(wanted, wanted))
-
-
 def test_neighbour_is_next_newer_or_older_of_same_product(table: ListedHistory) -> None:
     oldest, junior, middle, damaged, newest = (
         take(table.history, 9 * MINUTE),
@@ -242,5 +196,4 @@ def test_words_match_in_every_column(table: ListedHistory, words: str, count: in
     take(table.history, noon, reason="restore-defaults", adapter="CP2102 (COM9)", device_number=9)
     refresh(table)
     table.set_words(words)
-    finish()
     assert table.rowCount() == count

@@ -1,9 +1,8 @@
 """The history as a table with a row per snapshot."""
 
-from bisect import bisect_left
-from collections import Counter, deque
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections import Counter
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from datetime import datetime, timedelta
 from enum import IntEnum
 from functools import partial
@@ -18,21 +17,14 @@ from PySide6.QtCore import (
     QPersistentModelIndex,
     Qt,
     Signal,
-    Slot,
 )
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import SettingsError
 from trex_gui.core.translation import tr
+from trex_gui.devices.trex.model.settings.comparison_table import renew_rows
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.history import (
-    Bound,
-    Order,
-    SettingsHistory,
-    Snapshot,
-    Stamp,
-    order_of,
-)
+from trex_gui.devices.trex.settings.history import Bound, SettingsHistory, Snapshot, Stamp
 from trex_gui.ui.files import in_background, start_in_background
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.widgets.builders import plain
@@ -41,7 +33,6 @@ from trex_gui.ui.workers.file_worker import ProgressCallback
 Index = QModelIndex | QPersistentModelIndex
 
 _FINDINGS = 3
-_ROWS_AT_ONCE = 200
 
 
 class SnapshotColumn(IntEnum):
@@ -54,98 +45,22 @@ class SnapshotColumn(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Listing:
-    """What a folder of snapshots holds besides the snapshots themselves."""
+    """Content of the folder of a history."""
 
-    total: int = 0  # how many snapshots there are, shown or not
-    bound: Bound = field(default_factory=Bound)
-    has_folder: bool = False
-
-
-@dataclass(frozen=True, slots=True)
-class RowEdit:
-    """`removed` rows from `place` on give way to others, or one row to a changed one."""
-
-    place: int
-    removed: int = 0
-    rows: tuple[Snapshot, ...] = ()
+    snapshots: tuple[Snapshot, ...]  # all, the newest first
+    bound: Bound
+    has_folder: bool
 
 
-def row_edits(shown: Iterable[Snapshot], wanted: Iterable[Snapshot]) -> Iterator[RowEdit]:
-    """Yield what makes the rows shown those wanted, one after the other; both newest first."""
-    old = deque(shown)
-    place, new = 0, list[Snapshot]()
-    for snapshot in wanted:
-        order, removed = order_of(snapshot.path), 0
-        while old and order_of(old[0].path) > order:
-            old.popleft()
-            removed += 1
-        stays = bool(old) and old[0].path == snapshot.path
-        if new and (removed or stays or len(new) >= _ROWS_AT_ONCE):
-            yield RowEdit(place, 0, tuple(new))
-            place += len(new)
-            new = []
-        if removed:
-            yield RowEdit(place, removed)
-        if not stays:
-            new.append(snapshot)
-            continue
-        if old.popleft() is not snapshot:
-            yield RowEdit(place, 1, (snapshot,))
-        place += 1
-    if new:
-        yield RowEdit(place, 0, tuple(new))
-    if old:
-        yield RowEdit(place + len(new), len(old))
-
-
-class _Search:
-    """Lists the snapshots with all the words of a search; `run` is called in a thread of its own.
-
-    What it finds is in `found` as soon as it is known: the minutes with several snapshots, then
-    `RowEdit`s.
-    """
-
-    def __init__(
-        self,
-        history: SettingsHistory,
-        known: dict[str, Snapshot],
-        shown: Sequence[Snapshot],
-        words: str,
-        problems: Mapping[Path, str],
-    ) -> None:
-        """`known` are heads that were read before, by file name; it is kept up to date."""
-        self.found: deque[frozenset[datetime] | RowEdit] = deque()
-        self._history = history
-        self._known = known
-        self._shown = shown
-        self._words = words.casefold().split()
-        self._problems = problems
-
-    def run(self, progress: ProgressCallback) -> Listing:
-        files = self._history.files()
-        minutes = Counter(taken.replace(second=0) for taken, _, _ in files)
-        busy = frozenset(minute for minute, count in minutes.items() if count > 1)
-        self.found.append(busy)
-        self.found.extend(row_edits(self._shown, self._matching(files, busy, progress)))
-        for gone in self._known.keys() - {name for _, _, name in files}:
-            self._known.pop(gone, None)
-        folder = self._history.folder
-        return Listing(len(files), self._history.bound(), folder.is_dir())
-
-    def _matching(
-        self, files: Sequence[Order], busy: frozenset[datetime], progress: ProgressCallback
-    ) -> Iterator[Snapshot]:
-        for number, file in enumerate(files, 1):
-            name = file[2]
-            snapshot = self._known[name] = self._history.look_at(file, self._known.get(name))
-            progress(number / len(files))
-            if not self._words or self._matches(snapshot, busy):
-                yield snapshot
-
-    def _matches(self, snapshot: Snapshot, busy: frozenset[datetime]) -> bool:
-        problem = self._problems.get(snapshot.path, snapshot.problem)
-        text = " ".join((*_cells(snapshot, problem, busy), _tip(snapshot, problem))).casefold()
-        return all(word in text for word in self._words)
+def _read(
+    history: SettingsHistory, known: Mapping[Path, Snapshot], progress: ProgressCallback
+) -> Listing:
+    """Read the folder in a thread; `known` are heads that were read before."""
+    files, snapshots = history.files(), list[Snapshot]()
+    for number, file in enumerate(files, 1):
+        snapshots.append(history.look_at(file, known.get(history.folder / file[2])))
+        progress(number / len(files))
+    return Listing(tuple(snapshots), history.bound(), history.folder.is_dir())
 
 
 class SnapshotTable(QAbstractTableModel):
@@ -155,7 +70,7 @@ class SnapshotTable(QAbstractTableModel):
     the snapshot is loaded, and stays known.
     """
 
-    listed = Signal(object)  # the folder was read to its end; `listing`
+    listed = Signal(object)  # the `listing`: the folder was read, or is searched for other words
     loaded = Signal()  # `content_of` knows more
     failed = Signal(str)  # why the folder cannot be listed, for the user
 
@@ -165,84 +80,54 @@ class SnapshotTable(QAbstractTableModel):
         self.snapshots: list[Snapshot] = []
         self.listing: Listing | None = None  # `None` before the folder was read
         self._busy_minutes: frozenset[datetime] = frozenset()
-        self._known: dict[str, Snapshot] = {}
         self._contents: dict[Path, tuple[Stamp, Settings | str]] = {}  # or why it is damaged
         self._loading: set[Path] = set()
-        self._words = ""
-        self._starts_anew = False
-        self._search: _Search | None = None
+        self._words: list[str] = []
         self._cancel: Callable[[], None] = lambda: None
 
     def set_words(self, text: str) -> None:
         """Show only snapshots with all these words, in any of their columns."""
-        if text.split() != self._words.split():
-            self._words = text
-            self._starts_anew = True
-            self.refresh()
+        self._words = text.casefold().split()
+        if self.listing is not None:
+            self.beginResetModel()
+            self.snapshots = self._matching(self.listing)
+            self.endResetModel()
+            self.listed.emit(self.listing)
 
     def refresh(self) -> None:
         """Read the folder again; rows that stay keep their place."""
         self._cancel()
-        known = self._contents.items()
-        problems = {path: text for path, (_, text) in known if isinstance(text, str)}
-        shown = () if self._starts_anew else tuple(self.snapshots)
-        search = _Search(self._history, self._known, shown, self._words, problems)
-        self._search = search
+        before = () if self.listing is None else self.listing.snapshots
+        known = {snapshot.path: snapshot for snapshot in before}
+        read = partial(_read, self._history, known)
         self._cancel = start_in_background(
-            self, search.run, self._on_listed, self._on_failed, self._on_progressed
+            self, read, self._on_read, lambda error: self.failed.emit(str(error))
         )
 
-    @Slot(float)
-    def _on_progressed(self, _share: float) -> None:
-        """Show what was found so far."""
-        if self._search is None:
-            return
-        if self._starts_anew:
-            self._starts_anew = False
-            self.beginResetModel()
-            self.snapshots.clear()
-            self.endResetModel()
-        found = self._search.found
-        while found:
-            first = found.popleft()
-            if isinstance(first, RowEdit):
-                self._edit(first)
-            else:
-                self._busy_minutes = first
-
-    def _on_listed(self, listing: Listing) -> None:
-        self._on_progressed(1.0)
-        self._search = None
+    def _on_read(self, listing: Listing) -> None:
         self.listing = listing
-        if self.snapshots:  # it may be tomorrow now, or a minute have more snapshots
-            self._announce(0, len(self.snapshots) - 1)
+        minutes = Counter(_minute(snapshot) for snapshot in listing.snapshots)
+        self._busy_minutes = frozenset(minute for minute, count in minutes.items() if count > 1)
+        wanted = self._matching(listing)
+        renew_rows(self, self.snapshots, wanted, lambda snapshot: snapshot.path)
+        self.snapshots[:] = wanted  # equal ones may have another stamp
+        if wanted:  # it may be tomorrow now, or a minute have more snapshots
+            self._announce(0, len(wanted) - 1)
         self.listed.emit(listing)
 
-    def _on_failed(self, error: StudioError) -> None:
-        self._search = None
-        self.failed.emit(str(error))
+    def _matching(self, listing: Listing) -> list[Snapshot]:
+        return [each for each in listing.snapshots if not self._words or self._matches(each)]
 
-    def _edit(self, edit: RowEdit) -> None:
-        nowhere, end = QModelIndex(), edit.place + edit.removed
-        if edit.removed == len(edit.rows):
-            self.snapshots[edit.place : end] = edit.rows
-            self._announce(edit.place, end - 1)
-        elif edit.removed:
-            self.beginRemoveRows(nowhere, edit.place, end - 1)
-            del self.snapshots[edit.place : end]
-            self.endRemoveRows()
-        else:
-            self.beginInsertRows(nowhere, edit.place, edit.place + len(edit.rows) - 1)
-            self.snapshots[edit.place : edit.place] = edit.rows
-            self.endInsertRows()
+    def _matches(self, snapshot: Snapshot) -> bool:
+        text = " ".join((*self._cells(snapshot), self._tip(snapshot))).casefold()
+        return all(word in text for word in self._words)
 
     def _announce(self, first: int, last: int) -> None:
         self.dataChanged.emit(self.index(first, 0), self.index(last, self.columnCount() - 1))
 
     def row_of(self, path: Path) -> int | None:
-        rows, order = self.snapshots, order_of(path)
-        row = bisect_left(range(len(rows)), True, key=lambda at: order_of(rows[at].path) <= order)
-        return row if row < len(rows) and rows[row].path == path else None
+        rows = enumerate(self.snapshots)
+        return next((row for row, snapshot in rows if snapshot.path == path), None)
 
     def neighbour(self, snapshot: Snapshot) -> Snapshot | None:
         """Return the next newer sound snapshot of the same product, else the next older one."""
@@ -270,23 +155,16 @@ class SnapshotTable(QAbstractTableModel):
             return content
         if snapshot.path not in self._loading:
             self._loading.add(snapshot.path)
-            in_background(
-                self,
-                partial(self._history.load, snapshot),
-                partial(self._on_loaded, snapshot),
-                partial(self._on_not_loaded, snapshot),
-            )
+            load, then = partial(self._history.load, snapshot), partial(self._on_loaded, snapshot)
+            in_background(self, load, then, lambda error: then(_in_short(error)))
         return None
-
-    def _on_not_loaded(self, snapshot: Snapshot, error: StudioError) -> None:
-        self._on_loaded(snapshot, _in_short(error))
-        row = self.row_of(snapshot.path)
-        if row is not None:
-            self._announce(row, row)
 
     def _on_loaded(self, snapshot: Snapshot, content: Settings | str) -> None:
         self._loading.discard(snapshot.path)
         self._contents[snapshot.path] = (snapshot.stamp, content)
+        row = self.row_of(snapshot.path)
+        if row is not None:  # it may be damaged
+            self._announce(row, row)
         self.loaded.emit()
 
     def problem_of(self, snapshot: Snapshot) -> str:
@@ -328,49 +206,44 @@ class SnapshotTable(QAbstractTableModel):
             case Qt.ItemDataRole.DisplayRole:
                 return self._cells(snapshot)[index.column()]
             case Qt.ItemDataRole.ToolTipRole:
-                return plain(_tip(snapshot, self.problem_of(snapshot)))
+                return plain(self._tip(snapshot))
             case Qt.ItemDataRole.DecorationRole if index.column() == SnapshotColumn.BOARD:
                 return icon("warning", "warning") if self.problem_of(snapshot) else None
         return None
 
     def _cells(self, snapshot: Snapshot) -> tuple[str, ...]:
-        return _cells(snapshot, self.problem_of(snapshot), self._busy_minutes)
+        board = f"{snapshot.product} {snapshot.firmware}".strip()
+        return (
+            self.time_text(snapshot),
+            snapshot.reason,
+            tr("damaged") if self.problem_of(snapshot) else board,
+            "" if snapshot.device_number is None else str(snapshot.device_number),
+            snapshot.adapter,
+        )
+
+    def _tip(self, snapshot: Snapshot) -> str:
+        when = snapshot.taken.astimezone().strftime("%Y-%m-%d %H:%M:%S")
+        lines = [when, snapshot.path.name]
+        if problem := self.problem_of(snapshot):
+            lines.append(tr("This snapshot is damaged and cannot be restored. {0}").format(problem))
+        return "\n".join(lines)
 
     def time_text(self, snapshot: Snapshot) -> str:
         """Return local time such as `today 14:03`, with seconds if the minute has several."""
-        return _time_text(snapshot, self._busy_minutes)
+        local = snapshot.taken.astimezone()
+        today = datetime.now().astimezone().date()
+        is_busy = _minute(snapshot) in self._busy_minutes
+        clock = local.strftime("%H:%M:%S" if is_busy else "%H:%M")
+        if local.date() == today:
+            return tr("today {0}").format(clock)
+        if local.date() == today - timedelta(days=1):
+            return tr("yesterday {0}").format(clock)
+        year = "" if local.year == today.year else f" {local.year}"
+        return f"{local.day} {local.strftime('%b')}{year} {clock}"
 
 
-def _cells(snapshot: Snapshot, problem: str, busy: Collection[datetime]) -> tuple[str, ...]:
-    board = f"{snapshot.product} {snapshot.firmware}".strip()
-    return (
-        _time_text(snapshot, busy),
-        snapshot.reason,
-        tr("damaged") if problem else board,
-        "" if snapshot.device_number is None else str(snapshot.device_number),
-        snapshot.adapter,
-    )
-
-
-def _tip(snapshot: Snapshot, problem: str) -> str:
-    when = snapshot.taken.astimezone().strftime("%Y-%m-%d %H:%M:%S")
-    lines = [when, snapshot.path.name]
-    if problem:
-        lines.append(tr("This snapshot is damaged and cannot be restored. {0}").format(problem))
-    return "\n".join(lines)
-
-
-def _time_text(snapshot: Snapshot, busy: Collection[datetime]) -> str:
-    local = snapshot.taken.astimezone()
-    today = datetime.now().astimezone().date()
-    is_busy = snapshot.taken.replace(second=0) in busy
-    clock = local.strftime("%H:%M:%S" if is_busy else "%H:%M")
-    if local.date() == today:
-        return tr("today {0}").format(clock)
-    if local.date() == today - timedelta(days=1):
-        return tr("yesterday {0}").format(clock)
-    year = "" if local.year == today.year else f" {local.year}"
-    return f"{local.day} {local.strftime('%b')}{year} {clock}"
+def _minute(snapshot: Snapshot) -> datetime:
+    return snapshot.taken.replace(second=0)
 
 
 def _in_short(error: StudioError) -> str:
