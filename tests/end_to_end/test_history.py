@@ -19,7 +19,7 @@ from trex_gui.devices.trex.views.changes.dialog import ChangesDialog
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.note_field import NoteField
 from trex_gui.devices.trex.views.pages.parameters.page import ParametersPage
-from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
+from trex_gui.devices.trex.views.settings_editor.printed import settings_html
 from trex_gui.ui.devices.connection import ConnectionState
 
 
@@ -201,7 +201,7 @@ def test_note_is_typed_and_kept_wherever_the_value_goes(
     assert read_settings(load(path))[0].notes == {KEY: NOTE}
     shown = draft.shown
     assert shown is not None
-    assert "Note: The radio drops out<br>behind the barn." in PrintedSettings(shown, "x").html()
+    assert "Note: The radio drops out<br>behind the barn." in settings_html(shown, "x")
 
     number_12 = data_folder() / "boards" / "trex-1.2-12.txt"
     number_12.write_text("of another board", encoding="utf-8")

@@ -28,7 +28,7 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.views.count_editor import CountEditor
-from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
+from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings, settings_html
 from trex_gui.devices.trex.views.settings_editor.text_page import NumberedText
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 from trex_gui.devices.trex.views.settings_files import SAMPLES
@@ -346,7 +346,7 @@ def settings_in(text: str) -> Settings:
 
 def test_printed_settings_name_every_row(device: Device) -> None:
     settings = settings_in(TEXT)
-    html = PrintedSettings(settings, "a<b>.txt", ["line 3: odd & strange"]).html()
+    html = settings_html(settings, "a<b>.txt", ["line 3: odd & strange"])
     for spec in settings.specs.readable:
         assert spec.name in html
         assert spec.key in html
@@ -356,10 +356,10 @@ def test_printed_settings_name_every_row(device: Device) -> None:
     assert "<b>" not in html  # everything given is the factory default
 
     changed = settings_in("product: TReX\nserial_timeout: 5\n")
-    assert "<b>0.5 s</b>" in PrintedSettings(changed, "rover.txt").html()
+    assert "<b>0.5 s</b>" in settings_html(changed, "rover.txt")
 
     theme().set_scheme("dark")
-    document = PrintedSettings(settings, "rover.txt").document()
+    document = PrintedSettings(settings, "rover.txt")
     cursor = QTextCursor(document)
     colours = set()
     while cursor.movePosition(QTextCursor.MoveOperation.NextWord):
