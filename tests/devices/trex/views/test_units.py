@@ -191,11 +191,11 @@ def test_switch_changes_channels_at_once(qtbot: QtBot, quick_simulator: Simulate
         quick_simulator.do("channel 1 1800us")
         page.wait(lambda: page.input(1).startswith("1800 µs (4500)"))
         neutral = page.find(QSpinBox, "neutralEdit")
-        assert (neutral.text(), page.text("neutralCounts")) == ("1500 µs", "= 3750 counts")
+        assert neutral.text() == "1500 µs"
 
         units().set_own_first(True)
         assert page.input(1).startswith("4500 (1800 µs)")
-        assert (neutral.text(), page.text("neutralCounts")) == ("3750", "= 1500 µs")
+        assert neutral.text() == "3750"
         page.type_into("neutralEdit", "3800")
         assert page.shown().neutral == 3800
         page.type_into("neutralEdit", "1500 µs")

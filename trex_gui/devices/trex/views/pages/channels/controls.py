@@ -4,7 +4,7 @@ from dataclasses import replace
 from functools import partial
 
 from PySide6.QtCore import QSignalBlocker, Signal, Slot
-from PySide6.QtWidgets import QLabel, QWidget
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
@@ -17,7 +17,6 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.board_records import Known
 from trex_gui.devices.trex.views.count_editor import CountEditor
 from trex_gui.ui.theme.theme import follow_theme
-from trex_gui.ui.units import units
 from trex_gui.ui.widgets.bar import NO_VALUE
 from trex_gui.ui.widgets.builders import (
     button,
@@ -35,7 +34,7 @@ _SOURCE = ParameterKey.CHANNEL_INPUT_SOURCE
 
 
 class CalibrationFields(QWidget):
-    """Four fields in µs or V, each with its counts, or the reverse; arrow keys step by a count."""
+    """Four fields in µs, V or counts. Arrow keys step by a count."""
 
     # A valid calibration, and its run of steps, which is one undo step; `None`: it was typed
     edited = Signal(object, object)
@@ -46,7 +45,6 @@ class CalibrationFields(QWidget):
         self._source = InputSource.RC
         self._calibration: Calibration | None = None
         self._editors: dict[str, CountEditor] = {}
-        self._others: dict[str, QLabel] = {}  # with the values in the other unit
         self._run = object()
         titles = {
             "minimum": tr("&Minimum"),
@@ -58,17 +56,13 @@ class CalibrationFields(QWidget):
         for number, (field, title) in enumerate(titles.items()):
             accessible = title.replace("&", "")
             editor = named(CountEditor(self._source, self), f"{field}Edit", accessible=accessible)
-            other = label(self, f"{field}Counts", size="caption")
             layout.addWidget(label(self, text=title, buddy=editor), 0, number)
             layout.addWidget(editor, 1, number)
-            layout.addWidget(other, 2, number)
             follow_theme(editor, "width", partial(_fit, editor))
             editor.valueChanged.connect(partial(self._on_value_changed, field))
             editor.editingFinished.connect(self._on_run_ended)
             editor.rejected.connect(self.rejected)
             self._editors[field] = editor
-            self._others[field] = other
-        units().changed.connect(self._show_others)
 
     def show_calibration(
         self, source: InputSource, calibration: Calibration | None, *, editable: bool
@@ -83,13 +77,6 @@ class CalibrationFields(QWidget):
             with QSignalBlocker(editor):
                 editor.setSpecialValueText(NO_VALUE if calibration is None else "")
                 editor.setValue(count)
-        self._show_others()
-
-    @Slot()
-    def _show_others(self) -> None:
-        for field, other in self._others.items():
-            text = f"= {self._editors[field].other_text}"
-            other.setText(text if self._calibration is not None else "")
 
     def _on_value_changed(self, field: str, count: int) -> None:
         calibration = self._calibration
