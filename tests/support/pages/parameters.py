@@ -5,7 +5,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QSpinBox
 
 from tests.support.window import WidgetDriver, WindowDriver
-from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter
+from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 
 
@@ -18,9 +18,9 @@ class ParametersPage(WidgetDriver):
 
     def index_of(self, key: str) -> QModelIndex:
         """Return where the value of a parameter is in the view."""
-        rows = self.view.model()
-        assert isinstance(rows, ParameterFilter)
-        return rows.index_of(key)
+        model = self.view.model()
+        assert isinstance(model, ParameterModel)
+        return model.index_of(key)
 
     def edit(self, key: str, text: str) -> None:
         """Open the editor of a parameter with the mouse, and type a value that is accepted."""

@@ -12,7 +12,6 @@ from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.parameters import ParameterSet
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 
@@ -49,14 +48,9 @@ class ParametersDriver(WidgetDriver):
     # --- Rows ---------------------------------------------------------------------------
 
     @property
-    def rows(self) -> ParameterFilter:
-        rows = self.view.model()
-        assert isinstance(rows, ParameterFilter)
-        return rows
-
-    @property
     def headings(self) -> list[QModelIndex]:
-        cells = (self.rows.index(row, 0) for row in range(self.rows.rowCount()))
+        rows = (row for row in range(self.model.rowCount()) if not self.view.isRowHidden(row))
+        cells = (self.model.index(row, 0) for row in rows)
         return [cell for cell in cells if cell.data(Role.GROUP) is not None]
 
     @property
@@ -80,7 +74,7 @@ class ParametersDriver(WidgetDriver):
 
     def cell(self, key: str, column: ParameterColumn | None = None) -> QModelIndex:
         """Return the value of a parameter, or another cell of its row."""
-        value = self.rows.index_of(key)
+        value = self.model.index_of(key)
         return value if column is None else value.siblingAtColumn(column)
 
     def click_cell(self, key: str, column: ParameterColumn | None = None) -> None:
@@ -121,12 +115,12 @@ class ParametersDriver(WidgetDriver):
         return self.editor(key)
 
     def editor(self, key: str) -> QWidget:
-        editor = self.view.indexWidget(self.rows.index_of(key))
+        editor = self.view.indexWidget(self.model.index_of(key))
         assert editor is not None, key
         return editor
 
     def is_editing(self, key: str) -> bool:
-        return self.view.indexWidget(self.rows.index_of(key)) is not None
+        return self.view.indexWidget(self.model.index_of(key)) is not None
 
     def close_editor(self, key: str) -> None:
         QTest.keyClick(self.editor(key), Qt.Key.Key_Escape)

@@ -238,7 +238,7 @@ def test_pinned_rows_are_remembered(parameters: ParametersDriver, qtbot: QtBot) 
     other = ParametersDriver(qtbot)
     other.load(SPECS, serial_timeout=5)
     assert other.titles[0] == "Pinned"
-    assert [other.rows.keys_at(row) for row in (1, 2)] == [
+    assert [other.model.keys_at(row) for row in (1, 2)] == [
         ("serial_timeout",),
         ("motor1_current_limit", "motor2_current_limit"),
     ]
@@ -265,7 +265,7 @@ def request_menu(parameters: ParametersDriver, index: QModelIndex) -> QMenu:
 
 def menu_of(parameters: ParametersDriver, key: str) -> dict[str, QAction]:
     """Open the menu of a row; return what can be seen in it, by name."""
-    menu = request_menu(parameters, parameters.rows.index_of(key))
+    menu = request_menu(parameters, parameters.model.index_of(key))
     assert menu.isVisible()
     menu.close()
     return {a.objectName(): a for a in menu.actions() if a.isVisible() and a.objectName()}

@@ -164,26 +164,6 @@ def test_switch_changes_cells_help_and_open_editor_at_once(qtbot: QtBot) -> None
     parameters.wait_for_value(ACCELERATION, 2)
 
 
-def test_typed_number_is_not_resumed_in_another_unit(qtbot: QtBot) -> None:
-    parameters = ParametersDriver(qtbot)
-    parameters.load(SPECS)
-    for own_first, resumed in ((False, "2"), (True, str(SPECS[ACCELERATION].default))):
-        units().set_own_first(False)
-        editor = parameters.open_with_keys(ACCELERATION)
-        assert isinstance(editor, NumberEditor)
-        editor.selectAll()
-        QTest.keyClicks(editor, "2")
-        parameters.view._keep_typed()
-        units().set_own_first(own_first)
-        parameters.close_editor(ACCELERATION)
-        parameters.view._resume_typing()
-        editor = parameters.editor(ACCELERATION)
-        assert isinstance(editor, NumberEditor)
-        assert editor.text() == resumed
-        parameters.close_editor(ACCELERATION)
-    assert not parameters.model.values.pending
-
-
 def test_switch_changes_channels_at_once(qtbot: QtBot, quick_simulator: SimulatedDevice) -> None:
     assert input_text(InputSource.RC, 3092) == "1237 µs (3092)"
     with channels_page(qtbot) as page:

@@ -28,6 +28,7 @@ from trex_gui.devices.trex.model.parameters.values import ParameterValues
 from trex_gui.devices.trex.protocol.parameters import ParameterSet, motor_name, other_motor_key
 from trex_gui.devices.trex.settings.accepted import Accepted
 from trex_gui.ui.devices.undo import Edit
+from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.translations import error_sentence
 
 Index = QModelIndex | QPersistentModelIndex
@@ -90,6 +91,7 @@ class ParameterModel(QAbstractTableModel):
         self.model_key = ""  # the kind of board that the rows belong to; empty before the first
         self.both_motors = False  # whether an edit for one motor is made for the other, too
         self._headers = (tr("Parameter"), tr("Motor 1"), tr("Motor 2"))
+        self._motor_colors = {ParameterColumn.MOTOR1: "motor1", ParameterColumn.MOTOR2: "motor2"}
         self._sources: dict[int, Callable[[str], Any]] = {  # of the data of a value, by role
             Qt.ItemDataRole.DisplayRole: self.text.value,
             Qt.ItemDataRole.EditRole: self._number,
@@ -120,12 +122,15 @@ class ParameterModel(QAbstractTableModel):
         parameter may be added or left out.
         """
         pending = self.values.modified
-        self.beginResetModel()
-        self.values.specs.clear()
-        for spec in sorted(specs.readable, key=lambda spec: _GROUPS.index(spec.group)):
-            self.values.specs[spec.key] = spec
-        self.text.set_board(specs.model)
-        self.rows.arrange()
+        readable = sorted(specs.readable, key=lambda spec: _GROUPS.index(spec.group))
+        wanted = {spec.key: spec for spec in readable}
+        has_other_rows = wanted != self.values.specs or specs.model.key != self.model_key
+        if has_other_rows:  # else an open editor stays, which a reset would close
+            self.beginResetModel()
+            self.values.specs.clear()
+            self.values.specs.update(wanted)
+            self.text.set_board(specs.model)
+            self.rows.arrange()
         self.values.load(
             stored,
             keep_edits=keep_edits and specs.model.key == self.model_key,
@@ -138,7 +143,10 @@ class ParameterModel(QAbstractTableModel):
         problems = self.values.problems.items()
         kept = {key: why for key, why in problems if self.values.is_modified(key)}
         self.values.problems = kept | dict(unread)
-        self.endResetModel()
+        if has_other_rows:
+            self.endResetModel()
+        else:
+            self.dataChanged.emit(self.index(0, 0), self.index(len(self.rows) - 1, _COLUMNS - 1))
         if pending != self.values.modified:
             self._announce_pending()
 
@@ -310,8 +318,12 @@ class ParameterModel(QAbstractTableModel):
     def headerData(
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
-        is_shown = orientation is Qt.Orientation.Horizontal and section < _COLUMNS
-        return self._headers[section] if is_shown and role == Qt.ItemDataRole.DisplayRole else None
+        if orientation is not Qt.Orientation.Horizontal or not 0 <= section < _COLUMNS:
+            return None
+        color = self._motor_colors.get(ParameterColumn(section))
+        if role == Qt.ItemDataRole.ForegroundRole and color:
+            return theme().color(color)
+        return self._headers[section] if role == Qt.ItemDataRole.DisplayRole else None
 
     def _key_at(self, index: Index) -> str:
         """Return the key of a cell; empty in a heading."""

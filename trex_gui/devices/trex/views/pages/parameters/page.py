@@ -31,10 +31,9 @@ class ParametersPage(QWidget):
         self.table.power_cycle_requested.connect(self.power_cycle_requested)
         self._model.rejected.connect(device.notifier.error)
         self._model.rounded.connect(device.notifier.info)
-        self._model.modelReset.connect(self._on_changed)
-        device.draft.pending_changed.connect(self._on_changed)
+        for changed in (device.draft.loaded, device.draft.pending_changed, device.link_changed):
+            changed.connect(self._on_changed)
         device.applied.connect(self._on_applied)
-        device.link_changed.connect(self._on_changed)
         self._on_changed()
 
     @Slot()

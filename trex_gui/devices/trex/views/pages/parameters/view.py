@@ -224,15 +224,14 @@ class ParameterView(QTableView):
 
     wire_wanted = Signal()  # the user wants to try a wire value of the current parameter
 
-    def __init__(self, rows: ParameterFilter, parent: QWidget | None = None) -> None:
+    def __init__(self, model: ParameterModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._rows = rows
-        self._model = rows.parameters
-        # Parameter and text of a lost editor, and whether it showed wire values
-        self._unfinished: tuple[str, str, bool] | None = None
+        self.filter = ParameterFilter()
+        self._visible: list[int] = []  # rows
+        self._model = model
         self._model.pin(filter(None, Preferences().text(_PINNED).split(",")))
         ui.flat_table(self, "parametersView", tr("Parameters"))
-        self.setModel(rows)
+        self.setModel(model)
         self.setItemDelegate(ParameterDelegate(self._model, self))
         self.setAlternatingRowColors(False)
         set_look(self, "card")
@@ -244,7 +243,8 @@ class ParameterView(QTableView):
         self.horizontalHeader().setStretchLastSection(True)
         self._set_up_menu()
         follow_theme(self, "columns", self._fit_columns)
-        rows.modelAboutToBeReset.connect(self._keep_typed)
+        model.modelReset.connect(self._span_rows)
+        self._span_rows()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -257,34 +257,29 @@ class ParameterView(QTableView):
         self.setColumnWidth(ParameterColumn.NAME, name)
         self.setColumnWidth(ParameterColumn.MOTOR1, (room - name) // 2)
 
-    def arrange(self) -> None:
-        """Span headings, and values of the whole board; resume what was being typed."""
-        self.clearSpans()
-        for row in range(self._rows.rowCount()):
-            values = len(self._rows.keys_at(row))
-            if values < 2:
-                self.setSpan(row, values, 1, len(ParameterColumn) - values)
-        self._resume_typing()
-
     @Slot()
-    def _keep_typed(self) -> None:
-        """Keep what is being typed while the rows are made again, which closes the editor."""
-        editor = self.indexWidget(self.currentIndex())
-        if isinstance(editor, UnitSpinBox) and editor.lineEdit().isModified():
-            self._unfinished = self.current_key, editor.text(), editor.own_first
+    def _span_rows(self) -> None:
+        """Span headings, and values of the whole board, over the columns."""
+        self._visible = list(range(len(self._model.rows)))
+        self.clearSpans()
+        for number, row in enumerate(self._model.rows):
+            if len(row.keys) < 2:
+                self.setSpan(number, len(row.keys), 1, len(ParameterColumn) - len(row.keys))
 
-    def _resume_typing(self) -> None:
-        unfinished, self._unfinished = self._unfinished, None
-        if unfinished is None or not self._model.is_editable(unfinished[0]):
-            return
-        self._begin_edit(unfinished[0])
-        editor = self.indexWidget(self.currentIndex())
-        if isinstance(editor, UnitSpinBox) and editor.own_first == unfinished[2]:
-            editor.lineEdit().selectAll()
-            editor.lineEdit().insert(unfinished[1])
+    def show_rows(self, wanted: ParameterFilter) -> bool:
+        """Show the rows that match; return whether others than before are visible."""
+        self.filter, before = wanted, self._visible
+        self._visible = wanted.rows(self._model)
+        for row in range(len(self._model.rows)):
+            self.setRowHidden(row, row not in self._visible)
+        return self._visible != before or self.is_hidden(self.currentIndex())
+
+    def is_hidden(self, index: QModelIndex) -> bool:
+        """Return whether a cell is not visible, or does not exist."""
+        return not index.isValid() or index.row() not in self._visible
 
     def has_finding(self, key: str) -> bool:
-        return not self._rows.found.isdisjoint(self._model.text.together(key))
+        return not self.filter.found.isdisjoint(self._model.text.together(key))
 
     @property
     def current_key(self) -> str:
@@ -297,12 +292,12 @@ class ParameterView(QTableView):
     def moveCursor(  # noqa: N802 # of Qt
         self, action: QAbstractItemView.CursorAction, modifiers: Qt.KeyboardModifier
     ) -> QModelIndex:
-        if not self.currentIndex().isValid() and self._rows.rowCount():
-            return self._rows.best_match()
+        if not self.currentIndex().isValid():
+            return self.filter.best_match(self._model)
         return _value_at(super().moveCursor(action, modifiers))
 
     def _begin_edit(self, key: str) -> None:
-        value = self._rows.index_of(key)
+        value = self._model.index_of(key)
         self.setCurrentIndex(value)
         self.edit(value)
 
