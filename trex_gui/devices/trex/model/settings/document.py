@@ -224,16 +224,14 @@ def put_calibrations(shown: Settings, path: Path, title: str) -> None:
     """Write the calibrations shown into a file; the rest of an existing file stays.
 
     Raises:
-        SettingsError: the file cannot be read or written.
-        BadRequest: it is for another model.
+        SettingsError: the file cannot be read or written, or is for another model.
     """
     if not path.exists():
-        only = replace(shown, parameters={})
-        save(path, write_settings(only, title_lines=[title]))
+        save(path, write_settings(replace(shown, parameters={}), title_lines=[title]))
         return
     before = load(path)
     old, _ = read_settings(before, path.name)
     if old.product.key != shown.product.key:
-        raise BadRequest(tr("it holds settings of a {0}").format(old.product.name))
+        raise SettingsError.of(path, tr("it holds settings of a {0}").format(old.product.name))
     whole = replace(old, calibrations={**old.calibrations, **shown.calibrations})
     save(path, amend(before.decode("utf-8"), whole, path.name))

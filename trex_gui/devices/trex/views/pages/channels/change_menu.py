@@ -20,7 +20,7 @@ from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.reader import read_settings
-from trex_gui.ui.files import in_background
+from trex_gui.ui.files import in_background, save_in_background
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets import file_questions
@@ -128,6 +128,7 @@ class CalibrationFiles(QObject):
     def ask_and_load(self) -> None:
         path = file_questions.ask_to_open(self._window, tr("Load calibrations"))
         if path:
+            file_questions.remember_folder(path)
             self.load_file(path)
 
     @Slot()
@@ -140,6 +141,7 @@ class CalibrationFiles(QObject):
             options=QFileDialog.Option.DontConfirmOverwrite,  # only the calibrations change
         )
         if chosen:
+            file_questions.remember_folder(Path(chosen))
             self.save_file(Path(chosen))
 
     def load_file(self, path: Path) -> None:
@@ -156,7 +158,6 @@ class CalibrationFiles(QObject):
             except BadRequest as error:
                 on_failed(error)
                 return
-            file_questions.remember_folder(path)
             loaded = tr("Calibrations loaded from {0} as edits: {1}.")
             text = loaded if count else tr("{0} has the same calibrations.")
             self._notifier.info.emit(" ".join([text.format(path.name, count), *left_out]))
@@ -167,15 +168,8 @@ class CalibrationFiles(QObject):
         shown = self._device.draft.shown
         if shown is None:
             return
-
-        def on_failed(error: StudioError) -> None:
-            text = tr("{0} could not be saved: {1}")
-            self._notifier.error.emit(text.format(path.name, error_sentence(error)))
-
-        def on_saved(_: object) -> None:
-            file_questions.remember_folder(path)
-            self._notifier.info.emit(tr("The calibrations shown were saved in {0}.").format(path))
-
         now = datetime.now().astimezone().strftime("%Y-%m-%d %H:%M")
         title = f"Calibrations, saved by TReX Studio, {now}."
-        in_background(self, partial(put_calibrations, shown, path, title), on_saved, on_failed)
+        saved = tr("The calibrations shown were saved in {0}.").format(path)
+        work = partial(put_calibrations, shown, path, title)
+        save_in_background(self, work, self._notifier, saved)
