@@ -74,23 +74,14 @@ class SettingsCommands(QObject):
         )
 
     def propose_line(self, line: LineSettings) -> None:
-        text = tr(
-            "{0} is now one of the pending changes. It takes effect after the board is switched "
-            "off and on; this window then follows. Other programs on this line have to use it, too."
-        )
-        self._propose(lambda _: line, text.format(line.text()))
+        self._propose(lambda _: line, line.text())
 
     def propose_crc(self) -> None:
-        text = tr(
-            "CRC-7 is now one of the pending changes. It takes effect after the board is "
-            "switched off and on; this window then follows. Other programs on this line "
-            "have to use CRC-7, too."
-        )
         self._propose(
-            lambda wire: replace(LineSettings.from_wire(wire), detection=Detection.CRC7), text
+            lambda wire: replace(LineSettings.from_wire(wire), detection=Detection.CRC7), "CRC-7"
         )
 
-    def _propose(self, change: Callable[[int], LineSettings], text: str) -> None:
+    def _propose(self, change: Callable[[int], LineSettings], name: str) -> None:
         """Edit the line settings that the board stores, and let the user review that."""
         key, parameters = ParameterKey.UART_SETTINGS, self._device.parameters
         if parameters.values.stored.get(key) != parameters.values.active_of(key):
@@ -102,5 +93,10 @@ class SettingsCommands(QObject):
             return
         with suppress(BadRequest):  # a value that names no baud rate has to be edited first
             parameters.edit(key, change(wire).to_wire())
-            self._device.notifier.info.emit(text)
+            text = tr(
+                "{0} is now one of the pending changes. It takes effect after the board is "
+                "switched off and on; this window then follows. Other programs on this line have "
+                "to use it, too."
+            )
+            self._device.notifier.info.emit(text.format(name))
             self.review.review()
