@@ -182,21 +182,9 @@ class SnapshotTable(QAbstractTableModel):
     def headerData(
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
-        if orientation is not Qt.Orientation.Horizontal:
+        if orientation is not Qt.Orientation.Horizontal or role != Qt.ItemDataRole.DisplayRole:
             return None
-        titles = (
-            (tr("Time"), tr("When the settings of the board were saved")),
-            (tr("Before"), tr("The operation that followed")),
-            (tr("Board"), tr("Model and firmware")),
-            (tr("No."), tr("Device number")),
-            (tr("Adapter"), tr("The port that the board was connected to")),
-        )
-        match role:
-            case Qt.ItemDataRole.DisplayRole:
-                return titles[section][0]
-            case Qt.ItemDataRole.ToolTipRole:
-                return plain(titles[section][1])
-        return None
+        return (tr("Time"), tr("Before"), tr("Board"), tr("No."), tr("Adapter"))[section]
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         if not index.isValid():
