@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QDialog, QFileDialog, QWidget
 
 from trex_gui.core.code import Language
-from trex_gui.core.errors import BadRequest, StudioError
+from trex_gui.core.errors import StudioError
 from trex_gui.core.files import SettingsError, load, save
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
@@ -76,12 +76,10 @@ class ShownSettings(QObject):
             text = tr("{0} applies and checks the settings shown; read its first lines.")
             self._notifier.info.emit(text.format(path))
 
-        try:
-            code = export_code(settings, link, language)
-        except BadRequest as error:
-            on_failed(error)
-        else:
-            in_background(self, partial(save, path, code), on_saved, on_failed)
+        def work() -> None:
+            save(path, export_code(settings, link, language))
+
+        in_background(self, work, on_saved, on_failed)
 
     def save_file(self, path: Path, then: Callable[[], object] = lambda: None) -> None:
         """Save the settings shown, edits included; call `then` once they are saved.
