@@ -1,11 +1,12 @@
 """Window of a recording of a board."""
 
-from PySide6.QtCore import Qt, Signal, Slot
-from PySide6.QtWidgets import QLabel, QWidget
+from PySide6.QtCore import Signal, Slot
+from PySide6.QtWidgets import QFormLayout, QLabel, QWidget
 
 from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.client.telemetry import Control, Currents, ModeSample, Raw, Remapped
+from trex_gui.devices.trex.model.channel_text import input_text
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.playback import Playback
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
@@ -18,6 +19,8 @@ from trex_gui.ui.playback.window import RecordingWindow
 from trex_gui.ui.plotting.figures import TraceColumn, TraceTable, TraceTableView
 from trex_gui.ui.widgets import builders
 from trex_gui.ui.widgets.bar import NO_VALUE
+
+_WIDEST = "0000.0 µs (0000), remapped −000 "
 
 
 class PlaybackWindow(RecordingWindow):
@@ -71,47 +74,25 @@ class ValuesPanel(QWidget):
     def __init__(self, playback: Playback, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._playback = playback
-        self._cells: dict[str, QLabel] = {}
-        self._names: dict[str, str] = {}
-
         self._control = builders.label(self, "controlAtPosition", wrap=True)
-        self._grid = builders.grid(self, margins=0, spacing=(-1, 2), stretch=[(3, 1)])
-        self._grid.addWidget(self._control, 0, 0, 1, 4)
-        self._grid.setRowMinimumHeight(0, 2 * self.fontMetrics().lineSpacing())
-        self._add_headings(1, "", tr("Current"), tr("Setpoint"))
-        for motor in (1, 2):
-            name = tr("Motor {0}").format(motor)
-            self._add_row(1 + motor, name, f"motor{motor}", "current", "setpoint")
-        self._add_row(4, tr("Auxiliary"), "auxiliary", "", "setpoint")
-        self._grid.setRowMinimumHeight(5, 6)
-        self._add_headings(6, "", tr("Signal"), tr("Counts"), tr("Remapped"))
-        for channel in CHANNELS:
-            name = tr("Channel {0}").format(channel)
-            self._add_row(6 + channel, name, f"channel{channel}", "physical", "raw", "remapped")
-
+        self._control.setMinimumHeight(2 * self.fontMetrics().lineSpacing())
+        form = QFormLayout()
+        form.setVerticalSpacing(2)
+        self._values: dict[str, tuple[str, QLabel]] = {}  # title and value
+        for key, title in (
+            ("motor1", tr("Motor {0}").format(1)),
+            ("motor2", tr("Motor {0}").format(2)),
+            ("auxiliary", tr("Auxiliary")),
+            *((f"channel{number}", tr("Channel {0}").format(number)) for number in CHANNELS),
+        ):
+            value = builders.label(self, f"{key}AtPosition")
+            value.setMinimumWidth(self.fontMetrics().horizontalAdvance(_WIDEST))
+            form.addRow(title, value)
+            self._values[key] = title, value
+        builders.column(self._control, form, into=self, margins=0)
         for changed in (playback.moved, playback.loaded):
             changed.connect(self.refresh)
         self.refresh()
-
-    def _add_headings(self, row: int, *texts: str) -> None:
-        for column, text in enumerate(texts):
-            label = builders.label(self, text=text)
-            label.setAlignment(Qt.AlignmentFlag.AlignRight)
-            self._grid.addWidget(label, row, column)
-
-    def _add_row(self, row: int, title: str, key: str, *parts: str) -> None:
-        self._grid.addWidget(builders.label(self, text=title), row, 0)
-        width = self.fontMetrics().horizontalAdvance("1500.0 ")
-        for column, part in enumerate(parts, 1):
-            if not part:
-                continue
-            name = f"{key}{part.capitalize()}"
-            label = builders.label(self, f"{name}AtPosition", NO_VALUE)
-            label.setAlignment(Qt.AlignmentFlag.AlignRight)
-            label.setMinimumWidth(width)
-            self._names[name] = f"{title}, {part}"
-            self._cells[name] = label
-            self._grid.addWidget(label, row, column)
 
     @Slot()
     def refresh(self) -> None:
@@ -121,17 +102,25 @@ class ValuesPanel(QWidget):
         self._control.setText(self._control_text(state))
         for motor in (1, 2):
             amps = None if currents is None else Number(currents.counts[motor - 1] * unit)
-            self._set(f"motor{motor}Current", NO_VALUE if amps is None else f"{amps:.2f} A")
-            self._set(f"motor{motor}Setpoint", self._drive_text(state.setpoints.get(motor)))
+            current = NO_VALUE if amps is None else f"{amps:.2f} A"
+            drive = self._drive_text(state.setpoints.get(motor))
+            text = tr("{0}, setpoint {1}").format(current, drive)
+            self._show(f"motor{motor}", text)
         auxiliary = state.auxiliary
-        self._set("auxiliarySetpoint", NO_VALUE if auxiliary is None else str(auxiliary))
-        no_signal = tr("no signal") if raws is not None else NO_VALUE
+        self._show("auxiliary", NO_VALUE if auxiliary is None else str(auxiliary))
         for place, channel in enumerate(CHANNELS):
-            raw = raws.counts[place] if raws is not None else None
-            self._set(f"channel{channel}Raw", no_signal if raw is None else str(raw))
-            self._set(f"channel{channel}Physical", NO_VALUE if raw is None else source.text(raw))
-            text = NO_VALUE if remapped is None else signed_text(remapped.values[place])
-            self._set(f"channel{channel}Remapped", text)
+            raw = None if raws is None else raws.counts[place]
+            text = NO_VALUE if raws is None else tr("no signal")
+            if raw is not None:
+                text = input_text(source, raw)
+            output = NO_VALUE if remapped is None else signed_text(remapped.values[place])
+            text = tr("{0}, remapped {1}").format(text, output)
+            self._show(f"channel{channel}", text)
+
+    def _show(self, key: str, text: str) -> None:
+        title, value = self._values[key]
+        value.setText(text)
+        value.setAccessibleName(f"{title}: {text}")
 
     def _control_text(self, state: BoardSnapshot) -> str:
         board_mode, control = state[ModeSample].mode, state.get(Control)
@@ -146,12 +135,4 @@ class ValuesPanel(QWidget):
     def _drive_text(self, drive: Drive | None) -> str:
         if drive is None:
             return NO_VALUE
-        if drive.is_brake:
-            return tr("brake {0}").format(drive.speed)
-        return signed_text(drive.signed)
-
-    def _set(self, name: str, text: str) -> None:
-        label = self._cells[name]
-        if label.text() != text:
-            label.setText(text)
-            label.setAccessibleName(f"{self._names[name]}: {text}")
+        return tr("brake {0}").format(drive.speed) if drive.is_brake else signed_text(drive.signed)
