@@ -5,7 +5,7 @@ from datetime import datetime
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtCore import Signal, Slot
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QFileDialog, QMenu, QWidget
 
@@ -35,8 +35,8 @@ class ChangeMenu(QMenu):
     def __init__(self, device: Device, parent: QWidget) -> None:
         super().__init__(parent)
         self._device = device
+        self._window = parent
         self._channel = 1
-        self.files = CalibrationFiles(device, parent)
         self.setObjectName("calibrationMenu")
         self.setToolTipsVisible(True)
 
@@ -66,8 +66,8 @@ class ChangeMenu(QMenu):
         self._discard = self._add(self, "discardChannelAction", text, discard, icon="undo")
         self.addSeparator()
         text = tr("&Load calibrations from a file…")
-        self._add(self, "loadCalibrationsAction", text, self.files.ask_and_load, icon="open")
-        text, save = tr("&Save calibrations to a file…"), self.files.ask_and_save
+        self._add(self, "loadCalibrationsAction", text, self._ask_and_load, icon="open")
+        text, save = tr("&Save calibrations to a file…"), self._ask_and_save
         self._save = self._add(self, "saveCalibrationsAction", text, save, icon="save")
 
     @staticmethod
@@ -114,25 +114,15 @@ class ChangeMenu(QMenu):
         calibrations = self._device.calibrations
         calibrations.edit(self._channel, DEFAULT_CALIBRATION[calibrations.source])
 
+    # --- Settings files -----------------------------------------------------------------
 
-class CalibrationFiles(QObject):
-    """Loads calibrations from settings files, saves them there, and reports the result."""
-
-    def __init__(self, device: Device, window: QWidget) -> None:
-        super().__init__(window)
-        self._device = device
-        self._window = window
-        self._notifier = device.notifier
-
-    @Slot()
-    def ask_and_load(self) -> None:
+    def _ask_and_load(self) -> None:
         path = file_questions.ask_to_open(self._window, tr("Load calibrations"))
         if path:
             file_questions.remember_folder(path)
             self.load_file(path)
 
-    @Slot()
-    def ask_and_save(self) -> None:
+    def _ask_and_save(self) -> None:
         chosen, _ = QFileDialog.getSaveFileName(
             self._window,
             tr("Save calibrations"),
@@ -149,7 +139,7 @@ class CalibrationFiles(QObject):
 
         def on_failed(error: StudioError) -> None:
             text = tr("{0} could not be loaded: {1}")
-            self._notifier.error.emit(text.format(path.name, error_sentence(error)))
+            self._device.notifier.error.emit(text.format(path.name, error_sentence(error)))
 
         def on_read(settings: Settings) -> None:
             title = tr("Calibrations of {0}").format(path.name)
@@ -160,7 +150,7 @@ class CalibrationFiles(QObject):
                 return
             loaded = tr("Calibrations loaded from {0} as edits: {1}.")
             text = loaded if count else tr("{0} has the same calibrations.")
-            self._notifier.info.emit(" ".join([text.format(path.name, count), *left_out]))
+            self._device.notifier.info.emit(" ".join([text.format(path.name, count), *left_out]))
 
         in_background(self, lambda: read_settings(load(path), path.name)[0], on_read, on_failed)
 
@@ -172,4 +162,4 @@ class CalibrationFiles(QObject):
         title = f"Calibrations, saved by TReX Studio, {now}."
         saved = tr("The calibrations shown were saved in {0}.").format(path)
         work = partial(put_calibrations, shown, path, title)
-        save_in_background(self, work, self._notifier, saved)
+        save_in_background(self, work, self._device.notifier, saved)
