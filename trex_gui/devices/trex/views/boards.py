@@ -28,7 +28,7 @@ _WIDEST = "00 · TReX Jr 1.2  "
 
 
 class BoardPanel(QWidget):
-    """The boards on the line, of which one is shown on every page; hidden while it is one."""
+    """The boards on the line, of which one is shown on every page. Hidden while it is one."""
 
     file_requested = Signal()
 
@@ -77,7 +77,6 @@ class BoardPanel(QWidget):
 
     @Slot()
     def change_number(self) -> None:
-        """Let the user give the selected board another device number."""
         if self._number is None:
             self._number = NumberDialog(self._boards, self._device, self.window())
         self._number.ask()
@@ -111,7 +110,7 @@ class BoardPanel(QWidget):
         self._list.setEnabled(boards.can_select)
 
     def _show_boards(self) -> None:
-        """Show each board in its place; the list keeps focus and scroll position."""
+        """Show each board in its place. The list keeps focus and scroll position."""
         shown = self._boards.boards
         tips = {
             Presence.SILENT: tr("It replied before. Check its power and its wires."),
@@ -165,7 +164,7 @@ def board_name(board: LineBoard) -> str:
 
 
 class NumberDialog(ReusedDialog):
-    """Gives the selected board another device number; what happens is said in the window."""
+    """Gives the selected board another device number. What happens is said in the window."""
 
     def __init__(self, boards: BoardList, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -64,7 +64,7 @@ class _Table(QTableView):
 
 
 class ComparisonView(QWidget):
-    """Table, counts and settings left out; no text is cut: it decides what is written."""
+    """Table, counts and settings left out. No text is cut: it decides what is written."""
 
     ticked_changed = Signal(int)  # the number of ticked changes
 
@@ -109,7 +109,7 @@ class ComparisonView(QWidget):
         summary: str = "",
         tick_new: bool = True,
     ) -> None:
-        """Show or update a comparison; `summary` replaces the counts.
+        """Show or update a comparison. `summary` replaces the counts.
 
         `before` and `after` head the two sides. Check boxes stay while these, `with_ticks` and
         `outcomes` stay; changes that are new get `tick_new`.
@@ -131,7 +131,7 @@ class ComparisonView(QWidget):
         self._update()
 
     def show_nothing(self, reason: str = "") -> None:
-        """Show no table, and why; the next comparison has every change ticked."""
+        """Show no table, and why. The next comparison has every change ticked."""
         self.show_comparison(Comparison(()), "", "", summary=reason or " ")
         self._shown = None
 
@@ -162,7 +162,7 @@ class ComparisonView(QWidget):
 
     @Slot()
     def _fit_columns(self) -> None:
-        """Give each column the width that it needs; if there is too little, wrap the widest."""
+        """Give each column the width that it needs. If there is too little, wrap the widest."""
         bar = self._view.verticalScrollBar()
         room = self._view.viewport().width() - (0 if bar.isVisible() else bar.sizeHint().width())
         margin = 2 * self.fontMetrics().averageCharWidth()

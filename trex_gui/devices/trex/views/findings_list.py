@@ -31,7 +31,7 @@ def line_of_key(text: str, key: str) -> int | None:
 
 
 class FindingsList(QWidget):
-    """Every finding, with a button for its proposal; hidden without any."""
+    """Every finding, with a button for its proposal. Hidden without any."""
 
     accepted = Signal(object)  # a `LintFinding`; its change is to become an edit
     line_chosen = Signal(int)  # a line, from 1, is to be shown
@@ -39,7 +39,7 @@ class FindingsList(QWidget):
     def __init__(
         self, where: str, after: QWidget, parent: QWidget | None = None, *, is_wide: bool = False
     ) -> None:
-        """Create the list; `where` begins the object names: `parameter`, `review`.
+        """Create the list. `where` begins the object names: `parameter`, `review`.
 
         Tab comes to it from `after`. `is_wide`: the whole proposal fits on a button.
         """
@@ -71,7 +71,7 @@ class FindingsList(QWidget):
         self.show_findings([each for each in self._linter.findings if self._concerns(each)])
 
     def show_findings(self, findings: Iterable[Remark], *, text: str | None = None) -> None:
-        """Show findings; with the `text` of their file each has a button that shows its line."""
+        """Show findings. With the `text` of their file each has a button that shows its line."""
         shown = tuple(findings)
         if (shown, text) != (self._findings, self._text):
             self._findings, self._text = shown, text

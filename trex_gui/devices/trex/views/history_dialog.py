@@ -29,7 +29,7 @@ _WIDEST = 34  # the initial width of a column, in characters
 
 
 class HistoryDialog(ReusedDialog):
-    """Snapshots compared with the board or each other; restored values become pending edits."""
+    """Snapshots compared with the board or each other. Restored values become pending edits."""
 
     restore_requested = Signal()  # settings of a snapshot are edits now; they are to be reviewed
 
@@ -276,7 +276,7 @@ class HistoryDialog(ReusedDialog):
 
 
 class _BoundField(QWidget):
-    """`Keep 500 snapshots`; the Set button makes it the bound, 0 keeps all."""
+    """`Keep 500 snapshots`. The Set button makes it the bound, 0 keeps all."""
 
     changed = Signal()  # the bound was set; snapshots may be gone
 
@@ -302,7 +302,7 @@ class _BoundField(QWidget):
         self._on_edited()
 
     def show_bound(self, listing: Listing) -> None:
-        """Show the bound that was read; an edit in progress stays."""
+        """Show the bound that was read. An edit in progress stays."""
         if self._wanted == self._stored:
             self._count.setValue(listing.bound.kept or 0)
         self._listing = listing

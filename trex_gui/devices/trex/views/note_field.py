@@ -12,12 +12,12 @@ from trex_gui.ui.widgets.builders import named
 
 
 class NoteField(QPlainTextEdit):
-    """Shows and edits the note on one setting; all that is typed at once is one step to undo."""
+    """Shows and edits the note on one setting. All that is typed at once is one step to undo."""
 
     def __init__(
         self, notes: Notes, name: str, parent: QWidget | None = None, *, lines: int = 3
     ) -> None:
-        """Create a field with room for some lines; `name` is its object name."""
+        """Create a field with room for some lines. `name` is its object name."""
         super().__init__(parent)
         self._notes = notes
         self._lines = lines
@@ -44,7 +44,7 @@ class NoteField(QPlainTextEdit):
         self.setFixedHeight(self._lines * self.fontMetrics().lineSpacing() + frame)
 
     def show_note_on(self, key: str, name: str) -> None:
-        """Show the note on a setting; an empty key is none. `name` is for the user."""
+        """Show the note on a setting. An empty key is none. `name` is for the user."""
         if key != self._key:
             self._run = object()
         self._key, self._name = key, name

@@ -69,7 +69,7 @@ class PlaybackWindow(RecordingWindow):
 
 
 class ValuesPanel(QWidget):
-    """Shows the values at the position; a dash where nothing was known yet."""
+    """Shows the values at the position. A dash where nothing was known yet."""
 
     def __init__(self, playback: Playback, parent: QWidget | None = None) -> None:
         super().__init__(parent)

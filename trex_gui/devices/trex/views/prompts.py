@@ -34,7 +34,7 @@ class ClosePrompt(QObject):
         device.draft.pending_changed.connect(self._keep_edits)
 
     def may_close(self, leave: Callable[[], object]) -> bool:
-        """Return whether the window may close now; `leave` closes it once that was agreed to."""
+        """Return whether the window may close now. `leave` closes it once that was agreed to."""
         device, draft, question = self._device, self._device.draft, self._frame.question
         agreed, self._agreed = self._agreed, None
         may_leave = agreed is not None and agreed == draft.shown

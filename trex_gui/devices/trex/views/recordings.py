@@ -25,8 +25,6 @@ _WITH_RUN = "recording/with_run"
 
 
 class Recordings(RecordingManager["PlaybackWindow"]):
-    """Records a board and owns the windows of its recordings."""
-
     settings_wanted = Signal(object)  # a `SettingsDocument` to open in the settings editor
 
     def __init__(self, device: Device, window: QWidget) -> None:
@@ -54,7 +52,6 @@ class Recordings(RecordingManager["PlaybackWindow"]):
         return window
 
     def entries(self) -> Entries:
-        """Return the entries of the File menu."""
         choose, with_run = self.choose_and_open, tr("Start recording &when the motors are armed")
         keep_events = tr("&Keep 30 s around each fault and stop")
         return (
@@ -75,7 +72,6 @@ class Recordings(RecordingManager["PlaybackWindow"]):
         self.changed.emit()
 
     def _choose_and_open_kept(self) -> None:
-        """Let the user choose among the recordings of faults and stops."""
         in_background(
             self,
             make_kept_folder,

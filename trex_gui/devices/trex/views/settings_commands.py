@@ -23,8 +23,6 @@ from trex_gui.ui.translations import error_sentence
 
 
 class SettingsCommands(QObject):
-    """Owns the dialogs of the commands, and reports what was written."""
-
     parameter_wanted = Signal(str)  # the key of a parameter to show, whose edit is reviewed
 
     def __init__(

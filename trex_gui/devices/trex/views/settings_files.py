@@ -37,8 +37,6 @@ SAMPLES = {  # the first comment of each sample says what it is for
 
 
 class SettingsFiles(QObject):
-    """File dialogs, editors and messages for settings files."""
-
     staged = Signal()  # settings of a file are edits now
     used = Signal(object)  # the `Path` of a settings file that was opened or saved
 
@@ -58,7 +56,7 @@ class SettingsFiles(QObject):
         self._ask_and(self.open_file)
 
     def ask_for_document(self, use: Callable[[SettingsDocument], object]) -> None:
-        """Let the user choose a file; `use` gets it, also one with errors."""
+        """Let the user choose a file. `use` gets it, also one with errors."""
         self._ask_and(lambda path: self._open(path, use))
 
     def _ask_and(self, use: Callable[[Path], object]) -> None:
@@ -107,7 +105,7 @@ class SettingsFiles(QObject):
                 yield tr("Sample: {0}").format(tr(SAMPLES[path.stem])), make
 
     def open_file(self, path: Path) -> None:
-        """Show what a file would change of the board; with no board, the file itself."""
+        """Show what a file would change of the board. With no board, the file itself."""
         if self._device.state is None:
             self.edit_file(path)
         else:
@@ -129,7 +127,7 @@ class SettingsFiles(QObject):
             self.open_editor(document)
 
     def _raise_editor_of(self, path: Path) -> bool:
-        """Raise the window that has a file; return whether there is one."""
+        """Raise the window that has a file. Return whether there is one."""
         for editor in self.editors:
             if editor.document.path == path:
                 _raise(editor)
@@ -187,7 +185,7 @@ class SettingsFiles(QObject):
         self._offer(document, tr("Applied"))
 
     def _offer(self, document: SettingsDocument, side: str = "") -> ChangesDialog:
-        """Show what settings would change; `side` names them in place of `File`."""
+        """Show what settings would change. `side` names them in place of `File`."""
         if self._loading is not None:
             self._loading.close()
         self._loading = dialog = load_dialog(
@@ -213,7 +211,7 @@ class SettingsFiles(QObject):
         self.staged.emit()
 
     def may_close(self, leave: Callable[[], object]) -> bool:
-        """Return whether nothing would be lost; else ask in each window with unsaved changes.
+        """Return whether nothing would be lost. Else ask in each window with unsaved changes.
 
         Once those are saved that the user wants to save, `leave` is called.
         """
@@ -242,7 +240,7 @@ class SettingsFiles(QObject):
         discarded: dict[SettingsEditor, str],
         leave: Callable[[], object],
     ) -> None:
-        """Save one after the other; what was discarded is asked about again if it changes."""
+        """Save one after the other. What was discarded is asked about again if it changes."""
         if editors:
             following = partial(self._save_and_leave, editors[1:], discarded, leave)
             editors[0].saver.save_and_leave(editors[0].save, following)

@@ -39,7 +39,7 @@ class ShownSettings(QObject):
         self.saving: set[Path] = set()  # files that are being written
 
     def ask_and_save(self, then: Callable[[], object] = lambda: None) -> None:
-        """Let the user choose where to save the settings shown; call `then` once they are."""
+        """Let the user choose where to save the settings shown. Call `then` once they are."""
         state = self._device.state
         key = state.signature.model.key if state is not None else "trex"
         proposal = file_questions.last_folder() / f"{key}_settings.txt"
@@ -82,7 +82,7 @@ class ShownSettings(QObject):
         in_background(self, work, on_saved, on_failed)
 
     def save_file(self, path: Path, then: Callable[[], object] = lambda: None) -> None:
-        """Save the settings shown, edits included; call `then` once they are saved.
+        """Save the settings shown, edits included. Call `then` once they are saved.
 
         In an existing file only the values change. The user's comments stay, and so do the
         calibrations of the other input source, which the board does not show.
@@ -106,7 +106,7 @@ class ShownSettings(QObject):
         then: Callable[[], object],
         before: bytes | SettingsError | None,
     ) -> None:
-        """Save into a file that holds this, or cannot be read; `None`: there is no file."""
+        """Save into a file that holds this, or cannot be read. `None`: there is no file."""
         try:
             text, kept = self._text_for(path, settings, before)
         except StudioError as error:
@@ -132,7 +132,7 @@ class ShownSettings(QObject):
     def _text_for(
         self, path: Path, settings: Settings, content: bytes | SettingsError | None
     ) -> tuple[str | None, str]:
-        """Return what to write, and a note about what was kept; `None`: the user cancelled.
+        """Return what to write, and a note about what was kept. `None`: the user cancelled.
 
         Raises:
             SettingsError, BadRequest: it cannot be written.
@@ -173,7 +173,7 @@ class ShownSettings(QObject):
 
 
 def _content_of(path: Path) -> bytes | SettingsError | None:
-    """Return what a file holds, or why it cannot be read; `None` if it is missing."""
+    """Return what a file holds, or why it cannot be read. `None` if it is missing."""
     try:
         return load(path) if path.exists() else None
     except SettingsError as error:

@@ -96,7 +96,7 @@ class SnapshotPane(QWidget):
         self._update_restore()
 
     def _compare(self, snapshot: Snapshot, other: Snapshot | None) -> str:
-        """Compare a snapshot with another one, or the user's choice; return why not."""
+        """Compare a snapshot with another one, or the user's choice. Return why not."""
         self._describe(snapshot)
         settings = self._table.content_of(snapshot)
         if not isinstance(settings, Settings):
@@ -173,7 +173,7 @@ class SnapshotPane(QWidget):
         self._note.show_note(blocker or self._other_number())
 
     def _blocker(self) -> str:
-        """Return why nothing can be restored now; empty if it can."""
+        """Return why nothing can be restored now. Empty if it can."""
         if self._shown is None:
             return tr("Nothing is selected to be restored.")
         if len(self._chosen) == 2:
@@ -189,7 +189,7 @@ class SnapshotPane(QWidget):
         return ""
 
     def _board_blocker(self, snapshot: Snapshot) -> str:
-        """Return why a snapshot cannot be compared with the board; empty if it can."""
+        """Return why a snapshot cannot be compared with the board. Empty if it can."""
         closed = {ConnectionState.DISCONNECTED, ConnectionState.DISCONNECTING}
         state = self._device.state
         if state is None or self._device.link in closed:
@@ -230,7 +230,6 @@ class SnapshotPane(QWidget):
         self.present_chosen.emit()
 
     def _ask_for_file(self) -> None:
-        """Let the user choose a settings file to compare with."""
         path = file_questions.ask_to_open(self, tr("Compare with a settings file"))
         if path is None:
             return

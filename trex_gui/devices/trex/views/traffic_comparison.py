@@ -13,7 +13,7 @@ from trex_gui.ui.widgets.file_questions import last_folder
 
 
 def compare_traffic(notifier: Notifier, window: QWidget) -> None:
-    """Let the user choose a traffic log and replay it in a thread; nothing reaches a port."""
+    """Let the user choose a traffic log and replay it in a thread. Nothing reaches a port."""
     title, kinds = tr("Compare a traffic log"), tr("Text (*.txt *.tsv)")
     path, _ = QFileDialog.getOpenFileName(window, title, str(last_folder()), kinds)
     if path:

@@ -53,7 +53,7 @@ _LEFT_TO_THE_STYLE = frozenset(
 
 
 class Role(IntEnum):
-    """Data of a cell besides its text; a heading has GROUP only.
+    """Data of a cell besides its text. A heading has GROUP only.
 
     RESET is the effect of a reset to the default, `None` where nothing differs. The name of a row
     has the data of its first value.
@@ -72,7 +72,7 @@ def _number(wires: Sequence[int]) -> int:
 
 
 class ParameterModel(QAbstractTableModel):
-    """Headings and rows of settings, one column for each motor; edits go over an undo stack.
+    """Headings and rows of settings, one column for each motor. Edits go over an undo stack.
 
     Prescaler and maximum of a PWM are one value in the table, its frequency: that of the key of
     either, and a number (`frequency_code`) in the edit role.
@@ -116,7 +116,7 @@ class ParameterModel(QAbstractTableModel):
         open_ended: bool = False,
         keep_edits: bool = True,
     ) -> None:
-        """Take everything that was read; with `keep_edits` they stay if the model is the same.
+        """Take everything that was read. With `keep_edits` they stay if the model is the same.
 
         `active` are values known to be active, whatever is stored. `open_ended` (a file): any
         parameter may be added or left out.
@@ -190,7 +190,7 @@ class ParameterModel(QAbstractTableModel):
         return sum(bool(row.keys) for row in self.rows)
 
     def is_editable(self, key: str) -> bool:
-        """Whether a value of the table can be edited."""
+        """Return whether a value of the table can be edited."""
         return all(self.values.can_edit(each) for each in self.text.together(key))
 
     def open_key(self, key: str) -> str | None:
@@ -201,7 +201,7 @@ class ParameterModel(QAbstractTableModel):
     # --- Edits --------------------------------------------------------------------------
 
     def edit(self, key: str, wire: int, *, alone: bool = False, forced: bool = False) -> None:
-        """Edit a value; the stored value drops the edit.
+        """Edit a value. The stored value drops the edit.
 
         With `both_motors`, the other motor gets the value in the same step, except with `alone`.
         `forced` allows values beyond limits that are only inferred.
@@ -216,14 +216,14 @@ class ParameterModel(QAbstractTableModel):
         self._edit({key: wire}, keys, forced=forced)
 
     def edit_frequency(self, key: str, code: int) -> None:
-        """Edit prescaler and maximum of a PWM in one step; see `edit`."""
+        """Edit prescaler and maximum of a PWM in one step. See `edit`."""
         keys = self.text.together(key)
         self._edit(dict(zip(keys, frequency_wires(code), strict=True)), self._all_with(key))
 
     def _edit(
         self, values: Mapping[str, int], keys: Sequence[str], *, forced: bool = False
     ) -> None:
-        """Edit values; the other motor's keys get the values of their counterparts."""
+        """Edit values. The other motor's keys get the values of their counterparts."""
         if all(wire == self.values.value_of(key) for key, wire in values.items()):
             return  # an editor that was opened and left does not edit the other motor either
         wanted = {key: values.get(key, values.get(other_motor_key(key) or "", 0)) for key in keys}
@@ -239,7 +239,7 @@ class ParameterModel(QAbstractTableModel):
             self._change({each: self.values.specs[each].default for each in self._all_with(key)})
 
     def restore(self, key: str) -> None:
-        """Go back to the stored value; with `both_motors`, each to its own."""
+        """Go back to the stored value. With `both_motors`, each to its own."""
         if self.is_editable(key):
             self._change({each: self.values.stored.get(each) for each in self._all_with(key)})
 
@@ -289,7 +289,7 @@ class ParameterModel(QAbstractTableModel):
             self._undo.endMacro()
 
     def _put(self, key: str, wire: int | None) -> None:
-        """Apply an edit to the draft; ignores parameters that the present board lacks."""
+        """Apply an edit to the draft. Ignores parameters that the present board lacks."""
         if self.values.can_edit(key):
             if wire is None:
                 self.values.leave_out(key)
@@ -326,7 +326,7 @@ class ParameterModel(QAbstractTableModel):
         return self._headers[section] if role == Qt.ItemDataRole.DisplayRole else None
 
     def _key_at(self, index: Index) -> str:
-        """Return the key of a cell; empty in a heading."""
+        """Return the key of a cell. Empty in a heading."""
         keys = self.rows[index.row()].keys if index.isValid() else ()
         return keys[min(max(index.column() - 1, 0), len(keys) - 1)] if keys else ""
 

@@ -20,12 +20,12 @@ class ParameterRow:
 
     @property
     def pin(self) -> str:
-        """What a pinned row is remembered by: its key, without the motor."""
+        """Key of a row in the preferences, without the motor."""
         return self.keys[0].removeprefix("motor1_")
 
 
 class ParameterRows(list[ParameterRow]):
-    """Those pinned first, the others by task."""
+    """Pinned rows first, the others by task."""
 
     def __init__(self, values: ParameterValues, text: ParameterText) -> None:
         super().__init__()
@@ -45,7 +45,6 @@ class ParameterRows(list[ParameterRow]):
         }
 
     def arrange(self) -> None:
-        """Make the rows of the present parameters anew."""
         groups: dict[str, list[ParameterRow]] = {group: [] for group in self.titles}
         for key, spec in self._values.specs.items():
             is_named_by_another = key != self._text.together(key)[-1] or key.startswith("motor2_")

@@ -35,7 +35,7 @@ class ParameterColumn(IntEnum):
 
 
 class ParameterText(QObject):
-    """Derives every text from the current values; has no state."""
+    """Derives every text from the current values. Has no state."""
 
     def __init__(self, values: ParameterValues, parent: QObject) -> None:
         super().__init__(parent)
@@ -163,7 +163,7 @@ class ParameterText(QObject):
         return tuple(filter(None, sentences))
 
     def _also_accepted(self, keys: Sequence[str]) -> str:
-        """Return what this firmware takes beyond the range, as a sentence; mostly empty."""
+        """Return what this firmware takes beyond the range, as a sentence. Mostly empty."""
         wires = sorted(wire for each in keys for wire in self._values.accepted.get(each, ()))
         text = tr("This firmware has stored beyond that: wire value {0}.")
         return text.format(", ".join(map(str, wires))) if wires else ""
@@ -204,7 +204,7 @@ class ParameterText(QObject):
         return tr("Reset to default: {0}").format(self.with_wire(key, self._defaults(key)))
 
     def stored(self, key: str) -> str:
-        """Return the stored value as a cell shows it; empty if it was not read."""
+        """Return the stored value as a cell shows it. Empty if it was not read."""
         wires = [self._values.stored.get(each) for each in self.together(key)]
         known = [wire for wire in wires if wire is not None]
         return self._shown(key, known) if len(known) == len(wires) else ""
@@ -224,7 +224,7 @@ def frequency_code(prescaler: int, maximum: int) -> int:
 
 
 def frequency_wires(code: int) -> tuple[int, int]:
-    """Return the wire values of prescaler and maximum; the inverse of `frequency_code`."""
+    """Return the wire values of prescaler and maximum. The inverse of `frequency_code`."""
     return divmod(code, _MAXIMA)
 
 
@@ -248,7 +248,6 @@ def frequency_range(codes: Sequence[int]) -> str:
 
 
 def _numbers(wires: Sequence[int]) -> str:
-    """Return the wire values of a cell as text."""
     if len(wires) > 1:
         return tr("prescaler {0}, maximum {1}").format(*wires)
     return str(wires[0])

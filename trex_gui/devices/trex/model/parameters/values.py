@@ -31,7 +31,7 @@ class ParameterValues:
         power_cycled: bool = True,
         optional: Collection[str] = (),
     ) -> None:
-        """Replace the stored values; `power_cycled` makes all of them active."""
+        """Replace the stored values. `power_cycled` makes all of them active."""
         self.optional = frozenset(optional)
         self.stored = dict(stored)
         if power_cycled:
@@ -45,7 +45,7 @@ class ParameterValues:
         self.removed &= self.optional & stored.keys()
 
     def can_edit(self, key: str) -> bool:
-        """Whether a parameter can be edited: it was read, or is optional."""
+        """Return whether a parameter can be edited: it was read, or is optional."""
         return key in self.stored or key in self.optional
 
     def can_leave_out(self, key: str) -> bool:
@@ -54,13 +54,13 @@ class ParameterValues:
     # --- What is known ------------------------------------------------------------------
 
     def value_of(self, key: str) -> int | None:
-        """Return the value after Apply or Save; `None`: not read, or left out."""
+        """Return the value after Apply or Save. `None`: not read, or left out."""
         if key in self.removed:
             return None
         return self.edited.get(key, self.stored.get(key))
 
     def active_of(self, key: str) -> int | None:
-        """Return the active value, which may differ from the stored one; `None`: not read."""
+        """Return the active value, which may differ from the stored one. `None`: not read."""
         return self.active.get(key, self.stored.get(key))
 
     @property
@@ -75,7 +75,6 @@ class ParameterValues:
 
     @property
     def pending(self) -> tuple[tuple[str, int], ...]:
-        """Keys and values that Apply or Save writes."""
         return tuple(self.edited.items())
 
     @property
@@ -100,7 +99,7 @@ class ParameterValues:
         return self.value_of(key) not in {None, self.specs[key].default}
 
     def is_doubtful(self, key: str, wire: int) -> bool:
-        """Whether only a board can tell if it takes this value, and none has yet."""
+        """Return whether only a board can tell if it takes this value, and none has yet."""
         is_known = wire in self.accepted.get(key, ()) or wire == self.stored.get(key)
         return self.specs[key].is_open(wire) and not is_known
 
@@ -122,7 +121,7 @@ class ParameterValues:
     # --- Changes ------------------------------------------------------------------------
 
     def edit(self, spec: ParameterSpec, wire: int | None) -> None:
-        """Edit a value; the stored value, or `None`, drops the edit.
+        """Edit a value. The stored value, or `None`, drops the edit.
 
         Raises:
             BadRequest: the value is outside limits that are not inferred.
@@ -134,7 +133,7 @@ class ParameterValues:
         self.removed.discard(spec.key)
 
     def leave_out(self, key: str) -> None:
-        """Give an optional parameter no value; has no effect on others."""
+        """Give an optional parameter no value. Has no effect on others."""
         if key in self.optional:
             self.edited.pop(key, None)
             if key in self.stored:

@@ -27,7 +27,7 @@ FoundT = TypeVar("FoundT")
 
 
 class Folder(Protocol[WrittenT_contra, ReadT_co]):
-    """Files of boards; both may raise a `SettingsError`."""
+    """Files of boards. Both may raise a `SettingsError`."""
 
     def path(self, board: BoardIdentity, /) -> Path: ...
 
@@ -66,12 +66,12 @@ class BoardFiles(QObject, Generic[SavedT, FoundT]):
 
     @property
     def is_idle(self) -> bool:
-        """Whether nothing is being read or saved, or will be before the next change."""
+        """Return whether nothing is being read or saved, or will be before the next change."""
         is_saved = not self._due or self._is_failing
         return is_saved and not self._task.is_running and not self._timer.isActive()
 
     def save(self, board: BoardIdentity, content: SavedT | None) -> None:
-        """Save what is kept for a board; `None` removes its file."""
+        """Save what is kept for a board. `None` removes its file."""
         self._due[board] = content
         if not self._timer.isActive():
             self._timer.start()
@@ -84,7 +84,7 @@ class BoardFiles(QObject, Generic[SavedT, FoundT]):
         *,
         keeps_old: bool = False,
     ) -> None:
-        """Save under another identity; the file of a board that had it is renamed, not lost.
+        """Save under another identity. The file of a board that had it is renamed, not lost.
 
         With `keeps_old` the old file stays as well: it may be of another board.
         """
@@ -99,7 +99,7 @@ class BoardFiles(QObject, Generic[SavedT, FoundT]):
         self._begin()
 
     def shut_down(self) -> bool:
-        """Save what is due; return whether that ended in time."""
+        """Save what is due. Return whether that ended in time."""
         self._timer.stop()
         in_time = self._task.close(0, finish_ms=_CLOSING_MS)
         if in_time and self._due:

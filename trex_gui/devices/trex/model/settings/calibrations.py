@@ -15,7 +15,7 @@ Channel = int | CalibrationKey  # a channel, 1-5, of the active input source; or
 
 
 class Calibrations(QObject):
-    """A board shows the set of its active input source only; a file may hold both sets."""
+    """A board shows the set of its active input source only. A file may hold both sets."""
 
     changed = Signal()  # a stored or an edited calibration
     pending_changed = Signal(int)  # the number of edits
@@ -41,7 +41,7 @@ class Calibrations(QObject):
 
     @property
     def modified(self) -> list[CalibrationKey]:
-        """What is edited or left out, in order."""
+        """Keys that are edited or left out, in order."""
         return sorted(self.edited.keys() | self.left_out)
 
     @property
@@ -60,16 +60,16 @@ class Calibrations(QObject):
         return [key for key in self.modified if not self.can_edit(key)]
 
     def stored(self, channel: Channel) -> Calibration | None:
-        """Return the stored calibration; `None`: not known."""
+        """Return the stored calibration. `None`: not known."""
         return self._stored.get(self._key(channel))
 
     def shown(self, channel: Channel) -> Calibration | None:
-        """Return the calibration after Apply or Save; `None`: not known, or left out."""
+        """Return the calibration after Apply or Save. `None`: not known, or left out."""
         key = self._key(channel)
         return None if key in self.left_out else self.edited.get(key, self._held(key))
 
     def can_edit(self, channel: Channel) -> bool:
-        """Whether a calibration can be edited: it was read, or the file may hold it."""
+        """Return whether a calibration can be edited: it was read, or the file may hold it."""
         return self._open_ended or self._key(channel) in self._stored
 
     def _held(self, key: CalibrationKey) -> Calibration | None:
@@ -93,7 +93,7 @@ class Calibrations(QObject):
         open_ended: bool = False,
         keep_edits: bool = True,
     ) -> None:
-        """Take what was read; with `keep_edits` they stay if the model is the same.
+        """Take what was read. With `keep_edits` they stay if the model is the same.
 
         `open_ended` (a file): any calibration may be added or left out.
         """
@@ -127,7 +127,7 @@ class Calibrations(QObject):
     # --- Edits --------------------------------------------------------------------------
 
     def edit(self, channel: Channel, wanted: Calibration, *, run: object = None) -> None:
-        """Edit a calibration; the stored one drops the edit.
+        """Edit a calibration. The stored one drops the edit.
 
         Consecutive edits of a channel with the same `run` are one undo step.
 
@@ -140,11 +140,10 @@ class Calibrations(QObject):
         self._change(key, wanted, run=run)
 
     def restore(self, channel: int) -> None:
-        """Go back to the stored calibration of the active input source."""
         self._change(self._key(channel), self.stored(channel))
 
     def leave_out(self, channel: Channel) -> None:
-        """Leave a calibration out of a file; has no effect on a board's."""
+        """Leave a calibration out of a file. Has no effect on a board's."""
         if self._open_ended:
             self._change(self._key(channel), None)
 
@@ -162,7 +161,7 @@ class Calibrations(QObject):
             self._undo.push(Edit(text, self._put, key, before, wanted, run=run))
 
     def _put(self, key: CalibrationKey, wanted: Calibration | None) -> None:
-        """Apply an edit; ignores the other input source of a board that never showed it."""
+        """Apply an edit. Ignores the other input source of a board that never showed it."""
         held = self._held(key)
         if not self._open_ended and key.source is not self.source and held is None:
             return

@@ -35,7 +35,7 @@ _NONE = "–"
 
 
 class ComparisonColumn(IntEnum):
-    """The columns; OUTCOME is there after writing."""
+    """The columns. OUTCOME is there after writing."""
 
     SETTING = 0
     BEFORE = 1
@@ -70,7 +70,7 @@ class ComparisonTable(QAbstractTableModel):
         with_ticks: bool = True,
         outcomes: Mapping[str, str] = MappingProxyType({}),
     ) -> None:
-        """Show a comparison, every change ticked; `before` and `after` head the columns.
+        """Show a comparison, every change ticked. `before` and `after` head the columns.
 
         `outcomes` are reasons by key, such as those of failures. An empty one is a stored value.
         """
@@ -85,7 +85,7 @@ class ComparisonTable(QAbstractTableModel):
         self.ticked_changed.emit()
 
     def renew(self, comparison: Comparison, *, tick_new: bool = True) -> None:
-        """Update both sides; cleared check boxes stay cleared, new changes get `tick_new`."""
+        """Update both sides. Cleared check boxes stay cleared, new changes get `tick_new`."""
         if not tick_new:
             ticked = {row.key for row in self.ticked}
             self._cleared |= {row.key for row in comparison.rows if row.is_offered} - ticked
@@ -213,7 +213,7 @@ class ComparisonTable(QAbstractTableModel):
         )
 
     def _side_text(self, row: ComparisonRow, value: int | Calibration | None, text: str) -> str:
-        """Return one side in physical units; each differing field of a calibration has a line."""
+        """Return one side in physical units. Each differing field of a calibration has a line."""
         if value is None:
             return tr("not given")
         if isinstance(value, int) or row.before == row.after:

@@ -32,7 +32,7 @@ class SettingsDocument(QObject):
     def __init__(
         self, text: str, name: str, *, path: Path | None = None, doubt: Finding | None = None
     ) -> None:
-        """Start with a text; with a `doubt` the user must check it before it is read."""
+        """Start with a text. With a `doubt` the user must check it before it is read."""
         super().__init__()
         self.draft = SettingsDraft(self)  # empty while the text is not readable
         self._name = name
@@ -69,7 +69,7 @@ class SettingsDocument(QObject):
 
     @classmethod
     def of_settings(cls, settings: Settings, name: str, title: str) -> "SettingsDocument":
-        """Begin a file with settings; invalid values become comments.
+        """Begin a file with settings. Invalid values become comments.
 
         Raises:
             BadRequest: the settings hold a key that their model and firmware do not have.
@@ -82,7 +82,7 @@ class SettingsDocument(QObject):
 
     @property
     def settings(self) -> Settings | None:
-        """The settings with their edits; `None` while the text is not readable."""
+        """The settings with their edits. `None` while the text is not readable."""
         return self.draft.shown if self.readable else None
 
     @property
@@ -93,13 +93,12 @@ class SettingsDocument(QObject):
 
     @property
     def trouble(self) -> str:
-        """Why the edits cannot be put into the text in place; empty while they can."""
+        """Reason that the edits cannot be put into the text in place. Empty while they can."""
         self._settle()
         return self._trouble
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """The findings of the reader, in the order of the lines."""
         self._settle()
         return self._findings
 
@@ -114,7 +113,7 @@ class SettingsDocument(QObject):
             self.changed.emit()
 
     def check(self) -> bool:
-        """Read the text again; return whether it has settings now."""
+        """Read the text again. Return whether it has settings now."""
         if not self.readable:
             try:
                 settings, self._findings = read_settings(self._base, self._name)
@@ -127,7 +126,7 @@ class SettingsDocument(QObject):
         return self.readable
 
     def content(self, *, fresh: bool = False) -> Content:
-        """Return what Save writes now; edits made while that is being saved stay unsaved.
+        """Return what Save writes now. Edits made while that is being saved stay unsaved.
 
         With `fresh`, in the program's own layout, without the user's comments.
 
@@ -181,7 +180,7 @@ class SettingsDocument(QObject):
 
 
 def text_of(data: bytes, name: str) -> tuple[str, Finding | None]:
-    """Return the text of a file, byte order mark included; a finding if the encoding is a guess.
+    """Return the text of a file, byte order mark included. A finding if the encoding is a guess.
 
     Raises:
         SettingsError: it is too large, or not a text.
@@ -221,7 +220,7 @@ def take_calibrations(
 
 
 def put_calibrations(shown: Settings, path: Path, title: str) -> None:
-    """Write the calibrations shown into a file; the rest of an existing file stays.
+    """Write the calibrations shown into a file. The rest of an existing file stays.
 
     Raises:
         SettingsError: the file cannot be read or written, or is for another model.

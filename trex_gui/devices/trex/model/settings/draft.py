@@ -26,7 +26,7 @@ from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 
 @dataclass(frozen=True, slots=True)
 class _SetAside:
-    """What is known of a board that another one was selected for, but not stored."""
+    """State of a deselected board that it does not store."""
 
     stored: Mapping[str, int]
     active: Mapping[str, int]
@@ -72,7 +72,7 @@ class SettingsDraft(QObject):
         return ChannelCurve.stored(number, calibration, self.parameters.values.stored.get)
 
     def select_state(self, state: DeviceState, connection: ConnectionSettings | None) -> None:
-        """Take what another board on the same line stores; edits are forgotten.
+        """Take what another board on the same line stores. Edits are forgotten.
 
         What waits for a power cycle of the former board is known again when that is selected.
         """
@@ -99,7 +99,7 @@ class SettingsDraft(QObject):
         power_cycled: bool,
         opened: bool = False,
     ) -> None:
-        """Take what a board stores; edits stay if it is the same kind of board.
+        """Take what a board stores. Edits stay if it is the same kind of board.
 
         Other stored values than before show that a pending reset has been done. `opened`: the
         line is, just now.
@@ -155,7 +155,7 @@ class SettingsDraft(QObject):
 
     @property
     def stored(self) -> Settings | None:
-        """The settings of the board or the file; `None` before the first."""
+        """The settings of the board or the file. `None` before the first."""
         return self._settings(self.parameters.values.all_stored, self.calibrations.all_stored)
 
     @property

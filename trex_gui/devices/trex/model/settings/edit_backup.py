@@ -166,7 +166,6 @@ class EditBackup(QObject):
             self._take(found)
 
     def _take(self, found: SavedEdits | None) -> None:
-        """Offer what differs from what is stored and edited now."""
         offer = None
         self._has_file = found is not None
         if found is not None:

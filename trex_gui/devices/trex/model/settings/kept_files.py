@@ -1,4 +1,4 @@
-"""What this computer keeps of the board that is connected, read and saved beside the window."""
+"""Records of the connected board on this computer, read and saved in threads."""
 
 from collections.abc import Mapping
 from functools import partial
@@ -43,7 +43,6 @@ class AcceptedMemory(QObject):
                 in_background(self, read, then, self._on_failed)
 
     def add(self, kind: Signature, values: Mapping[str, int]) -> None:
-        """Remember what a real board has stored."""
         add = partial(self._values.add, kind, values)
         in_background(self, add, self._parameters.set_accepted, self._on_failed)
 

@@ -11,7 +11,7 @@ from trex_gui.ui.devices.undo import Edit
 
 
 class Notes(QObject):
-    """One note for each key; edits go over an undo stack, and need no Apply.
+    """One note for each key. Edits go over an undo stack, and need no Apply.
 
     A board cannot store them: they are kept on this computer, see `BoardMemory`.
     """
@@ -34,7 +34,7 @@ class Notes(QObject):
         return self._notes.get(key, "")
 
     def load(self, notes: Mapping[str, str], owner: object = None) -> None:
-        """Take the notes that are kept; undo changes those of the same owner only."""
+        """Take the notes that are kept. Undo changes those of the same owner only."""
         self._notes, self._owner, self.are_known = dict(notes), owner, True
         self.changed.emit()
 
@@ -44,7 +44,7 @@ class Notes(QObject):
         self.changed.emit()
 
     def edit(self, key: str, text: str, *, name: str = "", run: object = None) -> None:
-        """Replace a note; an empty text removes it. `name` is that of the setting, for undo.
+        """Replace a note. An empty text removes it. `name` is that of the setting, for undo.
 
         Consecutive edits of a note with the same `run` are one undo step.
         """

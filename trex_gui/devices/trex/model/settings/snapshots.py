@@ -45,8 +45,6 @@ class SnapshotColumn(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Listing:
-    """Content of the folder of a history."""
-
     snapshots: tuple[Snapshot, ...]  # all, the newest first
     bound: Bound
     has_folder: bool
@@ -55,7 +53,7 @@ class Listing:
 def _read(
     history: SettingsHistory, known: Mapping[Path, Snapshot], progress: ProgressCallback
 ) -> Listing:
-    """Read the folder in a thread; `known` are heads that were read before."""
+    """Read the folder in a thread. `known` are heads that were read before."""
     files, snapshots = history.files(), list[Snapshot]()
     for number, file in enumerate(files, 1):
         snapshots.append(history.look_at(file, known.get(history.folder / file[2])))
@@ -95,7 +93,7 @@ class SnapshotTable(QAbstractTableModel):
             self.listed.emit(self.listing)
 
     def refresh(self) -> None:
-        """Read the folder again; rows that stay keep their place."""
+        """Read the folder again. Rows that stay keep their place."""
         self._cancel()
         before = () if self.listing is None else self.listing.snapshots
         known = {snapshot.path: snapshot for snapshot in before}
@@ -168,7 +166,7 @@ class SnapshotTable(QAbstractTableModel):
         self.loaded.emit()
 
     def problem_of(self, snapshot: Snapshot) -> str:
-        """Return why a snapshot cannot be used, as far as that is known; empty if it can."""
+        """Return why a snapshot cannot be used, as far as that is known. Empty if it can."""
         stamp, content = self._contents.get(snapshot.path, (None, snapshot.problem))
         is_current = stamp == snapshot.stamp
         return content if is_current and isinstance(content, str) else snapshot.problem

@@ -31,7 +31,7 @@ _TIMEOUT = ParameterKey.SERIAL_TIMEOUT
 
 
 class SettingsWriter(QObject):
-    """Writes settings, one write at a time; failed writes stay edits.
+    """Writes settings, one write at a time. Failed writes stay edits.
 
     Every write begins with a snapshot of the stored settings, which is saved in the background;
     without one nothing is written. `finished` or `failed` reports each result.
@@ -63,24 +63,24 @@ class SettingsWriter(QObject):
 
     @property
     def is_saving_snapshot(self) -> bool:
-        """Whether it can still be cancelled: nothing was sent to the board yet."""
+        """Return whether it can still be cancelled: nothing was sent to the board yet."""
         return self._cancel_snapshot is not None
 
     @property
     def is_rejected(self) -> bool:
-        """Whether the board is in a mode in which it rejects every write."""
+        """Return whether the board is in a mode in which it rejects every write."""
         state = self._board.state
         return self._is_connected and state is not None and not state.mode.is_serial
 
     @property
     def can_apply(self) -> bool:
-        """Whether edits can be written: to this board, and to no other one on the line."""
+        """Return whether edits can be written: to this board, and to no other one on the line."""
         is_ready = self._is_connected and not self.running
         return is_ready and not self.is_rejected and not self._driving.reaches_several
 
     @property
     def blocker(self) -> str:
-        """What lets the board accept writes again, for the user; empty if it does not reject."""
+        """Remedy, for the user, while the board rejects writes. Empty if it accepts them."""
         if not self.is_rejected:
             return ""
         return tr(
@@ -158,12 +158,12 @@ class SettingsWriter(QObject):
         parameters: tuple[tuple[str, int], ...],
         calibrations: tuple[tuple[CalibrationKey, Calibration], ...] = (),
     ) -> None:
-        """Write these values for this `reason`, which heads the snapshot; edits stay pending."""
+        """Write these values for this `reason`, which heads the snapshot. Edits stay pending."""
         if self._state_to_change() is not None:
             self._begin(reason, parameters, calibrations)
 
     def _state_to_change(self) -> DeviceState | None:
-        """Return what the board stores; `None` if a write would not reach it, or others, too."""
+        """Return what the board stores. `None` if a write would not reach it, or others, too."""
         if self._driving.reaches_several and self._connection.is_open:
             text = tr(
                 "Nothing was written: without a device number it would reach several boards. "
@@ -206,7 +206,7 @@ class SettingsWriter(QObject):
         self.changed.emit()
 
     def cancel(self) -> bool:
-        """Write nothing, if nothing was sent yet; return whether that is so."""
+        """Write nothing, if nothing was sent yet. Return whether that is so."""
         if self._cancel_snapshot is None:
             return False
         self.end()

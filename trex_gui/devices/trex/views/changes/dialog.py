@@ -32,8 +32,6 @@ TickedOf = Callable[[Comparison], Rows]
 
 
 class Names(NamedTuple):
-    """Object names."""
-
     dialog: str
     prefix: str  # of its parts
     action: str
@@ -63,7 +61,7 @@ class Changes:
 
 class Question(InlinePrompt):
     def ask_before(self, write: Callable[[], object], doubts: Callable[[], Sequence[str]]) -> None:
-        """Call `write`, after a question if there are doubts; `doubts` names the values."""
+        """Call `write`, after a question if there are doubts. `doubts` names the values."""
         named = doubts()
         if not named:
             write()
@@ -77,7 +75,7 @@ class Question(InlinePrompt):
 
 
 class ChangesDialog(ReusedDialog):
-    """Shows settings before and after, with a row for each change; as tall as its rows.
+    """Shows settings before and after, with a row for each change. As tall as its rows.
 
     Not modal, with a stop button of its own. Whoever creates it describes its content, and
     describes it again whenever a row is checked or cleared or one of `follows` is emitted.
@@ -94,7 +92,7 @@ class ChangesDialog(ReusedDialog):
         follows: Sequence[SignalInstance] = (),
         above: QWidget | None = None,
     ) -> None:
-        """Create it for the `parent` window; `describe` returns `None` to close the dialog.
+        """Create it for the `parent` window. `describe` returns `None` to close the dialog.
 
         `act` gets the checked rows when the primary button is pressed. `above` is put above the
         rows.

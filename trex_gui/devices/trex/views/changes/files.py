@@ -204,7 +204,7 @@ def show_conversion(
     parent: QWidget,
     on_converted: Callable[[SettingsDocument], object],
 ) -> None:
-    """Show what becomes of a document on another board; `on_converted` gets that as a new one."""
+    """Show what becomes of a document on another board. `on_converted` gets that as a new one."""
     boards = [(m, firmware) for m in device_table().models for firmware in m.firmware[::-1]]
     text, title = tr("{0}, firmware {1}"), tr("Board to convert for")
     items = [(text.format(board.name, firmware), (board, firmware)) for board, firmware in boards]

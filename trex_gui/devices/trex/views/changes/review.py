@@ -142,12 +142,12 @@ class Review(QObject):
 
     @property
     def _can_write(self) -> bool:
-        """Whether the board accepts settings now and will store them."""
+        """Return whether the board accepts settings now and will store them."""
         return self._device.is_writable and not self._device.draft.reset_pending
 
     @property
     def _is_cancellable(self) -> bool:
-        """Whether it was told to write, and nothing is written yet."""
+        """Return whether it was told to write, and nothing is written yet."""
         return self._phase is _Phase.WRITING and self._device.writer.is_saving_snapshot
 
     def _on_write_clicked(self, rows: Rows) -> None:
@@ -219,7 +219,7 @@ class Review(QObject):
         self._unstaged = self._staged = -1
 
     def _revert(self) -> bool:
-        """Undo what closing reverts, if it is the newest edit; return whether it was."""
+        """Undo what closing reverts, if it is the newest edit. Return whether it was."""
         is_newest = self._staged == self._undo.index()
         if is_newest:
             self._undo.setIndex(self._unstaged)
@@ -331,7 +331,7 @@ class Review(QObject):
         return tr("Writing. Leave the power on.")
 
     def _obstacle(self) -> str:
-        """Return why nothing can be written; empty if it can."""
+        """Return why nothing can be written. Empty if it can."""
         if not self._device.is_connected:
             return tr("No board is responding. The edits are kept.")
         if self._device.draft.reset_pending:
@@ -348,7 +348,6 @@ class Review(QObject):
         return " · ".join(filter(None, (self._board_text(), text)))
 
     def _board_text(self) -> str:
-        """Return the kind, number and port of the board."""
         state, settings = self._device.state, self._device.settings
         if state is None or settings is None:
             return ""
@@ -376,7 +375,7 @@ class Review(QObject):
 
 
 def _outcomes(results: Iterable[WriteResult]) -> Iterator[str]:
-    """Yield the reason of each failure, once for each error; empty for stored values."""
+    """Yield the reason of each failure, once for each error. Empty for stored values."""
     occurred: StudioError | None = None
     for result in results:
         if result.error is None:

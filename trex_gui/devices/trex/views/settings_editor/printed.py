@@ -16,10 +16,8 @@ from trex_gui.ui.widgets.placement import keep_on_screen
 
 
 class PrintedSettings(QTextDocument):
-    """A print-out of settings, to show, print or save."""
-
     def __init__(self, settings: Settings, name: str, remarks: Iterable[str] = ()) -> None:
-        """`name`: the file or the board; remarks are printed below."""
+        """`name`: the file or the board. Remarks are printed below."""
         super().__init__()
         self._name = name
         font = self.defaultFont()
@@ -42,7 +40,7 @@ class PrintedSettings(QTextDocument):
         return bytes(buffer.data().data())
 
     def preview(self, window: QWidget, report: Callable[[str], object]) -> QDialog | None:
-        """Show the pages in a dialog that can print them; report if Qt cannot print here."""
+        """Show the pages in a dialog that can print them. Report if Qt cannot print here."""
         # Not installed everywhere, and only needed for printing.
         try:
             from PySide6.QtPrintSupport import QPrintPreviewDialog  # noqa: PLC0415
@@ -124,7 +122,7 @@ def _calibrations(settings: Settings) -> str:
 
 
 def _note_row(settings: Settings, key: str, columns: int) -> list[str]:
-    """Return the note on a setting as a row below it; empty without one."""
+    """Return the note on a setting as a row below it. Empty without one."""
     note = settings.notes.get(key, "")
     text = escape(tr("Note: {0}").format(note)).replace("\n", "<br>")
     return [f'<tr><td colspan="{columns}"><i>{text}</i></td></tr>'] if note else []
@@ -136,7 +134,7 @@ def _row(cells: Iterable[str], *, bold: bool = False) -> str:
 
 
 def _table(titles: Mapping[str, int], rows: Iterable[str]) -> str:
-    """Return a table with the titles on each page; titles have their widths in per cent."""
+    """Return a table with the titles on each page. Titles have their widths in per cent."""
     head = "".join(
         f'<th align="left" width="{width}%">{escape(title)}</th>' for title, width in titles.items()
     )

@@ -27,7 +27,7 @@ EDITOR_BREAK = re.compile("\r\n|[\n\r\u2029\ufdd0\ufdd1]")  # of Qt's editor; YA
 
 
 def with_line_ends(lines: Sequence[str], before: str) -> str:
-    """Join the lines of an editor; lines that are changed get the end of the first line before."""
+    """Join the lines of an editor. Lines that are changed get the end of the first line before."""
     ends, old, typed = EDITOR_BREAK.findall(before), EDITOR_BREAK.split(before), list(lines)
     if typed == old:
         return before
@@ -170,7 +170,7 @@ class TextPage(QWidget):
 
 
 class NumberedText(QPlainTextEdit):
-    """Plain text with line numbers, and signs beside marked lines; lines count from 1."""
+    """Plain text with line numbers, and signs beside marked lines. Lines count from 1."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -190,7 +190,7 @@ class NumberedText(QPlainTextEdit):
 
     @property
     def lines(self) -> list[str]:
-        """The lines as typed; `toPlainText` would replace no-break spaces."""
+        """The lines as typed. `toPlainText` would replace no-break spaces."""
         return self.document().toRawText().split("\u2029")
 
     def mark(self, lines: Mapping[int, str]) -> None:

@@ -1,4 +1,4 @@
-"""A window for one settings file; it works with and without a board."""
+"""A window for one settings file. It works with and without a board."""
 
 from functools import partial
 from pathlib import Path
@@ -146,7 +146,7 @@ class SettingsEditor(QMainWindow):
         self.addToolBar(bar)
 
     def save(self) -> bool:
-        """Begin to save the file; return whether that has begun."""
+        """Begin to save the file. Return whether that has begun."""
         path = self.document.path
         return self._ask_and_save() if path is None else self._save(path, ask=True)
 
@@ -249,7 +249,6 @@ class SettingsEditor(QMainWindow):
         )
 
     def convert(self) -> None:
-        """Show what becomes of the settings on another board, and open that as a new file."""
         show_conversion(self._device, self.document, self, self.converted.emit)
 
     def _edits(self) -> QUndoStack | QPlainTextEdit:

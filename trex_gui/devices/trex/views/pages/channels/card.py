@@ -27,7 +27,7 @@ _SOURCES = (InputSource.RC, InputSource.ANALOG)
 
 
 class ChannelCard(Card):
-    """Shows one calibration with the options of its channel; edits go to the draft."""
+    """Shows one calibration with the options of its channel. Edits go to the draft."""
 
     source_chosen = Signal(object)  # the user opened the tab of an `InputSource`
     released = Signal()  # no handle of the curve is held any more
@@ -75,7 +75,7 @@ class ChannelCard(Card):
         tab_order(self)  # follows the order of the children
 
     def add_plot(self) -> None:
-        """Add the curve; this imports pyqtgraph."""
+        """Add the curve. This imports pyqtgraph."""
         from trex_gui.devices.trex.views.pages.channels.curve_plot import CurvePlot  # noqa: PLC0415
 
         self.plot = plot = CurvePlot(self)

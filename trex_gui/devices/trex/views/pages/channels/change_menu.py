@@ -28,7 +28,7 @@ from trex_gui.ui.widgets.builders import Trigger, action, plain
 
 
 class ChangeMenu(QMenu):
-    """Actions on the calibration of one channel; each is one edit to undo."""
+    """Actions on the calibration of one channel. Each is one edit to undo."""
 
     discard_requested = Signal()  # the edits of the channel
 
@@ -77,7 +77,7 @@ class ChangeMenu(QMenu):
         return made
 
     def show_channel(self, channel: int, *, editable: bool, edited: bool) -> None:
-        """Act on a channel, or save only; a tool tip gives the reason for a disabled action."""
+        """Act on a channel, or save only. A tool tip gives the reason for a disabled action."""
         self._channel = channel
         for change in self.actions():
             change.setEnabled(editable or change is self._save)
@@ -135,8 +135,6 @@ class ChangeMenu(QMenu):
             self.save_file(Path(chosen))
 
     def load_file(self, path: Path) -> None:
-        """Make the calibrations of a file edits."""
-
         def on_failed(error: StudioError) -> None:
             text = tr("{0} could not be loaded: {1}")
             self._device.notifier.error.emit(text.format(path.name, error_sentence(error)))

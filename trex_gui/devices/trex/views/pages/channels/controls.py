@@ -67,7 +67,7 @@ class CalibrationFields(QWidget):
     def show_calibration(
         self, source: InputSource, calibration: Calibration | None, *, editable: bool
     ) -> None:
-        """Show these values; `None`: unknown."""
+        """Show these values. `None`: unknown."""
         self._source = source
         self._calibration = calibration
         for field, editor in self._editors.items():
@@ -98,7 +98,7 @@ class CalibrationFields(QWidget):
 
 
 def _fit(editor: CountEditor) -> None:
-    """Let it become as narrow as a value; Qt leaves room for the widest one."""
+    """Let it become as narrow as a value. Qt leaves room for the widest one."""
     editor.setMinimumWidth(editor.fontMetrics().horizontalAdvance("0000 µs") + 44)
 
 
@@ -123,8 +123,6 @@ CHANNEL_OPTIONS = {  # title and tool tip of each
 
 
 class ChannelOptions(QWidget):
-    """Reversed, parabolic, ignored, required: each a bit of a parameter."""
-
     def __init__(self, parameters: ParameterModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._parameters = parameters
@@ -149,7 +147,7 @@ class ChannelOptions(QWidget):
     def show_channel(
         self, channel: int, source: InputSource, *, editable: bool, blocker: str = ""
     ) -> None:
-        """Show the bits that matter for an input source; `blocker`: why they cannot be edited."""
+        """Show the bits that matter for an input source. `blocker`: why they cannot be edited."""
         self._channel, self._editable = channel, editable and not blocker
         self._blocker = blocker
         self._boxes[ParameterKey.REQUIRED_CHANNELS].setVisible(source is InputSource.RC)
@@ -167,7 +165,7 @@ class ChannelOptions(QWidget):
         )
 
     def _bit(self, key: str, channel: int, *, stored: bool = False) -> bool:
-        """Return a channel's bit of a mask; False when the mask was not read."""
+        """Return a channel's bit of a mask. False when the mask was not read."""
         if not self._parameters.values.can_edit(key):
             return False
         read = self._parameters.values.stored.get if stored else self._parameters.values.value_of
@@ -223,7 +221,7 @@ class OtherSource(QWidget):
         self._cycle.clicked.connect(self.power_cycle_requested)
 
     def show_source(self, source: InputSource, mode: Mode, known: Known | None) -> None:
-        """Describe a source that a board in this mode does not read; `None`: nor ever did."""
+        """Describe a source that a board in this mode does not read. `None`: nor ever did."""
         parameters = self._device.parameters
         self._source = source
         name, wire = tr(channel_text.SOURCE_NAMES[source]), int(source is InputSource.ANALOG)

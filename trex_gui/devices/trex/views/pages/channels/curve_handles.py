@@ -25,7 +25,7 @@ _EDGES = (Handle.DEADBAND_LOW, Handle.DEADBAND_HIGH)
 
 @dataclass(frozen=True, slots=True)
 class Threshold:
-    """The threshold of a switch in pixels; `above`: it is on to the right of it."""
+    """The threshold of a switch in pixels. `above`: it is on to the right of it."""
 
     x: float
     above: bool
@@ -33,7 +33,7 @@ class Threshold:
 
 
 class HandleLayer(QGraphicsObject):
-    """Three lines from the top, the deadband's two from the bottom; places are in pixels."""
+    """Three lines from the top, the deadband's two from the bottom. Places are in pixels."""
 
     dragged = Signal(float)  # the held handle to this x
     released = Signal()  # no handle is held any more, whether or not it was moved
@@ -87,7 +87,7 @@ class HandleLayer(QGraphicsObject):
         self.update()
 
     def _handle_at(self, where: QPointF) -> Handle | None:
-        """Return the nearest handle under the mouse; in the lower half one of the deadband."""
+        """Return the nearest handle under the mouse. In the lower half one of the deadband."""
         if not self._editable or not self._places:
             return None
         lower = where.y() > self._frame.center().y()

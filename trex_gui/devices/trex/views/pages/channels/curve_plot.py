@@ -1,4 +1,4 @@
-"""A channel's curve with handles, above the trace of its input; importing it loads pyqtgraph."""
+"""A channel's curve with handles, above the trace of its input. Importing it loads pyqtgraph."""
 
 from dataclasses import replace
 
@@ -32,7 +32,7 @@ _ROOM = {InputSource.RC: 125, InputSource.ANALOG: 0}  # counts beyond a handle, 
 
 
 class CurvePlot(Painted):
-    """The output of a channel for each input; the stored curve is dashed, below the edited one."""
+    """The output of a channel for each input. The stored curve is dashed, below the edited one."""
 
     spoken_role = QAccessible.Role.Chart
 
@@ -228,7 +228,7 @@ class CurvePlot(Painted):
 
 
 class InputTrace(PlotCanvas):
-    """The input of the last seconds, along the axis of the curve; time runs downwards."""
+    """The input of the last seconds, along the axis of the curve. Time runs downwards."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Input of the last 10 seconds"), parent)
@@ -258,7 +258,7 @@ class InputTrace(PlotCanvas):
             line.set_value(count)
 
     def set_samples(self, times: Floats, counts: Floats, now: float) -> None:
-        """Draw the newest samples; `times` rise, and NaN is a gap."""
+        """Draw the newest samples. `times` rise, and NaN is a gap."""
         first = int(np.searchsorted(times, now - TRACE_SECONDS))
         self._line.set_points(counts[first:].copy(), now - times[first:], gaps=True)
 

@@ -109,7 +109,7 @@ class ChannelsPage(PlotPage):
 
     @property
     def _is_active(self) -> bool:
-        """Whether the board reads the input source that is shown."""
+        """Return whether the board reads the input source that is shown."""
         return self.source is self._device.calibrations.source
 
     @property
@@ -240,7 +240,7 @@ class ChannelsPage(PlotPage):
         self._card.note.show_note(problem or hint, alarming=bool(problem))
 
     def _problem_text(self) -> str:
-        """Return why a value was rejected or not stored, or a concern; empty: none."""
+        """Return why a value was rejected or not stored, or a concern. Empty: none."""
         if self._rejection or not self._is_active:
             return self._rejection
         if failure := self._failure(self.channel):

@@ -68,7 +68,7 @@ class ChannelStrip(QAbstractButton, Spoken):
         theme().changed.connect(self.update)
 
     def set_scale(self, source: InputSource, calibration: Calibration | None) -> None:
-        """Set whose minimum, neutral and maximum are marked; the scale contains them."""
+        """Set whose minimum, neutral and maximum are marked. The scale contains them."""
         self._calibration = calibration
         ends = () if calibration is None else (calibration.minimum, calibration.maximum)
         self._axis = widened(USUAL_AXIS[source], ends)
@@ -87,7 +87,7 @@ class ChannelStrip(QAbstractButton, Spoken):
             self.update()
 
     def add_samples(self, times: Iterable[float], counts: Iterable[float]) -> None:
-        """Add samples that are newer than those before; NaN is a gap."""
+        """Add samples that are newer than those before. NaN is a gap."""
         for time, count in zip(times, counts, strict=True):
             if math.isnan(count):
                 self._is_broken = True
@@ -199,8 +199,6 @@ class ChannelStrip(QAbstractButton, Spoken):
 
 
 class ChannelStrips(QWidget):
-    """The five strips, of which one is chosen."""
-
     chosen = Signal()  # another channel
 
     def __init__(self, device: Device | None, parent: QWidget) -> None:

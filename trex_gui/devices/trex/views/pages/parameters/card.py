@@ -40,8 +40,6 @@ _BOTH_MOTORS = "parameters/both_motors"
 
 
 class ParameterCard(Card):
-    """The card of the current parameter of a table."""
-
     def __init__(
         self, draft: SettingsDraft, linter: SettingsLinter, view: ParameterView, parent: QWidget
     ) -> None:

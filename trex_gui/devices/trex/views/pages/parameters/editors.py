@@ -1,4 +1,4 @@
-"""The editor that fits each kind of parameter; all of them take and return wire values."""
+"""The editor that fits each kind of parameter. All of them take and return wire values."""
 
 import re
 from bisect import bisect_left, bisect_right
@@ -30,7 +30,7 @@ _BOTH_WAYS = _STEPS.StepUpEnabled | _STEPS.StepDownEnabled
 
 
 class NumberEditor(UnitSpinBox):
-    """Steps through wire values; shows and takes them in any unit of the parameter."""
+    """Steps through wire values. Shows and takes them in any unit of the parameter."""
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -59,7 +59,7 @@ class NumberEditor(UnitSpinBox):
 
 
 class AccelerationEditor(NumberEditor):
-    """Takes the time to full speed, too; speed steps need their unit, `25 per 100 ms`."""
+    """Takes the time to full speed, too. Speed steps need their unit, `25 per 100 ms`."""
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(spec, parent)
@@ -70,7 +70,7 @@ class AccelerationEditor(NumberEditor):
         return super()._physical_wire(f"{text} s" if BARE.fullmatch(text) else text)
 
     def stepBy(self, steps: int) -> None:
-        """Step through the times, unless wire values are shown; no ramp is the shortest time."""
+        """Step through the times, unless wire values are shown. No ramp is the shortest time."""
         if self.own_first:
             super().stepBy(steps)
             return
@@ -85,7 +85,7 @@ class AccelerationEditor(NumberEditor):
 
 
 class FrequencyEditor(UnitSpinBox):
-    """Steps through the PWM frequencies that exist; what is typed goes to the nearest of them.
+    """Steps through the PWM frequencies that exist. What is typed goes to the nearest of them.
 
     Its value is a `frequency_code`; one that is no choice is shown until another is chosen.
     """
@@ -125,7 +125,7 @@ class FrequencyEditor(UnitSpinBox):
 
 
 class ChoiceEditor(ComboBox):
-    """A drop-down of the values' meanings; an unknown value is kept until another is chosen."""
+    """A drop-down of the values' meanings. An unknown value is kept until another is chosen."""
 
     valueChanged = Signal(int)  # the user has chosen a value, which may be the one that was shown
 
@@ -146,8 +146,6 @@ class ChoiceEditor(ComboBox):
 
 
 class ChannelsEditor(QWidget):
-    """Five check boxes, one for each channel."""
-
     valueChanged = Signal(int)  # the user has clicked a box
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
@@ -178,8 +176,6 @@ class ChannelsEditor(QWidget):
 
 
 class LineSettingsEditor(QWidget):
-    """Baud rate, error detection and stop bits of the serial line."""
-
     valueChanged = Signal(int)  # the user has chosen a setting, which may be the one that was shown
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -226,7 +222,7 @@ class LineSettingsEditor(QWidget):
         return self.settings().to_wire() if self._unknown is None else self._unknown
 
     def setValue(self, wire: int) -> None:
-        """Show a wire value; one of an unknown baud rate is kept until a field is changed."""
+        """Show a wire value. One of an unknown baud rate is kept until a field is changed."""
         try:
             self.set_settings(LineSettings.from_wire(wire))
         except BadRequest:

@@ -9,8 +9,6 @@ from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 
 
 class Shown(IntEnum):
-    """Parameters that are shown."""
-
     ALL = 0
     CHANGED = auto()
     NOT_DEFAULT = auto()

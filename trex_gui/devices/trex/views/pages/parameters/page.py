@@ -14,8 +14,6 @@ from trex_gui.ui.widgets.labels import PageHead
 
 
 class ParametersPage(QWidget):
-    """The parameter table below the state of the page."""
-
     power_cycle_requested = Signal()
 
     def __init__(self, device: Device, linter: BoardLinter, parent: QWidget | None = None) -> None:

@@ -1,4 +1,4 @@
-"""Small drawings of what a parameter does, from its present value; only of what is known."""
+"""Small drawings of what a parameter does, from its present value. Only of what is known."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -53,7 +53,7 @@ class Picture:
 
 
 def picture_of(key: str, values: ParameterValues) -> Picture | None:
-    """Return the drawing of a parameter; `None`: its effect or its value is not known."""
+    """Return the drawing of a parameter. `None`: its effect or its value is not known."""
     kind = key.partition("_")[2] if motor_name(key) else key
     wire, draw = values.value_of(key), _PICTURES.get(kind)
     return None if draw is None or wire is None else draw(values.specs[key], wire, values)
@@ -123,7 +123,7 @@ def _wave(spec: ParameterSpec, _wire: int, values: ParameterValues) -> Picture |
 def _stop(
     spec: ParameterSpec, wire: int, values: ParameterValues, after: float | None = None
 ) -> Picture:
-    """Draw signals that end, and motors that stop; `after`: seconds, `None`: the value."""
+    """Draw signals that end, and motors that stop. `after`: seconds, `None`: the value."""
     value, begin = spec.text(wire), 0.3
     seconds = wire * spec.scale if after is None else after
     end = begin + 0.55 * seconds / _window(seconds, 0.5, 1.5, 5, 15)
@@ -172,7 +172,7 @@ _PICTURES: dict[str, Callable[[ParameterSpec, int, ParameterValues], Picture | N
 
 
 class ParameterPicture(Painted):
-    """The drawing of one parameter; hidden where there is none."""
+    """The drawing of one parameter. Hidden where there is none."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)

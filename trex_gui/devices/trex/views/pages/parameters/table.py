@@ -1,4 +1,4 @@
-"""The parameters of a draft: filters, table, and the selected one; of a board or of a file."""
+"""The parameters of a draft: filters, table, and the selected one. Of a board or of a file."""
 
 from PySide6.QtCore import QModelIndex, Qt, Signal, Slot
 from PySide6.QtWidgets import QTabBar, QVBoxLayout, QWidget
@@ -14,7 +14,7 @@ from trex_gui.ui.widgets.builders import button, column, label, named, row, sear
 
 
 class ParameterTable(QWidget):
-    """The parameters of a board or of a file; has no access to a board."""
+    """The parameters of a board or of a file. Has no access to a board."""
 
     power_cycle_requested = Signal()
 
@@ -78,7 +78,7 @@ class ParameterTable(QWidget):
         self._choice.setCurrentIndex(Shown.ALL)
 
     def set_rows_enabled(self, enabled: bool) -> None:
-        """Enable edits; disabled rows can still be searched."""
+        """Enable edits. Disabled rows can still be searched."""
         self._view.setEnabled(enabled)
         self._card.set_can_edit(enabled)
 
@@ -118,7 +118,7 @@ class ParameterTable(QWidget):
             part.setEnabled(self._model.count > 0)
 
     def _on_rows_changed(self) -> None:
-        """Keep the user's value selected while it is visible; else select the best match."""
+        """Keep the user's value selected while it is visible. Else select the best match."""
         current, wanted = self._view.currentIndex(), self._model.index_of(self._place)
         if self._is_elsewhere or self._view.is_hidden(current):
             if not self._view.is_hidden(wanted):

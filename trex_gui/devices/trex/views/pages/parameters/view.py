@@ -120,7 +120,7 @@ class ParameterDelegate(UnitDelegate):
     def updateEditorGeometry(
         self, editor: QWidget, option: QStyleOptionViewItem, index: Index
     ) -> None:
-        """Give an editor the size that it needs; it may cover neighbouring cells."""
+        """Give an editor the size that it needs. It may cover neighbouring cells."""
         super().updateEditorGeometry(editor, option, index)
         place = editor.geometry()
         middle = place.center().y()
@@ -191,7 +191,7 @@ class ParameterDelegate(UnitDelegate):
             painter.drawRect(cell.adjusted(1, 1, -1, -1))
 
     def _sign(self, index: Index) -> str:
-        """Return the sign of the most important state of a value; empty for none."""
+        """Return the sign of the most important state of a value. Empty for none."""
         if index.data(Role.PROBLEM) or self._view.has_finding(str(index.data(Role.KEY))):
             return "warning"
         if index.data(Role.DIRTY):
@@ -199,7 +199,7 @@ class ParameterDelegate(UnitDelegate):
         return "power" if index.data(Role.WAITING) is not None else ""
 
     def _reset_place(self, option: QStyleOptionViewItem, index: Index) -> QRect:
-        """Return where the icon is that resets a value; empty without one, or room for it."""
+        """Return where the icon is that resets a value. Empty without one, or room for it."""
         place, cell = QRect(0, 0, _ICON, _ICON), option.rect
         place.moveCenter(QPoint(cell.right() - _ICON, cell.center().y()))
         if index.data(Role.RESET) is None:
@@ -208,7 +208,7 @@ class ParameterDelegate(UnitDelegate):
 
 
 def _write(option: QStyleOptionViewItem, color: str, *, bold: bool = False) -> None:
-    """Write a text in a colour of the theme; disabled text keeps its own."""
+    """Write a text in a colour of the theme. Disabled text keeps its own."""
     palette = QPalette(option.palette)
     for group in (QPalette.ColorGroup.Active, QPalette.ColorGroup.Inactive):
         palette.setColor(group, QPalette.ColorRole.Text, theme().color(color))
@@ -267,7 +267,7 @@ class ParameterView(QTableView):
                 self.setSpan(number, len(row.keys), 1, len(ParameterColumn) - len(row.keys))
 
     def show_rows(self, wanted: ParameterFilter) -> bool:
-        """Show the rows that match; return whether others than before are visible."""
+        """Show the rows that match. Return whether others than before are visible."""
         self.filter, before = wanted, self._visible
         self._visible = wanted.rows(self._model)
         for row in range(len(self._model.rows)):
@@ -283,7 +283,7 @@ class ParameterView(QTableView):
 
     @property
     def current_key(self) -> str:
-        """The parameter of the current cell; empty without one."""
+        """The parameter of the current cell. Empty without one."""
         return str(self.currentIndex().data(Role.KEY) or "")
 
     def indexAt(self, pos: QPoint) -> QModelIndex:  # noqa: N802 # of Qt
@@ -342,7 +342,7 @@ class ParameterView(QTableView):
 
     @property
     def tools(self) -> tuple[QAction, ...]:
-        """What is offered as buttons beside the table, too."""
+        """Actions that are buttons beside the table, too."""
         return self._reset, self._pin, self._restore
 
     def _action(
@@ -381,7 +381,7 @@ class ParameterView(QTableView):
             self.update_actions()
 
     def update_actions(self) -> None:
-        """Describe the effect of each action; disable or hide those without one."""
+        """Describe the effect of each action. Disable or hide those without one."""
         model, key = self._model, self.current_key
         for each in self.tools:
             each.setVisible(bool(key))
@@ -425,6 +425,6 @@ class ParameterView(QTableView):
 
 
 def _value_at(index: QModelIndex) -> QModelIndex:
-    """Return the value that a name stands for; any other cell itself."""
+    """Return the value that a name stands for. Any other cell itself."""
     is_name = index.column() == ParameterColumn.NAME and index.data(Role.KEY) is not None
     return index.siblingAtColumn(ParameterColumn.MOTOR1) if is_name else index
