@@ -21,7 +21,7 @@ from trex_gui.devices.trex.model.mix_jumper import MixJumper
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.model.settings.edit_backup import EditBackup
-from trex_gui.devices.trex.model.settings.kept_files import AcceptedMemory, KeptFiles
+from trex_gui.devices.trex.model.settings.kept_files import KeptFiles
 from trex_gui.devices.trex.model.settings.writer import SettingsWriter
 from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -64,8 +64,7 @@ class Device(QObject):
         self.calibrations = self.draft.calibrations
         # What this computer keeps: edits over the end of the program; what was applied last, notes
         self.edit_backup = EditBackup(self.draft, self)
-        self._accepted = AcceptedMemory(self.parameters, self)
-        self.kept = KeptFiles(self.draft.notes, self._accepted, self)
+        self.kept = KeptFiles(self.draft, self)
         self.board = BoardMirror(self.kept.memory, self.errors_changed.emit)
         self.telemetry = Telemetry(self.motors, self.board.newest, self)
         self.mix_jumper = MixJumper(self.draft, self.telemetry, self)
@@ -88,7 +87,7 @@ class Device(QObject):
         self.connection.interfered.connect(self.notifier.report)
         for changed in (self.driving.confirmed, self.driving.reach_changed):
             changed.connect(self.link_changed)
-        for kept in (self.edit_backup, self.kept, self._accepted):
+        for kept in (self.edit_backup, self.kept):
             kept.failed.connect(self.notifier.error)
         self.kept.doubted.connect(self.notifier.info)
         for files in (self.edit_backup.files, self.kept.files):
@@ -299,7 +298,7 @@ class Device(QObject):
         """Follow in its files what the board stores; `opened`: it may be another board."""
         state, is_simulated = report.state, bool(report.settings.name)
         self.edit_backup.take_board(ask=opened, is_simulated=is_simulated)
-        self._accepted.take_board(state.signature, opened=opened, is_simulated=is_simulated)
+        self.kept.set_kind(state.signature, opened=opened, is_simulated=is_simulated)
 
     def _on_selected(self, report: Connected) -> None:
         """Show another board on the line, with its edits; those of the last are kept."""
