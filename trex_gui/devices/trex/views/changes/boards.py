@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from PySide6.QtCore import QObject, Qt, Slot
+from PySide6.QtCore import QObject, QSignalBlocker, Qt, Slot
 from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
 from trex_gui.core.translation import tr
@@ -16,7 +16,7 @@ from trex_gui.devices.trex.views.changes.dialog import Changes, ChangesDialog, N
 from trex_gui.ui.widgets import builders as ui
 
 _LEFT_OUT = {BoardStep.FAILED, BoardStep.SKIPPED}
-_CHECKED, _CLEARED = Qt.CheckState.Checked, Qt.CheckState.Unchecked
+_CHECKED = Qt.CheckState.Checked
 _LINES = 6  # boards that are seen at once
 
 
@@ -32,8 +32,6 @@ class ApplyToSeveral(QObject):
         self._device = device
         self.work = ApplyToBoards(boards, device, self)
         self._name = self._trouble = ""
-        self._cleared: set[int] = set()  # boards whose check box the user has cleared
-        self._is_filling = False
 
         title = tr("Boards to write to")
         self._table = table = ui.flat_table(QTableWidget(0, 3, parent), "boardsToWrite", title)
@@ -58,7 +56,7 @@ class ApplyToSeveral(QObject):
         self.dialog.add_beside_buttons(self._end)
 
         self._end.clicked.connect(self.work.cancel)
-        self._table.itemChanged.connect(self._on_item_changed)
+        self._table.itemChanged.connect(self.dialog.refresh)
         self._table.currentCellChanged.connect(self.dialog.refresh)
         self.work.changed.connect(self._fill)
         self.work.finished.connect(self._on_finished)
@@ -70,7 +68,7 @@ class ApplyToSeveral(QObject):
             self.dialog.show_in_front()
             return
         self._name = document.name
-        self._cleared.clear()
+        self._table.setRowCount(0)
         self._trouble = ""
         if document.settings is None:
             self._trouble = tr("This file cannot be used: it has errors. Nothing was changed.")
@@ -80,43 +78,40 @@ class ApplyToSeveral(QObject):
         self.dialog.open_anew()
 
     def _chosen(self) -> list[int]:
-        plans = (plan for plan in self.work.plans if plan.step is BoardStep.REVIEWED)
-        writable = (plan.number for plan in plans if plan.to_write)
-        return [number for number in writable if number not in self._cleared]
+        numbers = [plan.number for plan in self.work.plans[: self._table.rowCount()]]
+        return [
+            each for row, each in enumerate(numbers) if self._item(row).checkState() is _CHECKED
+        ]
 
     @Slot()
     def _fill(self) -> None:
-        self._is_filling = True
         names = {one.number: board_name(one) for one in self._boards.boards}
         plans = self.work.plans
-        self._table.setRowCount(len(plans))
-        for row, plan in enumerate(plans):
-            can_check = plan.step is BoardStep.REVIEWED and bool(plan.to_write)
-            texts = (names.get(plan.number, str(plan.number)), *_texts(plan))
-            for column, text in enumerate(texts):
-                item = self._table.item(row, column) or QTableWidgetItem()
-                item.setText(text)
-                if column == 0:
-                    checkable = Qt.ItemFlag.ItemIsUserCheckable
-                    flags = item.flags() & ~checkable
-                    item.setFlags(flags | checkable if can_check else flags)
-                    state = _CLEARED if plan.number in self._cleared else _CHECKED
-                    role = Qt.ItemDataRole.CheckStateRole
-                    item.setData(role, state if can_check else None)  # `None`: no check box
-                if self._table.item(row, column) is None:
-                    self._table.setItem(row, column, item)
-        self._is_filling = False
+        with QSignalBlocker(self._table):
+            self._table.setRowCount(len(plans))
+            for row, plan in enumerate(plans):
+                texts = (names.get(plan.number, str(plan.number)), *_texts(plan))
+                for column, text in enumerate(texts):
+                    self._item(row, column).setText(text)
+                self._set_checkable(self._item(row), plan)
         self._table.resizeRowsToContents()
         self.dialog.refresh()
 
-    @Slot(QTableWidgetItem)
-    def _on_item_changed(self, item: QTableWidgetItem) -> None:
-        if self._is_filling or item.column() != 0 or item.row() >= len(self.work.plans):
-            return
-        number = {self.work.plans[item.row()].number}
-        cleared = item.checkState() is not _CHECKED
-        self._cleared = self._cleared | number if cleared else self._cleared - number
-        self.dialog.refresh()
+    def _item(self, row: int, column: int = 0) -> QTableWidgetItem:
+        if (item := self._table.item(row, column)) is None:
+            item = QTableWidgetItem()
+            self._table.setItem(row, column, item)
+        return item
+
+    def _set_checkable(self, item: QTableWidgetItem, plan: BoardPlan) -> None:
+        """Let the user choose a board to write to. A box that was cleared stays so."""
+        checkable, role = Qt.ItemFlag.ItemIsUserCheckable, Qt.ItemDataRole.CheckStateRole
+        if plan.step is not BoardStep.REVIEWED or not plan.to_write:
+            item.setFlags(item.flags() & ~checkable)
+            item.setData(role, None)  # no check box
+        elif item.data(role) is None:
+            item.setFlags(item.flags() | checkable)
+            item.setData(role, _CHECKED)
 
     def _describe(self, _ticked_of: TickedOf) -> Changes:
         running, chosen = self.work.is_running, self._chosen()
