@@ -16,7 +16,7 @@ from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.protocol.device_table import Model, device_table
 from trex_gui.devices.trex.settings.document import Settings, factory_settings
 from trex_gui.devices.trex.views.changes.dialog import ChangesDialog
-from trex_gui.devices.trex.views.changes.files import add_editing, load_dialog
+from trex_gui.devices.trex.views.changes.files import load_dialog
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 from trex_gui.devices.trex.views.shown_settings import ShownSettings
 from trex_gui.ui.files import in_background
@@ -115,7 +115,7 @@ class SettingsFiles(QObject):
         if self._device.state is None:  # meanwhile
             self.open_editor(document)
         elif document.path is not None:
-            add_editing(self._offer(document), partial(self.edit_file, document.path))
+            self._offer(document, edit=partial(self.edit_file, document.path))
 
     def edit_file(self, path: Path) -> None:
         """Open a file in a window of its own, or the window that has it already."""
@@ -184,7 +184,12 @@ class SettingsFiles(QObject):
         document = SettingsDocument.of_settings(settings, title, "Settings applied.")
         self._offer(document, tr("Applied"))
 
-    def _offer(self, document: SettingsDocument, side: str = "") -> ChangesDialog:
+    def _offer(
+        self,
+        document: SettingsDocument,
+        side: str = "",
+        edit: Callable[[], object] | None = None,
+    ) -> None:
         """Show what settings would change. `side` names them in place of `File`."""
         if self._loading is not None:
             self._loading.close()
@@ -195,10 +200,10 @@ class SettingsFiles(QObject):
             on_staged=self._on_staged,
             on_ended=self._notifier.error.emit,
             side=side,
+            edit=edit,
         )
         dialog.finished.connect(partial(self._on_offer_finished, dialog))
         dialog.open_anew()
-        return dialog
 
     def _on_offer_finished(self, dialog: ChangesDialog, _result: int) -> None:
         if dialog is self._loading:

@@ -36,11 +36,12 @@ def load_dialog(
     on_staged: Report,
     on_ended: Report,
     side: str = "",
+    edit: Callable[[], object] | None = None,
 ) -> ChangesDialog:
     """Create the dialog that shows what a document would change of the board.
 
     `on_staged` and `on_ended` get a message: changes are edits now, or the board is gone. `side`
-    names the settings of the document, by default `File`.
+    names the settings of the document, by default `File`. `edit` edits the file in place of that.
     """
     # The document itself may be edited or deleted meanwhile.
     name, settings, findings = document.name, document.settings, document.findings
@@ -98,20 +99,12 @@ def load_dialog(
         follows=(draft.pending_changed, draft.loaded, device.link_changed, device.state_changed),
     )
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    if edit is not None:
+        text = tr("&Edit the file instead")
+        instead = button(dialog, "editFileButton", text, default=False, on_click=dialog.close)
+        instead.clicked.connect(edit)
+        dialog.add_beside_buttons(instead)
     return dialog
-
-
-def add_editing(dialog: ChangesDialog, edit: Callable[[], object]) -> None:
-    """Offer to edit a file in place of loading it."""
-
-    def close_and_edit() -> None:
-        dialog.close()
-        edit()
-
-    text = tr("&Edit the file instead")
-    dialog.add_beside_buttons(
-        button(dialog, "editFileButton", text, default=False, on_click=close_and_edit)
-    )
 
 
 def _missing(comparison: Comparison) -> Iterator[str]:
