@@ -1,6 +1,5 @@
 """Findings about settings, with buttons that accept a proposal or show a line."""
 
-import re
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import partial
@@ -12,7 +11,6 @@ from trex_gui.core.files import Finding, Severity
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.settings.rules import LintFinding
-from trex_gui.devices.trex.settings.yaml_subset import LINE_END
 from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets.builders import button, column, label, no_mnemonic, row, tab_order
 from trex_gui.ui.widgets.labels import Sign
@@ -22,12 +20,6 @@ Remark = LintFinding | Finding | str
 
 _MOST = 60  # findings that get a line; the rest is only counted
 _SIGNS = {Severity.ERROR: ("error", "danger"), Severity.WARNING: ("warning", "warning")}
-
-
-def line_of_key(text: str, key: str) -> int | None:
-    """Return the line of a setting in a file, counted from 1."""
-    found = re.search(rf"^\W*{re.escape(key)}\W*:", text, re.MULTILINE)
-    return None if found is None else len(LINE_END.findall(text, 0, found.start())) + 1
 
 
 class FindingsList(QWidget):
@@ -50,7 +42,7 @@ class FindingsList(QWidget):
         self.setObjectName(f"{where}Findings")
         self.setAccessibleName(tr("Findings about the settings"))
         self._findings: tuple[Remark, ...] = ()
-        self._text: str | None = None
+        self._with_lines = False
         self._can_accept = True
         self._lines: list[QWidget] = []
         self._layout = column(into=self, margins=0)
@@ -70,11 +62,11 @@ class FindingsList(QWidget):
     def refresh(self) -> None:
         self.show_findings([each for each in self._linter.findings if self._concerns(each)])
 
-    def show_findings(self, findings: Iterable[Remark], *, text: str | None = None) -> None:
-        """Show findings. With the `text` of their file each has a button that shows its line."""
+    def show_findings(self, findings: Iterable[Remark], *, with_lines: bool = False) -> None:
+        """Show findings. `with_lines`: each has a button that shows its line."""
         shown = tuple(findings)
-        if (shown, text) != (self._findings, self._text):
-            self._findings, self._text = shown, text
+        if shown != self._findings:
+            self._findings, self._with_lines = shown, with_lines
             self._fill()
 
     def set_can_accept(self, can_accept: bool) -> None:
@@ -102,8 +94,6 @@ class FindingsList(QWidget):
         if isinstance(finding, LintFinding):
             text = finding.message if self._is_wide else finding.text
             sign = _SIGNS[Severity.WARNING]
-            lines = (line_of_key(self._text or "", key) for key in finding.keys)
-            at = next((line for line in lines if line is not None), None)
             accept = link(
                 line,
                 f"{self._where}Accept{number}",
@@ -117,7 +107,7 @@ class FindingsList(QWidget):
         elif isinstance(finding, Finding):
             sign, at = _SIGNS[finding.severity], finding.line
             text = str(replace(finding, severity=Severity.ERROR))  # the sign says that
-        if at is not None and self._text is not None:
+        if at is not None and self._with_lines:
             choose = partial(self.line_chosen.emit, at)
             title = tr("Show line {0}").format(at)
             actions.append(link(line, f"{self._where}Line{number}", title, on_click=choose))

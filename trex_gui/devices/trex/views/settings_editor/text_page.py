@@ -148,7 +148,7 @@ class TextPage(QWidget):
                 signs[found.line] = found.severity.value
         places = self._editor_lines(signs)
         self.editor.mark({places[line]: sign for line, sign in signs.items()})
-        self._findings.show_findings(document.findings, text="")
+        self._findings.show_findings(document.findings, with_lines=True)
         self._notice.setText(self._notice_text())
 
     def _notice_text(self) -> str:
