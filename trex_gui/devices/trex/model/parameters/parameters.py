@@ -86,7 +86,7 @@ class ParameterModel(QAbstractTableModel):
         super().__init__(parent)
         self._undo = undo or QUndoStack(self)
         self.values = ParameterValues()
-        self.text = ParameterText(self.values, self)
+        self.text = ParameterText(self.values)
         self.rows = ParameterRows(self.values, self.text)
         self.model_key = ""  # the kind of board that the rows belong to; empty before the first
         self.both_motors = False  # whether an edit for one motor is made for the other, too

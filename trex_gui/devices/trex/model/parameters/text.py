@@ -4,8 +4,6 @@ from collections.abc import Sequence
 from enum import IntEnum
 from functools import cache
 
-from PySide6.QtCore import QObject
-
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.parameters.values import ParameterValues
@@ -34,11 +32,10 @@ class ParameterColumn(IntEnum):
     MOTOR2 = 2
 
 
-class ParameterText(QObject):
+class ParameterText:
     """Derives every text from the current values. Has no state."""
 
-    def __init__(self, values: ParameterValues, parent: QObject) -> None:
-        super().__init__(parent)
+    def __init__(self, values: ParameterValues) -> None:
         self.frequencies: tuple[int, ...] = ()  # codes of those that the board can have
         self._guide = ""
         self._values = values

@@ -17,18 +17,8 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.board_records import Known
 from trex_gui.devices.trex.views.count_editor import CountEditor
 from trex_gui.ui.theme.theme import follow_theme
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.bar import NO_VALUE
-from trex_gui.ui.widgets.builders import (
-    button,
-    check_box,
-    column,
-    grid,
-    label,
-    named,
-    plain,
-    row,
-    set_bold,
-)
 
 _SOURCE = ParameterKey.CHANNEL_INPUT_SOURCE
 
@@ -52,11 +42,13 @@ class CalibrationFields(QWidget):
             "maximum": tr("Ma&ximum"),
             "deadband": tr("Dead&band ±"),
         }
-        layout = grid(self, margins=0, spacing=(8, 2), stretch=[(each, 1) for each in range(4)])
+        layout = ui.grid(self, margins=0, spacing=(8, 2), stretch=[(each, 1) for each in range(4)])
         for number, (field, title) in enumerate(titles.items()):
             accessible = title.replace("&", "")
-            editor = named(CountEditor(self._source, self), f"{field}Edit", accessible=accessible)
-            layout.addWidget(label(self, text=title, buddy=editor), 0, number)
+            editor = ui.named(
+                CountEditor(self._source, self), f"{field}Edit", accessible=accessible
+            )
+            layout.addWidget(ui.label(self, text=title, buddy=editor), 0, number)
             layout.addWidget(editor, 1, number)
             follow_theme(editor, "width", partial(_fit, editor))
             editor.valueChanged.connect(partial(self._on_value_changed, field))
@@ -130,7 +122,7 @@ class ChannelOptions(QWidget):
         self._editable = False
         self._blocker = ""
         self._boxes = {
-            key: check_box(
+            key: ui.check_box(
                 self,
                 key.removesuffix("_channels") + "Box",
                 tr(title),
@@ -139,7 +131,7 @@ class ChannelOptions(QWidget):
             )
             for key, (title, _) in CHANNEL_OPTIONS.items()
         }
-        row(*self._boxes.values(), 1, into=self, margins=0, spacing=8)
+        ui.row(*self._boxes.values(), 1, into=self, margins=0, spacing=8)
         parameters.dataChanged.connect(self._refresh)
         parameters.modelReset.connect(self._refresh)
         self._refresh()
@@ -188,8 +180,8 @@ class ChannelOptions(QWidget):
             with QSignalBlocker(box):
                 box.setChecked(self._bit(key, self._channel))
             box.setEnabled(self._editable and self._parameters.values.can_edit(key))
-            box.setToolTip(plain(self._blocker or tr(CHANNEL_OPTIONS[key][1])))
-            set_bold(box, self._is_edited(key, self._channel))
+            box.setToolTip(ui.plain(self._blocker or tr(CHANNEL_OPTIONS[key][1])))
+            ui.set_bold(box, self._is_edited(key, self._channel))
 
     def _set(self, key: str, channel: int, wanted: bool) -> None:
         if self._parameters.values.can_edit(key):
@@ -207,12 +199,14 @@ class OtherSource(QWidget):
         super().__init__(parent)
         self._device = device
         self._source = InputSource.ANALOG
-        self._text = label(self, "otherSourceWords", wrap=True)
+        self._text = ui.label(self, "otherSourceWords", wrap=True)
         accessible = tr("Read the other input source")
-        self._switch = button(self, "switchSourceButton", icon="calibrate", accessible=accessible)
+        self._switch = ui.button(
+            self, "switchSourceButton", icon="calibrate", accessible=accessible
+        )
         title = tr("Ma&ke active…")
-        self._cycle = button(self, "switchSourceCycleButton", title, icon="power")
-        column(self._text, row(self._switch, self._cycle, 1), into=self, margins=0)
+        self._cycle = ui.button(self, "switchSourceCycleButton", title, icon="power")
+        ui.column(self._text, ui.row(self._switch, self._cycle, 1), into=self, margins=0)
 
         def on_switch() -> None:
             device.parameters.edit(_SOURCE, int(self._source is InputSource.ANALOG))

@@ -21,17 +21,7 @@ from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.theme import CARD_PADDING, follow_theme, set_look, set_text_color, theme
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.units import units
-from trex_gui.ui.widgets.builders import (
-    Card,
-    button,
-    check_box,
-    column,
-    label,
-    named,
-    plain,
-    row,
-    spin_box,
-)
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import ElidedLabel, LinkLabel, Muted
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
@@ -39,25 +29,25 @@ _WIDTH = 33  # least, in average characters
 _BOTH_MOTORS = "parameters/both_motors"
 
 
-class ParameterCard(Card):
+class ParameterCard(ui.Card):
     def __init__(
         self, draft: SettingsDraft, linter: SettingsLinter, view: ParameterView, parent: QWidget
     ) -> None:
         super().__init__("", parent)
-        named(self, "aboutParameters", accessible=tr("Selected parameter"))
+        ui.named(self, "aboutParameters", accessible=tr("Selected parameter"))
         self._model, self._view, self._can_edit = draft.parameters, view, True
-        self._facts = facts = named(QWidget(self), "parameterFacts")
+        self._facts = facts = ui.named(QWidget(self), "parameterFacts")
         box = ScrollBox(facts, self)
-        self._heading = label(facts, "parameterTitle", wrap=True, size="heading")
-        self._value = label(facts, "parameterValue", wrap=True, bold=True)
+        self._heading = ui.label(facts, "parameterTitle", wrap=True, size="heading")
+        self._value = ui.label(facts, "parameterValue", wrap=True, bold=True)
         self._picture = ParameterPicture(facts)
         self._picture.setAccessibleName(self.accessibleName())
-        self._notes = label(facts, "parameterNotes", wrap=True, bold=True)
+        self._notes = ui.label(facts, "parameterNotes", wrap=True, bold=True)
         text, tip = tr("Ma&ke active…"), tr("Show the steps for switching the board off and on")
-        self.activate = button(facts, "makeActiveButton", text, icon="power", tip=tip)
-        self._help = label(facts, "parameterHelp", wrap=True, selectable=True)
-        self._limits = named(Muted("", facts), "parameterLimits")
-        self._fold = button(facts, "parameterDetailsButton", tr("Detail&s"), checkable=True)
+        self.activate = ui.button(facts, "makeActiveButton", text, icon="power", tip=tip)
+        self._help = ui.label(facts, "parameterHelp", wrap=True, selectable=True)
+        self._limits = ui.named(Muted("", facts), "parameterLimits")
+        self._fold = ui.button(facts, "parameterDetailsButton", tr("Detail&s"), checkable=True)
         set_look(self._fold, "link")
         self._summary = ElidedLabel("", facts)
         set_text_color(self._summary, "muted")
@@ -67,20 +57,20 @@ class ParameterCard(Card):
         self._details.setOpenExternalLinks(True)
         self._wire = self._wire_row(facts)
         self._note = NoteField(draft.notes, "noteEdit", facts)
-        note = label(facts, text=tr("Note"), size="caption")
+        note = ui.label(facts, text=tr("Note"), size="caption")
         self._findings = FindingsList("parameter", self._value, facts)
         tip = tr("Make each change to one motor to the other, too, in one step")
         text, both = tr("&Both motors as one"), Preferences().flag(_BOTH_MOTORS, default=False)
-        self._both = check_box(self, "bothMotors", text, tip=tip, checked=both)
+        self._both = ui.check_box(self, "bothMotors", text, tip=tip, checked=both)
         self._model.both_motors = both
         default, pin, undo = self._buttons = [_push_button(each, self) for each in view.tools]
-        fold = row(self._fold, (self._summary, 1), spacing=4)
-        head = column(self._heading, self._value, self._picture, self._notes, spacing=4)
+        fold = ui.row(self._fold, (self._summary, 1), spacing=4)
+        head = ui.column(self._heading, self._value, self._picture, self._notes, spacing=4)
         parts = self.activate, self._findings, self._help, self._limits, fold, self._details
-        notes = column(note, self._note, spacing=2)
-        column(head, *parts, self._wire, notes, 1, into=facts, margins=0)
-        self._tools = row(row(default, pin), undo, 1)
-        column((box, 1), self._both, self._tools, into=self)
+        notes = ui.column(note, self._note, spacing=2)
+        ui.column(head, *parts, self._wire, notes, 1, into=facts, margins=0)
+        self._tools = ui.row(ui.row(default, pin), undo, 1)
+        ui.column((box, 1), self._both, self._tools, into=self)
 
         def fit() -> None:
             texts = _WIDTH * self.fontMetrics().averageCharWidth()
@@ -105,12 +95,12 @@ class ParameterCard(Card):
 
     def _wire_row(self, parent: QWidget) -> QWidget:
         """Create the field for wire values beyond limits that are only inferred."""
-        made = named(QWidget(parent), "parameterWire")
+        made = ui.named(QWidget(parent), "parameterWire")
         text = tr("No document confirms this limit. The board decides about other values.")
-        note = label(made, "wireNote", text, wrap=True)
-        self._wire_value = spin_box(made, "wireField", tr("Wire value"), 0, HIGHEST_WIRE)
-        accept = button(made, "tryWireButton", tr("&Try this value"), on_click=self._on_try)
-        column(note, row((self._wire_value, 1), accept), into=made, margins=0)
+        note = ui.label(made, "wireNote", text, wrap=True)
+        self._wire_value = ui.spin_box(made, "wireField", tr("Wire value"), 0, HIGHEST_WIRE)
+        accept = ui.button(made, "tryWireButton", tr("&Try this value"), on_click=self._on_try)
+        ui.column(note, ui.row((self._wire_value, 1), accept), into=made, margins=0)
         return made
 
     def _concerns(self, finding: LintFinding) -> bool:
@@ -183,11 +173,11 @@ def _details(text: ParameterText, key: str) -> str:
 
 def _push_button(action: QAction, parent: QWidget) -> QPushButton:
     """Create a button that triggers an action, and has its short text and its state."""
-    made = button(parent, f"{action.objectName()}Button", on_click=action.trigger)
+    made = ui.button(parent, f"{action.objectName()}Button", on_click=action.trigger)
 
     def update() -> None:
         made.setText(action.iconText())
-        made.setToolTip(plain(action.text().replace("&", "")))
+        made.setToolTip(ui.plain(action.text().replace("&", "")))
         made.setEnabled(action.isEnabled())
         made.setVisible(action.isVisible())
 
