@@ -40,16 +40,6 @@ _GROUPS = ("motors", "channels", "serial", "system")  # in the order of settings
 _HEADING = Qt.ItemFlag.NoItemFlags  # keys pass it by
 _FIXED = Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemNeverHasChildren
 _EDITABLE = _FIXED | Qt.ItemFlag.ItemIsEditable
-_LEFT_TO_THE_STYLE = frozenset(
-    {
-        Qt.ItemDataRole.DecorationRole,
-        Qt.ItemDataRole.SizeHintRole,
-        Qt.ItemDataRole.FontRole,
-        Qt.ItemDataRole.BackgroundRole,
-        Qt.ItemDataRole.ForegroundRole,
-        Qt.ItemDataRole.CheckStateRole,
-    }
-)
 
 
 class Role(IntEnum):
@@ -338,14 +328,14 @@ class ParameterModel(QAbstractTableModel):
         return _EDITABLE if is_value and self.is_editable(key) else _FIXED
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        if role in _LEFT_TO_THE_STYLE or not index.isValid():
+        source = self._sources.get(role)
+        if (source is None and role != Role.GROUP) or not index.isValid():
             return None
         key = self._key_at(index)
         if not key:
             return self._heading_data(index, role)
         if role == Qt.ItemDataRole.DisplayRole and index.column() == ParameterColumn.NAME:
             return self.rows[index.row()].name
-        source = self._sources.get(role)
         return None if source is None else source(key)
 
     def _number(self, key: str) -> int | None:

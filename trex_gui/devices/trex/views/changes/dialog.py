@@ -124,8 +124,8 @@ class ChangesDialog(ReusedDialog):
         bar = ActionBar(device, f"{prefix}StopButton", self)
         self._close = button(self, names.close, on_click=self.close)
         self.action = button(self, names.action, confirms=True, on_click=self._on_action_clicked)
-        margins = _AROUND_BUTTONS, _AROUND_BUTTONS, _AROUND_BUTTONS, _AROUND_BUTTONS
-        self._bar = row(bar.stop, 1, self._close, self.action, into=bar, margins=margins)
+        buttons = bar.stop, 1, self._close, self.action
+        self._bar = row(*buttons, into=bar, margins=_AROUND_BUTTONS)
         if (inset := self.findings.layout()) is not None:
             inset.setContentsMargins(14, 10, 14, 10)
         self._parts = column(
