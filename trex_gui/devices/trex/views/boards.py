@@ -5,7 +5,6 @@ from functools import partial
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtWidgets import (
     QDialogButtonBox,
-    QFormLayout,
     QListWidget,
     QListWidgetItem,
     QSizePolicy,
@@ -178,7 +177,7 @@ class NumberDialog(ReusedDialog):
             "noticed. The new number takes effect at once, and a snapshot is saved first."
         )
         intro = ui.label(self, "", text, wrap=True)
-        self._now = ui.label(self, "numberNow")
+        self._now = ui.label(self, "numberNow", bold=True)
         self._number = ui.spin_box(self, "newNumberField", tr("New device number"), 0, NUMBERS - 1)
         self._number.valueChanged.connect(self._update)
         self._known = ui.named(Muted("", self), "numberKnown")
@@ -188,10 +187,9 @@ class NumberDialog(ReusedDialog):
         self._write.setText(tr("&Write number"))
         buttons.accepted.connect(self._on_accepted)
         buttons.rejected.connect(self.reject)
-        form = QFormLayout()
-        form.addRow(tr("Board:"), self._now)
-        form.addRow(tr("&New number:"), self._number)
-        ui.column(intro, form, self._known, 1, buttons, into=self)
+        title = ui.label(self, text=tr("&New number:"), buddy=self._number)
+        number = ui.row(title, self._number, 1)
+        ui.column(self._now, intro, number, self._known, 1, buttons, into=self)
         resize_with_font(self, 460, 260)
         for changed in (boards.changed, device.link_changed, device.motors.arming_changed):
             changed.connect(self._update)
