@@ -184,6 +184,7 @@ def test_keys_rename_and_delete_pose_and_undo_restores_it(driver: StagedPageDriv
     driver.type_name("aracnaPoses", "stand")
     assert driver.pose_names()[0] == "flat"
     assert "stand is taken" in driver.messages[-1]
+    assert view.currentIndex().data() == "flat"
     QTest.keyClick(view, Qt.Key.Key_F2)
     driver.type_name("aracnaPoses", "low")
     assert driver.pose_names()[0] == "low"
@@ -332,6 +333,8 @@ def test_sequence_is_playable_only_with_all_poses_defined(driver: StagedPageDriv
     assert not driver.button("aracnaPlay").isEnabled()
     assert "p1" in driver.summary
     assert driver.steps.model().index(0, 3).data() == "not defined"
+    tip = driver.names("aracnaMotions").currentIndex().data(Qt.ItemDataRole.ToolTipRole)
+    assert tip == "Undefined poses: p1"
     driver.library.add_pose(EIGHT, "p1")
     assert driver.button("aracnaPlay").isEnabled()
 
@@ -370,6 +373,8 @@ def test_disabled_buttons_show_reason_in_tooltip(driver: StagedPageDriver) -> No
 def test_duplicated_gait_becomes_editable_sequence(driver: StagedPageDriver) -> None:
     driver.choose_row("aracnaMotions", "star 6 (built in)")
     assert not driver.button("aracnaDeleteSequence").isEnabled()
+    assert not driver.names("aracnaMotions").currentIndex().flags() & Qt.ItemFlag.ItemIsEditable
+    assert not driver.steps.model().index(0, 2).flags() & Qt.ItemFlag.ItemIsEditable
     driver.click("aracnaDuplicateSequence")
     assert [one.name for one in driver.library.project.sequences] == ["star 6"]
     assert driver.button("aracnaAddStep").isEnabled()

@@ -1,6 +1,20 @@
 """Sequences and gaits: a list, and the steps of the current one."""
 
-from PySide6.QtCore import QAbstractItemModel, QModelIndex, QPersistentModelIndex, Qt, Signal, Slot
+from collections.abc import Sequence as Many
+from dataclasses import replace
+from enum import IntEnum
+from typing import Any
+
+from PySide6.QtCore import (
+    QAbstractItemModel,
+    QLocale,
+    QModelIndex,
+    QPersistentModelIndex,
+    QSignalBlocker,
+    Qt,
+    Signal,
+    Slot,
+)
 from PySide6.QtGui import QKeyEvent, QPaintEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -8,13 +22,13 @@ from PySide6.QtWidgets import (
     QSpinBox,
     QStyledItemDelegate,
     QStyleOptionViewItem,
-    QTableView,
+    QTableWidget,
+    QTableWidgetItem,
     QWidget,
 )
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.library import ItemKey, ItemKind, Library
-from trex_gui.devices.aracna.model.pose_models import StepColumn, StepTable
 from trex_gui.devices.aracna.poses.gaits import GAITS, Gait
 from trex_gui.devices.aracna.poses.project import (
     DEFAULT_MS,
@@ -34,6 +48,13 @@ _Index = QModelIndex | QPersistentModelIndex
 _LINES = 5
 
 
+class StepColumn(IntEnum):
+    NUMBER = 0
+    POSE = 1
+    TIME = 2
+    NOTE = 3
+
+
 class MotionBox(ui.Card):
     """Edits the sequences of a library, and shows the gaits."""
 
@@ -45,8 +66,6 @@ class MotionBox(ui.Card):
         set_look(self, "compact")
         self._library = library
         self._next_pose = ""
-        self.table = StepTable(library, self)
-
         self._list = ui.named(
             NameList(library, ItemKind.SEQUENCE, notifier, "", self),
             "aracnaMotions",
@@ -57,7 +76,7 @@ class MotionBox(ui.Card):
             self, "aracnaNewSequence", tr("New sequence"), text=tr("&New"), icon="new"
         )
         buttons = self._list.buttons(self)
-        self._steps = StepView(self.table, library, self)
+        self.table = StepTable(library, self)
         self._add = small_button(self, "aracnaAddStep", text=tr("Add s&tep"), icon="new")
         self._remove = small_button(self, "aracnaRemoveStep", tr("Remove this step"), icon="clear")
         self._up = small_button(self, "aracnaStepUp", tr("Move this step up"), arrow=arrows.UpArrow)
@@ -67,7 +86,7 @@ class MotionBox(ui.Card):
         ui.column(
             (self._list, 2),
             ui.row(new, *buttons, 1),
-            (self._steps, 3),
+            (self.table, 3),
             ui.row(self._add, self._remove, self._up, self._down, 1),
             into=self,
             spacing=4,
@@ -75,11 +94,11 @@ class MotionBox(ui.Card):
 
         new.clicked.connect(lambda: self._list.choose_and_edit(library.add_sequence()))
         self._add.clicked.connect(self._on_add_clicked)
-        self._remove.clicked.connect(self._steps.remove)
-        self._up.clicked.connect(lambda: self._steps.shift(-1))
-        self._down.clicked.connect(lambda: self._steps.shift(1))
+        self._remove.clicked.connect(self.table.remove)
+        self._up.clicked.connect(lambda: self.table.shift(-1))
+        self._down.clicked.connect(lambda: self.table.shift(1))
         self._list.chosen.connect(lambda: self.table.show_item(self._list.current))
-        self._steps.selectionModel().currentChanged.connect(self._update_buttons)
+        self.table.selectionModel().currentChanged.connect(self._update_buttons)
         self.table.shown.connect(self._update_buttons)
         self.table.shown.connect(self.shown)
         self._list.choose(ItemKey(GAITS[0].name, built_in=True))  # something that can be played
@@ -101,7 +120,7 @@ class MotionBox(ui.Card):
 
     @Slot()
     def _update_buttons(self) -> None:
-        editable, row = self.table.editable, self._steps.row
+        editable, row = self.table.editable, self.table.currentRow()
         pose = self._pose_for_step()
         self._add.setEnabled(editable and bool(pose) and is_usable_in_step(pose))
         self._add.setToolTip(ui.plain(self._add_tool_tip(pose)))
@@ -126,12 +145,11 @@ class MotionBox(ui.Card):
     @Slot()
     def _on_add_clicked(self) -> None:
         take_typed()
-        row, steps = self._steps.row, self.table.steps
+        row, steps = self.table.currentRow(), self.table.steps
         after = row if row >= 0 else len(steps) - 1
         time = steps[after].milliseconds if steps else DEFAULT_MS
         self.table.add(after + 1, SequenceStep(self._pose_for_step(), time))
-        self._steps.choose(after + 1)
-        self._update_buttons()
+        self.table.choose(after + 1)
 
 
 class _Delegate(QStyledItemDelegate):
@@ -166,6 +184,9 @@ class _Delegate(QStyledItemDelegate):
             suffix=tr(" ms"),
         )
 
+    def displayText(self, value: Any, locale: QLocale | QLocale.Language) -> str:
+        return _time_text(value) if isinstance(value, int) else super().displayText(value, locale)
+
     def setModelData(self, editor: QWidget, model: QAbstractItemModel, index: _Index) -> None:
         if isinstance(editor, QSpinBox):
             editor.interpretText()
@@ -179,13 +200,22 @@ class _Delegate(QStyledItemDelegate):
             self.commitData.emit(editor)
 
 
-class StepView(QTableView):
-    """Shows a step table. Delete removes the current step, Alt+Up and Alt+Down move it."""
+class StepTable(QTableWidget):
+    """Edits the steps of a sequence, and shows those of a gait.
 
-    def __init__(self, table: StepTable, library: Library, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._table = table
-        self.setModel(table)
+    Delete removes the current step, Alt+Up and Alt+Down move it.
+    """
+
+    shown = Signal()  # another item is shown, or its steps have changed
+
+    def __init__(self, library: Library, parent: QWidget | None = None) -> None:
+        super().__init__(0, len(StepColumn), parent)
+        self._library = library
+        self._key: ItemKey | None = None  # of the sequence or gait; the library may have lost it
+        self.steps: tuple[SequenceStep, ...] = ()
+        self._notes: dict[int, str] = {}
+        self._running: int | None = None
+        self.setHorizontalHeaderLabels((tr("Step"), tr("Pose"), tr("Time"), tr("Remarks")))
         ui.flat_table(self, "aracnaSteps", tr("Steps"))
         self.setItemDelegate(_Delegate(library, self))
         self.setEditTriggers(
@@ -200,30 +230,103 @@ class StepView(QTableView):
         LastColumn(self)
         self.setMinimumHeight(_LINES * self.verticalHeader().defaultSectionSize())
 
+        self.itemChanged.connect(self._on_edited)
+        library.changed.connect(self._on_library_changed)
+
     @property
-    def row(self) -> int:
-        """The current row; -1 for none."""
-        return self.currentIndex().row()
+    def editable(self) -> bool:
+        key = self._key
+        return key is not None and not key.built_in and self._library.playable(key) is not None
+
+    def show_item(self, key: ItemKey | None) -> None:
+        if key != self._key:
+            self._key = key
+            self._running = None
+            self.setCurrentCell(-1, -1)
+            self._on_library_changed()
+
+    def show_notes(self, notes: dict[int, str]) -> None:
+        if notes != self._notes:
+            self._notes = notes
+            self._fill()
+
+    def show_running(self, step: int | None) -> None:
+        if step != self._running:
+            self._running = step
+            self._fill()
 
     def choose(self, row: int) -> None:
         """Make a row current; one beyond the end is the last."""
-        row = min(row, self._table.rowCount() - 1)
-        if row >= 0:
-            column = max(self.currentIndex().column(), int(StepColumn.POSE))
-            self.setCurrentIndex(self._table.index(row, column))
+        column = max(self.currentColumn(), int(StepColumn.POSE))
+        self.setCurrentCell(min(row, self.rowCount() - 1), column)
+
+    def add(self, row: int, step: SequenceStep) -> None:
+        self._set_steps((*self.steps[:row], step, *self.steps[row:]))
 
     def shift(self, by: int) -> None:
         """Move the current step up (-1) or down (1)."""
-        row = self.row
-        if self._table.move(row, row + by):
-            self.choose(row + by)
+        row = self.currentRow()
+        place = row + by
+        if row >= 0 and 0 <= place < len(self.steps):
+            steps = list(self.steps)
+            steps.insert(place, steps.pop(row))
+            self._set_steps(steps)
+            self.choose(place)
 
     @Slot()
     def remove(self) -> None:
-        row = self.row
-        if row >= 0 and self._table.editable:
-            self._table.remove(row)
+        if (row := self.currentRow()) >= 0:
+            self._set_steps(self.steps[:row] + self.steps[row + 1 :])
             self.choose(row)
+
+    def _set_steps(self, steps: Many[SequenceStep]) -> None:
+        if self.editable and self._key is not None:
+            self._library.set_steps(self._key.name, steps)
+
+    @Slot(QTableWidgetItem)
+    def _on_edited(self, item: QTableWidgetItem) -> None:
+        row, value = item.row(), item.data(Qt.ItemDataRole.EditRole)
+        field = "pose_name" if item.column() == StepColumn.POSE else "milliseconds"
+        step = replace(self.steps[row], **{field: value})
+        self._set_steps((*self.steps[:row], step, *self.steps[row + 1 :]))
+
+    @Slot()
+    def _on_library_changed(self) -> None:
+        played = self._library.playable(self._key)
+        steps = played.steps if played is not None else ()
+        if len(steps) != len(self.steps):
+            self._notes = {}
+        self.steps = steps
+        self._fill()
+        self.shown.emit()
+
+    def _fill(self) -> None:
+        with QSignalBlocker(self):
+            self.setRowCount(len(self.steps))
+            for row, step in enumerate(self.steps):
+                number = f"{'▶ ' if row == self._running else ''}{row + 1}"
+                self._show_value(row, StepColumn.NUMBER, number)
+                self._show_value(row, StepColumn.POSE, step.pose_name)
+                self._show_value(row, StepColumn.TIME, step.milliseconds)
+                self._show_value(row, StepColumn.NOTE, self._notes.get(row, ""))
+
+    def _show_value(self, row: int, column: StepColumn, value: str | int) -> None:
+        if (cell := self.item(row, column)) is None:
+            cell = QTableWidgetItem()
+            self.setItem(row, column, cell)
+        flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
+        if self.editable and column in {StepColumn.POSE, StepColumn.TIME}:
+            flags |= Qt.ItemFlag.ItemIsEditable
+        if flags != cell.flags():  # setting equal ones would reset an open editor
+            cell.setFlags(flags)
+        font = cell.font()
+        font.setBold(row == self._running)
+        cell.setFont(font)
+        cell.setData(Qt.ItemDataRole.EditRole, value)
+        if isinstance(value, int):
+            cell.setData(Qt.ItemDataRole.AccessibleTextRole, _time_text(value))
+        if column is StepColumn.NOTE:
+            cell.setToolTip(ui.plain(str(value)))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         by = {Qt.Key.Key_Up: -1, Qt.Key.Key_Down: 1}.get(Qt.Key(event.key()))
@@ -236,8 +339,12 @@ class StepView(QTableView):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
-        if self._table.rowCount() == 0:
+        if self.rowCount() == 0:
             text = tr("Choose a sequence or a gait to see its steps.")
-            if self._table.editable:
+            if self.editable:
                 text = tr("No steps yet. Add one: it uses the current pose.")
             paint_placeholder(self, text)
+
+
+def _time_text(milliseconds: int) -> str:
+    return tr("{0} ms").format(milliseconds)

@@ -1,13 +1,13 @@
 """A list of poses or sequences that is edited in place, and its buttons."""
 
-from PySide6.QtCore import QModelIndex, QPoint, Qt, Signal, Slot
+from PySide6.QtCore import QPoint, QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QAction, QDropEvent, QPaintEvent
-from PySide6.QtWidgets import QAbstractItemView, QListView, QToolButton, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QListWidget, QListWidgetItem, QToolButton, QWidget
 
-from trex_gui.core.translation import tr
+from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.aracna.model.library import ItemKey, ItemKind, Library
-from trex_gui.devices.aracna.model.pose_models import NameModel
-from trex_gui.devices.aracna.poses.gaits import Gait
+from trex_gui.devices.aracna.poses.gaits import GAITS, Gait
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import paint_placeholder
@@ -15,8 +15,11 @@ from trex_gui.ui.widgets.behaviour import paint_placeholder
 _LINES = 4
 
 
-class NameList(QListView):
-    """Edits poses or sequences: rename (F2), delete (Del), duplicate, move (Alt+arrows, drag)."""
+class NameList(QListWidget):
+    """Edits poses, or sequences above the built-in gaits.
+
+    F2 renames an item, Del deletes it, Alt+arrows and dragging move it.
+    """
 
     chosen = Signal()  # another item is current
 
@@ -32,10 +35,10 @@ class NameList(QListView):
         super().__init__(parent)
         self._library = library
         self._kind = kind
-        self._model = model = NameModel(library, kind, notifier, self)
+        self._notifier = notifier
         self._empty = empty
+        self._keys: list[ItemKey] = []
         self._chosen: ItemKey | None = None
-        self.setModel(model)
         self.setDragDropMode(QAbstractItemView.DragDropMode.InternalMove)
         self.setDefaultDropAction(Qt.DropAction.MoveAction)
         self.setEditTriggers(
@@ -53,8 +56,9 @@ class NameList(QListView):
         self._down = self._action(tr("Move down"), "Alt+Down", lambda: self._move(1))
 
         self.selectionModel().currentChanged.connect(self._on_current_changed)
-        model.modelReset.connect(self._on_reset)
-        model.dataChanged.connect(self._on_data_changed)
+        self.itemChanged.connect(self._on_renamed)
+        library.changed.connect(self._show_names)
+        self._show_names()
         self._update_actions()
 
     def _action(self, text: str, shortcut: str, slot: ui.Trigger, icon: str = "") -> QAction:
@@ -83,12 +87,12 @@ class NameList(QListView):
 
     @property
     def current(self) -> ItemKey | None:
-        return self._model.key(self.currentIndex().row())
+        row = self.currentRow()
+        return self._keys[row] if 0 <= row < len(self._keys) else None
 
     def choose(self, key: ItemKey | None) -> None:
         """Make an item current; none if it is not in the list."""
-        row = -1 if key is None else self._model.row(key)
-        self.setCurrentIndex(self._model.index(row) if row >= 0 else QModelIndex())
+        self.setCurrentRow(self._keys.index(key) if key in self._keys else -1)
 
     def choose_and_edit(self, name: str) -> None:
         self.choose(ItemKey(name))
@@ -105,10 +109,13 @@ class NameList(QListView):
         key = self.current
         if key is None or key.built_in:
             return
-        index, row = self.indexAt(point), self._model.rowCount()
+        index, row = self.indexAt(point), self.count()
         if index.isValid():
             row = index.row() + (point.y() > self.visualRect(index).center().y())
-        self._move_to(key, row - (row > self._model.row(key)))
+        self._library.move(self._kind, key.name, row - (row > self.currentRow()))
+
+    def supportedDropActions(self) -> Qt.DropAction:  # noqa: N802 - of Qt
+        return Qt.DropAction.MoveAction
 
     def dropEvent(self, event: QDropEvent) -> None:
         if event.source() is not self:
@@ -120,7 +127,7 @@ class NameList(QListView):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
-        if self._model.rowCount() == 0:
+        if self.count() == 0:
             paint_placeholder(self, self._empty)
 
     @Slot()
@@ -138,18 +145,14 @@ class NameList(QListView):
     def _on_delete(self) -> None:
         """Delete the current item; the next one can be deleted as well."""
         if (key := self.current) is not None and not key.built_in:
-            row = self.currentIndex().row()
+            row = self.currentRow()
             self._library.delete(self._kind, key.name)
-            self.choose(self._model.key(min(row, self._model.rowCount() - 1)))
+            self.setCurrentRow(min(row, self.count() - 1))
 
     def _move(self, by: int) -> None:
-        key = self.current
-        if key is not None and not key.built_in and self._model.row(key) + by >= 0:
-            self._move_to(key, self._model.row(key) + by)
-
-    def _move_to(self, key: ItemKey, row: int) -> None:
-        self._library.move(self._kind, key.name, row)
-        self.choose(key)
+        key, row = self.current, self.currentRow() + by
+        if key is not None and not key.built_in and row >= 0:
+            self._library.move(self._kind, key.name, row)
 
     @Slot()
     def _on_current_changed(self) -> None:
@@ -157,19 +160,60 @@ class NameList(QListView):
         self._update_actions()
         self.chosen.emit()
 
-    @Slot()
-    def _on_data_changed(self) -> None:
-        """Notice that the current item was renamed."""
-        if self.current != self._chosen:
-            self._on_current_changed()
+    @Slot(QListWidgetItem)
+    def _on_renamed(self, item: QListWidgetItem) -> None:
+        name = self._keys[self.row(item)].name
+        try:
+            self._library.rename(self._kind, name, item.text())
+        except BadRequest as error:
+            self._notifier.error.emit(tr("Not renamed: {0}.").format(error))
+        self._show_names()  # the library may have refused or trimmed the name
 
     @Slot()
-    def _on_reset(self) -> None:
-        """Keep the current item, unless it is gone."""
-        chosen = self._chosen
-        self.choose(chosen)
-        if chosen is not None and self.current is None:
+    def _show_names(self) -> None:
+        """Show the items of the library; the current one stays current, unless it is gone."""
+        keys, chosen = self._keys_in_library(), self._chosen
+        with QSignalBlocker(self):
+            is_renamed = len(keys) == len(self._keys) and chosen not in keys
+            self._keys = keys
+            while self.count() < len(keys):
+                self.addItem("")
+            while self.count() > len(keys):
+                self.takeItem(self.count() - 1)
+            for row, key in enumerate(keys):
+                self._show_item(self.item(row), key)
+            if not is_renamed:
+                self.choose(chosen)
+        if self.current != chosen:
             self._on_current_changed()
+
+    def _keys_in_library(self) -> list[ItemKey]:
+        if self._kind is ItemKind.POSE:
+            return [ItemKey(name) for name in self._library.project.pose_names]
+        sequences = [ItemKey(one.name) for one in self._library.project.sequences]
+        return sequences + [ItemKey(gait.name, built_in=True) for gait in GAITS]
+
+    def _show_item(self, item: QListWidgetItem, key: ItemKey) -> None:
+        flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
+        if not key.built_in:
+            flags |= Qt.ItemFlag.ItemIsEditable | Qt.ItemFlag.ItemIsDragEnabled
+        item.setFlags(flags)
+        item.setText(tr("{0} (built in)").format(key.name) if key.built_in else key.name)
+        item.setToolTip(ui.plain(self._tip(key)))
+
+    def _tip(self, key: ItemKey) -> str:
+        if self._kind is ItemKind.POSE:
+            pose = self._library.project.pose(key.name)
+            return ", ".join(map(str, pose.positions)) if pose else ""
+        played = self._library.playable(key)
+        if isinstance(played, Gait):
+            ours = tr("Uses the authors' poses, but was not made by them.")
+            return f"{tr(played.about)} {ours}" if played.ours else tr(played.about)
+        if played is None:
+            return ""
+        if missing := played.missing(self._library.project.pose_names):
+            return tr("Undefined poses: {0}").format(", ".join(missing))
+        return tr("%n step(s), {0:g} s", "", len(played.steps)).format(Number(played.seconds))
 
     def _update_actions(self) -> None:
         key = self.current
