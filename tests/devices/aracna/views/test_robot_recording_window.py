@@ -71,12 +71,10 @@ def test_window_shows_recording_and_state_at_chosen_time(window: RecordingWindow
     assert heading.endswith("0:01:00 long")
     assert window.window.windowTitle().startswith("walk.trexrec")
     assert not window.is_enabled("aracnaPlaybackStopButton"), "there is no robot"
-    assert window.text("aracnaRecordedDoing") == "Positions are not known yet."
+    assert window.text("aracnaRecordedDoing").startswith("Nothing is sent.")
     assert window.text("aracnaRecordedPresent0") == "–"
     window.playback.set_position(T0 + 11.5)
-    assert window.text("aracnaRecordedDoing") == (
-        "Moving for 1.5 s of about 2.0 s; motor 3 is waited for."
-    )
+    assert window.text("aracnaRecordedDoing") == "The motion ends by itself in about 0.5 s."
     assert window.text("aracnaRecordedDifference3") == "moving …"
     assert window.text("aracnaRecordedPresent2") == "200 = 58.7°"
     assert window.text("aracnaRecordedPresent3") == "–"
@@ -95,7 +93,7 @@ def test_window_shows_recording_and_state_at_chosen_time(window: RecordingWindow
     assert window.text("aracnaRecordedSpeed0") == "100 = 67 °/s"
     assert window.text("aracnaRecordedSpeed1") == "unlimited"
     assert window.text("aracnaRecordedSpeed7") == "no reply (−1)"
-    assert window.text("aracnaRecordedDoing") == "At rest."
+    assert window.text("aracnaRecordedDoing") == "At rest: nothing is sent."
     assert window.plot.cursor_time == window.playback.position
 
 

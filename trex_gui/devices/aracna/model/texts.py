@@ -86,6 +86,49 @@ def difference_text(state: RobotState, motor: int, *, is_observed: bool = True) 
     return difference, False
 
 
+def activity_text(state: RobotState, left: float) -> tuple[str, bool]:
+    """Return what a robot is doing as far as it tells, and whether the user should beware.
+
+    `left`: seconds until a motion should end.
+    """
+    if state.stuck is not None:
+        if state.stuck.motor is None:
+            return tr("The robot does not respond."), True
+        text = tr("Stuck: the robot is waiting for motor {0} and reads nothing.")
+        return text.format(state.stuck.motor), True
+    texts = [_playing_text(state)]
+    if state.moving is not None and left > 0:
+        texts.append(tr("The motion ends by itself in about {0:.1f} s.").format(Number(left)))
+    elif state.moving is not None:
+        texts.append(tr("Waiting for motor {0} to arrive …").format(state.awaited_motor))
+    if any(texts):
+        return " ".join(filter(None, texts)), True
+    if not state.may_be_moving:
+        return tr("At rest: nothing is sent."), False
+    if left > 0:
+        text = tr("Unknown: an earlier motion may continue for about {0:.0f} s.")
+        if state.uncertain:
+            text = tr("Unknown: the last motion may continue for about {0:.0f} s.")
+        return text.format(max(left, 1)), True
+    if state.uncertain:
+        return tr("Unknown: the last motion may still be running."), True
+    return tr("Nothing is sent. Whether it is moving is not known before its first move."), False
+
+
+def _playing_text(state: RobotState) -> str:
+    play, step = state.play, state.step
+    if step is None:
+        return "" if play is None else tr("The sequence begins.")
+    if step.part != "steps":
+        return tr("Playing blend-in.") if step.part == "in" else tr("Playing blend-out.")
+    number, round_ = step.index + 1, step.round + 1
+    if play is None:  # in a recording, which has only the steps
+        return tr("Playing step {0}, round {1}.").format(number, round_)
+    text = tr("Playing step {0} of {1} “{2}”, round {3} of {4}.")
+    name = play.steps[step.index].name
+    return text.format(number, len(play.steps), name, round_, play.rounds or "∞")
+
+
 def stuck_text(motor: int | None) -> str:
     if motor is None:
         return tr("The robot does not respond at all. Check its power and the cable.")

@@ -3,9 +3,9 @@
 from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QWidget
 
-from trex_gui.core.translation import Number, tr
+from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.aracna.session.messages import Play, StepBegun
+from trex_gui.devices.aracna.model.texts import activity_text
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.widgets import builders as ui
@@ -80,58 +80,10 @@ class MotionBar(ActionFrame):
 
     def _activity_text(self, left: float) -> tuple[str, bool]:
         """Return what the robot is known to do, and if that alarms; `left` is in seconds."""
-        link, state = self._robot.link, self._robot.state
-        if link not in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}:
+        if self._robot.link not in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}:
             text = tr("No robot is connected.")
             if left <= 0:
                 return text, False
             more = tr("The motion continues by itself for about {0:.0f} s.")
             return f"{text} {more.format(max(left, 1))}", True
-        if state.stuck is not None:
-            if (motor := state.stuck.motor) is None:
-                return tr("The robot does not respond."), True
-            text = tr("Stuck: the robot is waiting for motor {0} and reads nothing.")
-            return text.format(motor), True
-        wait = self._wait_text(left)
-        if state.play is not None:
-            return f"{self._playing_text(state.play, state.step)} {wait}", True
-        if wait:
-            return wait, True
-        if link is ConnectionState.NOT_RESPONDING or state.may_be_moving:
-            return self._unobserved_text(left)
-        return tr("At rest: nothing is sent."), False
-
-    def _unobserved_text(self, left: float) -> tuple[str, bool]:
-        was_sent = self._robot.state.uncertain
-        if left > 0 and was_sent:
-            text = tr("Unknown: the last motion may continue for about {0:.0f} s.")
-        elif left > 0:
-            text = tr("Unknown: an earlier motion may continue for about {0:.0f} s.")
-        elif was_sent:
-            text = tr("Unknown: the last motion may still be running.")
-        else:
-            text = tr("Nothing is sent. Whether it is moving is not known before its first move.")
-        return text.format(max(left, 1)), was_sent or left > 0
-
-    def _wait_text(self, left: float) -> str:
-        state = self._robot.state
-        if state.moving is None:
-            return ""
-        if left > 0:
-            return tr("The motion ends by itself in about {0:.1f} s.").format(Number(left))
-        return tr("Waiting for motor {0} to arrive …").format(state.awaited_motor)
-
-    def _playing_text(self, play: Play, step: StepBegun | None) -> str:
-        if step is None:
-            return tr("The sequence begins.")
-        if step.part != "steps":
-            return tr("Playing blend-in.") if step.part == "in" else tr("Playing blend-out.")
-        number, steps, name = step.index + 1, len(play.steps), play.steps[step.index].name
-        text = tr("Playing step {0} of {1}.")
-        if name:
-            text = tr("Playing step {0} of {1} “{2}”.")
-        if play.rounds != 1:
-            text = tr("Playing step {0} of {1}, round {3} of {4}.")
-            if name:
-                text = tr("Playing step {0} of {1} “{2}”, round {3} of {4}.")
-        return text.format(number, steps, name, step.round + 1, play.rounds or "∞")
+        return activity_text(self._robot.state, left)

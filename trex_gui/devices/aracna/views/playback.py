@@ -4,11 +4,12 @@ from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QSizePolicy, QWidget
 
-from trex_gui.core.translation import Number, tr
+from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.recordings import COLORS, RobotPlayback
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.model.texts import (
+    activity_text,
     assumed_text,
     difference_text,
     joint_text,
@@ -18,7 +19,6 @@ from trex_gui.devices.aracna.model.texts import (
 )
 from trex_gui.devices.aracna.protocol.joints import CENTRE, MOTORS
 from trex_gui.devices.aracna.protocol.replies import UNREADABLE
-from trex_gui.devices.aracna.session.messages import StepBegun
 from trex_gui.devices.aracna.views.motion_bar import StopSequenceButton
 from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
 from trex_gui.ui.playback.window import RecordingWindow
@@ -92,7 +92,8 @@ class RobotPlaybackWindow(RecordingWindow):
             goals = tuple(CENTRE if place is None else place for place in state.present)
         self._drawing.show_robot(state, goals)
         self._joints.show_state(state)
-        text, alarming = activity_text(state, self.playback.position)
+        left = max((state.moving_until or 0.0) - self.playback.position, 0.0)
+        text, alarming = activity_text(state, left)
         self._activity.show_note(text, alarming=alarming)
 
     @Slot(int, bool)
@@ -189,33 +190,3 @@ class JointValues(QWidget):
             swatch.fill(theme().color(COLORS[motor % len(COLORS)]))
             box.setIcon(swatch)
             box.setIconSize(swatch.size())
-
-
-def activity_text(state: RobotState, time: float) -> tuple[str, bool]:
-    """Describe what the robot did at a time (session's clock), and whether that is alarming."""
-    if state.stuck is not None:
-        if (motor := state.stuck.motor) is None:
-            return tr("The robot did not respond."), True
-        text = tr("Stuck: the robot waited for motor {0} and accepted no command.")
-        return text.format(motor), True
-    if state.moving is not None:
-        begun, expected = state.moving.time, state.moving.expected
-        text = tr("Moving for {0:.1f} s of about {1:.1f} s; motor {2} is waited for.").format(
-            Number(max(time - begun, 0.0)), Number(expected), state.awaited_motor
-        )
-        return _with_step(text, state.step), False
-    if state.uncertain:
-        return tr("Positions are unknown; the last motion may still be running."), True
-    if state.reply_lost:
-        return tr("The reply was lost, or no motor responded: positions are unknown."), True
-    if all(place is None for place in state.present):
-        return tr("Positions are not known yet."), False
-    return _with_step(tr("At rest."), state.step), False
-
-
-def _with_step(text: str, step: StepBegun | None) -> str:
-    if step is None:
-        return text
-    parts = {"in": tr("blend-in"), "out": tr("blend-out")}
-    where = parts.get(step.part) or tr("step {0}, round {1}").format(step.index + 1, step.round + 1)
-    return tr("{0} Playing: {1}.").format(text, where)
