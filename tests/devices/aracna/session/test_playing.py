@@ -27,7 +27,7 @@ from trex_gui.devices.aracna.session.messages import (
     Step,
     StepBegun,
 )
-from trex_gui.devices.aracna.session.player import StepClock, check_play
+from trex_gui.devices.aracna.session.player import StepClock
 from trex_gui.devices.aracna.session.servo_estimates import TRUST
 
 HERE = (512,) * 8
@@ -193,22 +193,20 @@ def test_moves_and_speeds_are_rejected_during_playback() -> None:
 
 
 @pytest.mark.parametrize(
-    ("play", "says"),
+    "play",
     [
-        (Play(1, ()), "no step"),
-        (Play(1, (), 0, (step(5, 1),)), "endless"),
-        (Play(1, (step(5, 1),), -1), "0 .endless. or more"),
-        (Play(1, (Step((1, 2), 1.0),)), "2 positions"),
-        (Play(1, (step(1024, 1),)), "0 to 1023"),
-        (Play(1, (step(5, 0.0),)), "more than 0 s"),
-        (Play(1, (step(5, float("inf")),)), "more than 0 s"),
-        (Play(1, (step(5, 1),), time_scale=0), "time scale"),
-        (Play(1, (step(5, 1),), blend_out=(Step((1,), 1),)), "1 positions"),
+        Play(1, ()),
+        Play(1, (), 0, (step(5, 1),)),
+        Play(1, (step(5, 1),), -1),
+        Play(1, (Step((1, 2), 1.0),)),
+        Play(1, (step(1024, 1),)),
+        Play(1, (step(5, 0.0),)),
+        Play(1, (step(5, float("inf")),)),
+        Play(1, (step(5, 1),), time_scale=0),
+        Play(1, (step(5, 1),), blend_out=(Step((1,), 1),)),
     ],
 )
-def test_invalid_play_request_is_rejected_with_explanation(play: Play, says: str) -> None:
-    with pytest.raises(BadRequest, match=says):
-        check_play(play, 8)
+def test_invalid_play_request_is_rejected(play: Play) -> None:
     session = placed().at(1.0, play).until(2.0).run()
     [outcome] = [outcome for outcome in session.of(Outcome) if outcome.id == 1]
     assert isinstance(outcome.error, BadRequest)

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.core.errors import BadRequest, StudioError
+from trex_gui.core.errors import StudioError
 from trex_gui.core.events import EventKind
 from trex_gui.core.session import Close, Outcome
 from trex_gui.core.translation import Number, tr
@@ -223,17 +223,8 @@ class Robot(DeviceConnection[PortSettings]):
             self.changed.emit()
 
     def set_speeds(self, speeds: Sequence[int]) -> None:
-        """Set speeds for every later motion, 0-1023 (0: unlimited); BadRequest if one is not.
-
-        They are sent now, or after the playing sequence.
-        """
-        motors, values = self.state.motors, tuple(speeds)
-        if len(values) != motors or any(not 0 <= speed <= HIGHEST for speed in values):
-            raise BadRequest(
-                tr("{0} speeds of 0 to {1}, not {2}").format(
-                    motors, HIGHEST, ", ".join(map(str, values))
-                )
-            )
+        """Set speeds, 0-1023 (0: unlimited), for every later motion: now, or after the sequence."""
+        values = tuple(speeds)
         self.speeds, self.speeds_chosen = values, True
         if (
             self.link is ConnectionState.CONNECTED
@@ -254,9 +245,6 @@ class Robot(DeviceConnection[PortSettings]):
         From unknown positions the robot first goes slowly to the start.
         """
         if not self._can_move():
-            return False
-        if not play.steps:
-            self.rejected.emit(tr("There is nothing to play: the sequence has no steps."))
             return False
         if cropped := sum(self.limits.crop(step.goals) != step.goals for step in play.steps):
             self._inform(tr("Cropped to the limits of the joints: %n step(s).", "", cropped))

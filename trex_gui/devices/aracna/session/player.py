@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from trex_gui.core.errors import BadRequest, StudioError
 from trex_gui.core.session import Outcome
-from trex_gui.core.translation import Number, tr
+from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.protocol.joints import HIGHEST
 from trex_gui.devices.aracna.session.messages import (
     Ending,
@@ -41,43 +41,19 @@ class ScheduledStep:
 
 def check_play(play: Play, motors: int) -> None:
     """Raise a BadRequest for no steps, a wrong number of positions, or values out of range."""
-    if not (play.steps or play.blend_in or play.blend_out):
-        raise BadRequest(tr("There is no step to play."))
-    if play.rounds < 0:
-        raise BadRequest(
-            tr("The number of rounds is 0 (endless) or more, not {0}.").format(play.rounds)
-        )
-    if not play.steps and play.rounds == 0:
-        raise BadRequest(tr("Cannot play endlessly: there is no step."))
-    check_scale(play.time_scale)
-    for step in (*play.blend_in, *play.steps, *play.blend_out):
-        name = f" ({step.name})" if step.name else ""
-        if len(step.goals) != motors:
-            raise BadRequest(
-                tr("A step{0} has {1} positions; the robot has {2} motors.").format(
-                    name, len(step.goals), motors
-                )
-            )
-        if not all(0 <= goal <= HIGHEST for goal in step.goals):
-            raise BadRequest(
-                tr("The positions of a step{0} are 0 to {1}: {2}.").format(
-                    name, HIGHEST, step.goals
-                )
-            )
-        if not (math.isfinite(step.seconds) and step.seconds > 0):
-            raise BadRequest(
-                tr("A step{0} takes more than 0 s, not {1:g} s.").format(name, Number(step.seconds))
-            )
+    steps = (*play.blend_in, *play.steps, *play.blend_out)
+    is_possible = (
+        ((play.rounds > 0 and bool(steps)) or (play.rounds == 0 and bool(play.steps)))
+        and _is_scale(play.time_scale)
+        and all(0 < step.seconds < math.inf for step in steps)
+        and all(0 <= goal <= HIGHEST for step in steps for goal in step.goals)
+    )
+    if not is_possible or any(len(step.goals) != motors for step in steps):
+        raise BadRequest(tr("A robot with {0} motors cannot play this.").format(motors))
 
 
-def check_scale(scale: float) -> None:
-    low, high = _SCALES
-    if not low <= scale <= high:
-        raise BadRequest(
-            tr("The time scale is {0:g} to {1:g}, not {2:g}.").format(
-                Number(low), Number(high), Number(scale)
-            )
-        )
+def _is_scale(time_scale: float) -> bool:
+    return _SCALES[0] <= time_scale <= _SCALES[1]
 
 
 def _schedule(play: Play) -> Iterator[ScheduledStep]:
@@ -155,9 +131,8 @@ class SequencePlayer:
             self._clock.end()
 
     def set_time_scale(self, time_scale: float) -> None:
-        """Change the time scale from the next step on; BadRequest if it is out of range."""
-        check_scale(time_scale)
-        if self._clock is not None:
+        """Change the time scale from the next step on, unless it is out of range."""
+        if self._clock is not None and _is_scale(time_scale):
             self._clock.time_scale = time_scale
 
     def stop(self, now: float, why: Ending, error: StudioError | None = None) -> None:
