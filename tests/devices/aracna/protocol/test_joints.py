@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from tests.support.matrix import examples
 from trex_gui.devices.aracna.protocol import joints
-from trex_gui.devices.aracna.protocol.joints import JOINTS, JointKind, Leg, Limits
+from trex_gui.devices.aracna.protocol.joints import Limits
 
 
 def test_every_position_survives_conversion_to_degrees_and_back() -> None:
@@ -47,15 +47,6 @@ def test_speed_for_time_is_lowest_that_arrives_in_time(distance: int, seconds: f
 def test_speed_for_time_matches_authors_formula() -> None:
     assert joints.speed_for(512, 1.0) == pytest.approx(438.6 * 512 / 1000, abs=1)
     assert joints.speed_for(512, 1.0) == pytest.approx(435.4 * 512 / 1000, rel=0.01)
-
-
-def test_even_motors_are_inner_joints_and_legs_are_pairs() -> None:
-    assert [joint.kind for joint in JOINTS] == [JointKind.INNER, JointKind.OUTER] * 4
-    assert all(JOINTS[motor].leg is JOINTS[motor + 1].leg for motor in range(0, 8, 2))
-    front = {joint.motor for joint in JOINTS if joint.leg in {Leg.LEFT_FRONT, Leg.RIGHT_FRONT}}
-    right = {joint.motor for joint in JOINTS if joint.leg in {Leg.RIGHT_FRONT, Leg.RIGHT_BACK}}
-    assert front == {0, 1, 2, 3}
-    assert right == {2, 3, 4, 5}
 
 
 @examples(40)

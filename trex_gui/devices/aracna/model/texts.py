@@ -6,36 +6,24 @@ from trex_gui.core.events import EventKind
 from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.aracna.model.robot_state import MissedGoal, RobotState
-from trex_gui.devices.aracna.protocol.joints import (
-    JOINTS,
-    Joint,
-    JointKind,
-    degrees,
-    degrees_per_second,
-)
+from trex_gui.devices.aracna.protocol.joints import LEGS, MOTORS, degrees, degrees_per_second
 from trex_gui.devices.aracna.session.messages import Moved, PlayEnded, Restarted, SpeedsHeld, Stuck
 from trex_gui.ui.translations import error_text
 
 
-def joint_of(motor: int) -> Joint | None:
-    """Return the joint of a motor; `None` if the published robot does not have it."""
-    return JOINTS[motor] if motor < len(JOINTS) else None
-
-
 def joint_text(motor: int) -> str:
-    """Return motor and joint, such as `0 inner`."""
-    joint = joint_of(motor)
-    if joint is None:
+    """Return motor and joint, such as `0 inner`; only the motor where the joint is unknown."""
+    if motor >= MOTORS:
         return str(motor)
-    return f"{motor} {tr('inner') if joint.kind is JointKind.INNER else tr('outer')}"
+    return f"{motor} {tr('outer') if motor % 2 else tr('inner')}"
 
 
 def spoken_joint(motor: int) -> str:
     """Return motor, joint and leg for screen readers."""
-    joint = joint_of(motor)
-    if joint is None:
+    if motor >= MOTORS:
         return tr("Motor {0}").format(motor)
-    return tr("Motor {0}, {1} leg").format(joint_text(motor), tr(joint.leg.value).lower())
+    leg = tr(LEGS[motor // 2].value).lower()
+    return tr("Motor {0}, {1} leg").format(joint_text(motor), leg)
 
 
 def position_text(position: int | None) -> str:

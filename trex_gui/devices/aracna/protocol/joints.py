@@ -27,11 +27,6 @@ The published CAD of the robot uses AX-18A. An AX-12A ends at 59 rpm, a setting 
 """
 
 
-class JointKind(Enum):
-    INNER = "inner"
-    OUTER = "outer"
-
-
 class Leg(Enum):
     """Which leg, seen from above with the front up; the value is its name for the user."""
 
@@ -41,22 +36,11 @@ class Leg(Enum):
     LEFT_BACK = tr_noop("Back left")
 
 
-@dataclass(frozen=True, slots=True)
-class Joint:
-    """One joint and its motor (0-7); `leg` is assumed, `kind` is documented."""
+LEGS = (Leg.LEFT_FRONT, Leg.RIGHT_FRONT, Leg.RIGHT_BACK, Leg.LEFT_BACK)
+"""The leg of each two motors, an inner and an outer joint.
 
-    motor: int
-    kind: JointKind
-    leg: Leg
-
-
-_LEGS = (Leg.LEFT_FRONT, Leg.RIGHT_FRONT, Leg.RIGHT_BACK, Leg.LEFT_BACK)
-"""Motors 0-3 are in front and 4-7 at the back, 2-5 right and 6, 7, 0, 1 left."""
-
-JOINTS = tuple(
-    Joint(motor, JointKind.OUTER if motor % 2 else JointKind.INNER, _LEGS[motor // 2])
-    for motor in range(MOTORS)
-)
+Assumed: motors 0-3 are in front and 4-7 at the back, 2-5 right and 6, 7, 0, 1 left.
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,15 +65,13 @@ class Limits:
         return self.low <= position <= self.high
 
 
-FACTORY_LIMITS = {JointKind.INNER: Limits(50, 600), JointKind.OUTER: Limits(0, 550)}
-"""They keep a joint from hitting body and screws; legs can still collide."""
+FACTORY_LIMITS = (Limits(50, 600), Limits(0, 550))
+"""Of an inner and an outer joint. They keep it from hitting body and screws; legs can collide."""
 
 
 def factory_limits(motors: int = MOTORS) -> tuple[Limits, ...]:
     """Return the limits tuned on the robot, one for each motor."""
-    return tuple(
-        FACTORY_LIMITS[JointKind.OUTER if motor % 2 else JointKind.INNER] for motor in range(motors)
-    )
+    return tuple(FACTORY_LIMITS[motor % 2] for motor in range(motors))
 
 
 def crop(goals: Sequence[float], limits: Sequence[Limits]) -> tuple[int, ...]:

@@ -16,7 +16,7 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.model.texts import position_text, spoken_joint
-from trex_gui.devices.aracna.protocol.joints import JOINTS, Leg, degrees
+from trex_gui.devices.aracna.protocol.joints import LEGS, MOTORS, Leg, degrees
 from trex_gui.ui.theme.theme import CARD_PADDING, theme
 from trex_gui.ui.widgets.builders import Card, column, named, plain
 from trex_gui.ui.widgets.painted import Painted, Painter
@@ -55,8 +55,8 @@ class DrawnLeg:
 def drawn_legs(positions: tuple[float, ...]) -> tuple[DrawnLeg, ...]:
     """Return the legs of which both motors have a position (units), in the order of motors."""
     return tuple(
-        _drawn_leg(JOINTS[motor].leg, positions[motor], positions[motor + 1])
-        for motor in range(0, min(len(positions), len(JOINTS)) - 1, 2)
+        _drawn_leg(LEGS[motor // 2], positions[motor], positions[motor + 1])
+        for motor in range(0, min(len(positions), MOTORS) - 1, 2)
     )
 
 

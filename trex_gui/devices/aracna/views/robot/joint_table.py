@@ -7,14 +7,13 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.texts import (
     difference_text,
-    joint_of,
     joint_text,
     missed_text,
     position_text,
     speed_text,
     spoken_joint,
 )
-from trex_gui.devices.aracna.protocol.joints import HIGHEST, degrees, position
+from trex_gui.devices.aracna.protocol.joints import HIGHEST, LEGS, MOTORS, degrees, position
 from trex_gui.devices.aracna.views.robot.joint_widgets import JointSlider, SpeedBox
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.theme import theme
@@ -258,9 +257,8 @@ class JointTable(QWidget):
     def _add_row(self, motor: int) -> None:
         row = JointRow(self._robot, motor, self)
         line = 1 + motor + motor // 2  # a gap between legs
-        joint = joint_of(motor)
-        if joint is not None and motor % 2 == 0:
-            text = tr(joint.leg.value).replace(" ", "\n")
+        if motor < MOTORS and motor % 2 == 0:
+            text = tr(LEGS[motor // 2].value).replace(" ", "\n")
             label = ui.label(self, f"aracnaLeg{motor // 2}", text)
             label.setAlignment(Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft)
             self._grid.addWidget(label, line, _LEG, 2, 1)
