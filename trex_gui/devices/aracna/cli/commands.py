@@ -20,7 +20,7 @@ from trex_gui.core.cli import (
 from trex_gui.core.command_io import FileName
 from trex_gui.core.plugin import Lazy
 from trex_gui.core.texts import counted
-from trex_gui.devices.aracna.cli.session import CommandSession, MotionSession, port_settings
+from trex_gui.devices.aracna.cli.session import CommandSession, port_settings
 from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES
 from trex_gui.devices.aracna.poses.playing import blend_in, cropped, mismatch, steps_of
 from trex_gui.devices.aracna.poses.ppr import read_file
@@ -131,7 +131,7 @@ def pose(
     if target is None and not no_limits:
         _check_limits(values)
     settings = port_settings(port, extra_timeout)
-    with Interruption() as interrupted, MotionSession(settings, interrupted) as session:
+    with Interruption() as interrupted, CommandSession(settings, interrupted) as session:
         motors = session.robot.motors
         if target is None:
             _check_count(values, motors, "positions")
@@ -180,7 +180,7 @@ def play(
     settings = port_settings(port, extra_timeout)
     with (
         Interruption() as interrupted,
-        MotionSession(settings, interrupted, motors=False) as session,
+        CommandSession(settings, interrupted, motors=False) as session,
     ):
         limits = _limits(session.robot.motors, lifted=no_limits)
         with refusals():

@@ -49,14 +49,21 @@ def port_settings(port: str | None, extra_time: float) -> PortSettings:
 
 
 class CommandSession:
-    """An open line to a robot that has responded.
+    """An open line to a robot that has responded; reports the running motion.
 
     CommandFailed: the line is lost, or the robot waits for a motor or rejects the request.
     """
 
     robot: Connected
 
-    def __init__(self, settings: PortSettings) -> None:
+    def __init__(
+        self,
+        settings: PortSettings,
+        interrupted: Interruption | None = None,
+        *,
+        motors: bool = True,
+    ) -> None:
+        """Halt the robot once `interrupted`. Report each arrival if `motors`, else each step."""
         self._host = host()
         self._inbox = RequestQueue(self._host.condition())
         self._reports = RequestQueue(self._host.condition())
@@ -65,6 +72,13 @@ class CommandSession:
             settings, self._inbox, self._reports.put, self._host.open_transport
         )
         self._is_connected = False
+        self._interrupted = interrupted
+        self._motors = motors
+        self._reported = 0
+        self._expected = 0.0
+        self._is_moving = False
+        self.halted = False
+        self.moved: Moved | None = None
         self.faults: list[str] = []  # what went wrong, as sentences
 
     def __enter__(self) -> Self:
@@ -108,12 +122,6 @@ class CommandSession:
         if self.faults:
             raise CommandFailed("Some motors did not do what was commanded.")
 
-    def _check(self) -> None:
-        """Called every tenth of a second while waiting."""
-
-    def _take(self, report: Report) -> None:
-        """Take a report."""
-
     def _result(self, request: SetSpeeds | SetLed | Move | Play) -> object:
         self._inbox.put(request)
         for report in self._received():
@@ -137,23 +145,6 @@ class CommandSession:
                 raise CommandFailed(error) from error
             self._take(report)
             yield report
-
-
-class MotionSession(CommandSession):
-    """Moves a robot, reports the running motion, and halts the robot on an interruption."""
-
-    def __init__(
-        self, settings: PortSettings, interrupted: Interruption, *, motors: bool = True
-    ) -> None:
-        """Report each motor's arrival if `motors` is set, else each step."""
-        super().__init__(settings)
-        self._interrupted = interrupted
-        self._motors = motors
-        self._reported = 0
-        self._expected = 0.0
-        self._is_moving = False
-        self.halted = False
-        self.moved: Moved | None = None
 
     def move(self, goals: Sequence[int], speeds: Sequence[int]) -> tuple[int, ...]:
         """Move every motor at a speed that every servo has confirmed; return where they stop."""
