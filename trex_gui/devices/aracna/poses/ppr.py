@@ -86,7 +86,7 @@ def read_ppr(text: str) -> tuple[Project, tuple[Finding, ...]]:
     lines = [line.removesuffix("\r") for line in lines]
     reader = _Reader()
     if not lines or lines[0].startswith((_POSE, _SEQUENCE, _NUKE)):
-        reader.warn(1, tr("the first line should name the robot and its servos; assuming 8 servos"))
+        reader.warn(1, _no_header())
         name, resolutions, body = "", (RESOLUTION,) * MOTORS, 1
     else:
         name, resolutions = reader.header(lines.pop(0))
@@ -139,19 +139,12 @@ class _Reader:
         name, *numbers = line.split(":")
         count = _number(numbers[0]) if numbers else None
         if count is None or not 1 <= count <= MOST_MOTORS:
-            given = tr(", not {0!r}").format(numbers[0].strip()) if numbers else ""
-            message = tr("the number of servos is 1 to {0}{1}; assuming {2}").format(
-                MOST_MOTORS, given, MOTORS
-            )
-            self.warn(1, message)
+            self.warn(1, _no_header())
             return name, (RESOLUTION,) * MOTORS
-        given_ones = [_number(number) for number in numbers[1:]]
-        resolutions = tuple(one for one in given_ones if one)
-        if len(given_ones) != count or len(resolutions) != count:
-            message = tr("{0} resolutions are expected and {1} found").format(
-                count, len(resolutions)
-            )
-            self.warn(1, tr("{0}; assuming {1} for every servo").format(message, RESOLUTION))
+        resolutions = tuple(one for one in map(_number, numbers[1:]) if one)
+        if not len(numbers) - 1 == len(resolutions) == count:
+            text = tr("{0} resolutions are expected; assuming {1} for every servo")
+            self.warn(1, text.format(count, RESOLUTION))
             resolutions = (RESOLUTION,) * count
         return name, resolutions
 
@@ -173,14 +166,14 @@ class _Reader:
             return
         count = len(pose.positions)
         if count < motors:
-            message = tr("pose {0} has {1} positions of {2}").format(pose.name, count, motors)
-            self.warn(number, tr("{0}; missing ones become {1}").format(message, CENTRE))
+            text = tr("pose {0} has {1} positions of {2}; missing ones become {3}")
+            self.warn(number, text.format(pose.name, count, motors, CENTRE))
             pose = Pose(pose.name, pose.first(motors))
         elif count > motors:
-            message = tr("pose {0} has {1} positions for {2} servos").format(
-                pose.name, count, motors
+            text = tr(
+                "pose {0} has {1} positions for {2} servos; the last ones are kept, but not used"
             )
-            self.warn(number, tr("{0}; the last ones are kept, but not used").format(message))
+            self.warn(number, text.format(pose.name, count, motors))
         self.poses.append((number, pose))
         self._note_padding(number, line.removeprefix(_POSE))
 
@@ -215,14 +208,18 @@ class _Reader:
         return tuple(item for _, item in items)
 
 
+def _no_header() -> str:
+    return tr("the first line should name the robot and its servos; assuming 8 servos")
+
+
 def _pose(line: str) -> Pose:
     name, values = _name(line, tr("neither a pose nor a sequence: it has no colon"), "pose")
     positions = []
     for motor, field in enumerate(_fields(values)):
         position = _number(field)
         if position is None or position > HIGHEST:
-            message = tr("pose {0}: positions are numbers from 0 to {1}").format(name, HIGHEST)
-            raise ValueError(tr("{0}, not {1!r} (motor {2})").format(message, field.strip(), motor))
+            text = tr("pose {0}: positions are numbers from 0 to {1}, not {2!r} (motor {3})")
+            raise ValueError(text.format(name, HIGHEST, field.strip(), motor))
         positions.append(position)
     return Pose(name, tuple(positions))
 
@@ -234,9 +231,8 @@ def _sequence(line: str) -> Sequence:
         pose_name, bar, time = field.strip().partition("|")
         milliseconds = _number(time)
         if not bar or milliseconds is None or not SHORTEST_MS <= milliseconds <= LONGEST_MS:
-            limits = tr("{0} to {1} ms").format(SHORTEST_MS, LONGEST_MS)
-            message = tr("sequence {0}: a step is a pose, a bar and {1}").format(name, limits)
-            raise ValueError(tr("{0}, not {1!r}").format(message, field.strip()))
+            text = tr("sequence {0}: a step is a pose, a bar and {1} to {2} ms, not {3!r}")
+            raise ValueError(text.format(name, SHORTEST_MS, LONGEST_MS, field.strip()))
         steps.append(SequenceStep(pose_name.strip(), milliseconds))
     return Sequence(name, tuple(steps))
 
