@@ -5,7 +5,6 @@ A servo without load needs its distance over its speed; nothing makes it faster 
 
 from collections.abc import Iterable
 from collections.abc import Sequence as Many
-from dataclasses import dataclass
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
@@ -19,24 +18,13 @@ COMMAND_SECONDS = 0.1
 """What a step takes at least: `.v` and `.c` without motion take 42-55 and 33-37 ms."""
 
 
-@dataclass(frozen=True, slots=True)
-class LateMotor:
-    """A motor that needs more seconds than a step (from 0) has, even at its ceiling speed."""
-
-    step: int
-    motor: int
-    needed: float
-
-
 def steps_of(
     played: Sequence | Gait, poses: Iterable[Pose], limits: Many[Limits], time_scale: float = 1.0
 ) -> tuple[Step, ...]:
     """Return the steps of a sequence or gait for as many motors as `limits`, cropped to them.
 
-    BadRequest: there are no steps, poses are not defined, or the time scale is not above 0.
+    BadRequest: there are no steps, or poses are not defined.
     """
-    if not time_scale > 0:
-        raise BadRequest(tr("a time scale is more than 0, not {0}").format(time_scale))
     return tuple(
         Step(cropped(pose, limits), seconds * time_scale, pose.name)
         for pose, seconds in stages_of(played, poses)
@@ -45,14 +33,14 @@ def steps_of(
 
 def limited_motors(
     played: Sequence | Gait, poses: Iterable[Pose], limits: Many[Limits]
-) -> tuple[tuple[int, int], ...]:
-    """Return step and motor of each position that `steps_of` crops; raises as it does."""
-    return tuple(
-        (number, motor)
-        for number, (pose, _) in enumerate(stages_of(played, poses))
-        for motor, (position, limit) in enumerate(zip(pose.first(len(limits)), limits, strict=True))
-        if not limit.allow(position)
-    )
+) -> dict[int, list[int]]:
+    """Return the motors that `steps_of` crops, by step; raises as it does."""
+    found = {}
+    for number, (pose, _) in enumerate(stages_of(played, poses)):
+        pairs = enumerate(zip(pose.first(len(limits)), limits, strict=True))
+        if motors := [motor for motor, (position, limit) in pairs if not limit.allow(position)]:
+            found[number] = motors
+    return found
 
 
 def mismatch(poses: Iterable[Pose], motors: int) -> str:
@@ -94,24 +82,22 @@ def blend_out(limits: Many[Limits], poses: Iterable[Pose] = ()) -> tuple[Step, .
 
 def late_motors(
     steps: Many[Step], start: Present = (), *, again: bool = False
-) -> tuple[LateMotor, ...]:
-    """Return each motor that is too slow for a step; from an unknown position none is.
+) -> dict[int, dict[int, float]]:
+    """Return the seconds that motors need which are too slow, by step and motor.
 
-    With `again` the first step is also checked from the end of the last one.
+    From an unknown position no motor is. With `again` the first step is also checked from the end
+    of the last one.
     """
-    found: dict[tuple[int, int], LateMotor] = {}
-    if again and steps:
-        found = {(0, late.motor): late for late in _late_in(0, steps[0], steps[-1].goals)}
-    for number, (before, step) in enumerate(_with_starts(steps, start)):
-        for late in _late_in(number, step, before):
-            found.setdefault((number, late.motor), late)
-    return tuple(found.values())
+    late = [_late_in(step, before) for before, step in _with_starts(steps, start)]
+    if again:
+        late[0] |= _late_in(steps[0], steps[-1].goals)
+    return {number: motors for number, motors in enumerate(late) if motors}
 
 
 def estimated_seconds(steps: Many[Step], start: Present = ()) -> float:
     """Return the time for all steps: of each its own, or that of its slowest motor."""
     return sum(
-        max(step.seconds, COMMAND_SECONDS, *(late.needed for late in _late_in(0, step, before)))
+        max(step.seconds, COMMAND_SECONDS, *_late_in(step, before).values())
         for before, step in _with_starts(steps, start)
     )
 
@@ -120,12 +106,12 @@ def _with_starts(steps: Many[Step], start: Present) -> Iterable[tuple[Present, S
     return zip((start, *(step.goals for step in steps)), steps, strict=False)
 
 
-def _late_in(number: int, step: Step, before: Present) -> list[LateMotor]:
-    late = []
+def _late_in(step: Step, before: Present) -> dict[int, float]:
+    late = {}
     for motor, (start, goal) in enumerate(zip(before, step.goals, strict=False)):
         needed = 0.0 if start is None else travel_seconds(goal - start, 0)
         if needed > step.seconds:
-            late.append(LateMotor(number, motor, needed))
+            late[motor] = needed
     return late
 
 

@@ -1,6 +1,7 @@
 """How a sequence or gait is played: rounds, speed, blending; and a preview."""
 
 from collections import defaultdict
+from collections.abc import Mapping
 from collections.abc import Sequence as Many
 from dataclasses import dataclass, field
 
@@ -13,7 +14,6 @@ from trex_gui.devices.aracna.model.library import ItemKey, Library
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.poses.gaits import Gait
 from trex_gui.devices.aracna.poses.playing import (
-    LateMotor,
     Present,
     blend_in,
     blend_out,
@@ -241,17 +241,16 @@ def preview(
     return Preview(play, " ".join(sentences), bool(late or other), _notes(late, limited))
 
 
-def _notes(late: Many[LateMotor], limited: Many[tuple[int, int]]) -> dict[int, str]:
+def _notes(
+    late: Mapping[int, dict[int, float]], limited: Mapping[int, Many[int]]
+) -> dict[int, str]:
     """Return remarks on steps, too short times first."""
     found: dict[int, list[str]] = defaultdict(list)
-    for step in sorted({one.step for one in late}):
-        slow = [one for one in late if one.step == step]
-        motors = ", ".join(str(one.motor) for one in slow)
+    for step, needed in late.items():
         text = tr("needs {0:.2f} s: motor {1}")
-        found[step].append(text.format(Number(max(one.needed for one in slow)), motors))
-    for step in sorted({step for step, _ in limited}):
-        motors = ", ".join(str(motor) for number, motor in limited if number == step)
-        found[step].append(tr("limited: motor {0}").format(motors))
+        found[step].append(text.format(Number(max(needed.values())), ", ".join(map(str, needed))))
+    for step, motors in limited.items():
+        found[step].append(tr("limited: motor {0}").format(", ".join(map(str, motors))))
     return {step: "; ".join(texts) for step, texts in found.items()}
 
 
