@@ -43,10 +43,7 @@ def test_sequence_becomes_steps_within_limits() -> None:
 
 def test_every_clamped_position_is_reported() -> None:
     poses = [Pose("flat", (770, 40) * 4), Pose("stand", (512, 680) * 4)]
-    assert limited_motors(SEQUENCE, poses, LIMITS) == (
-        *((0, motor) for motor in (0, 2, 4, 6)),
-        *((1, motor) for motor in (1, 3, 5, 7)),
-    )
+    assert limited_motors(SEQUENCE, poses, LIMITS) == {0: [0, 2, 4, 6], 1: [1, 3, 5, 7]}
 
 
 def test_sequence_with_undefined_poses_is_rejected() -> None:

@@ -19,20 +19,14 @@ _SEPARATORS = ":,|"  # characters that separate names and values in a pose file
 
 @dataclass(frozen=True, slots=True)
 class Pose:
-    """Positions (0-1023, motor 0 first) under a name without colon or line end."""
+    """Positions (0-1023, motor 0 first) under a name without colon or line end, else BadRequest."""
 
     name: str
     positions: tuple[int, ...]
 
     def __post_init__(self) -> None:
-        _check_name("pose", self.name)
-        for motor, position in enumerate(self.positions):
-            if not 0 <= position <= HIGHEST:
-                raise BadRequest(
-                    tr("positions are 0 to {0}, not {1} (motor {2} of {3})").format(
-                        HIGHEST, position, motor, self.name
-                    )
-                )
+        if not _is_name(self.name) or not all(0 <= each <= HIGHEST for each in self.positions):
+            raise BadRequest(f"no pose: {self!r}")
 
     def first(self, motors: int) -> tuple[int, ...]:
         """Return the positions of so many motors; missing ones are in the centre."""
@@ -42,34 +36,27 @@ class Pose:
 
 @dataclass(frozen=True, slots=True)
 class SequenceStep:
-    """Reach a named pose in so many milliseconds, 1 to an hour."""
+    """Reach a named pose in so many milliseconds, 1 to an hour, else BadRequest."""
 
     pose_name: str
     milliseconds: int = DEFAULT_MS
 
     def __post_init__(self) -> None:
-        if not is_usable_in_step(self.pose_name):
-            name = self.pose_name
-            raise BadRequest(
-                tr("a step names a pose without comma, bar or line end, unlike {0!r}").format(name)
-            )
-        if not SHORTEST_MS <= self.milliseconds <= LONGEST_MS:
-            raise BadRequest(
-                tr("a step takes {0} to {1} ms, not {2}").format(
-                    SHORTEST_MS, LONGEST_MS, self.milliseconds
-                )
-            )
+        has_time = SHORTEST_MS <= self.milliseconds <= LONGEST_MS
+        if not is_usable_in_step(self.pose_name) or not has_time:
+            raise BadRequest(f"no step: {self!r}")
 
 
 @dataclass(frozen=True, slots=True)
 class Sequence:
-    """Steps under a name without colon or line end."""
+    """Steps under a name without colon or line end, else BadRequest."""
 
     name: str
     steps: tuple[SequenceStep, ...] = ()
 
     def __post_init__(self) -> None:
-        _check_name("sequence", self.name)
+        if not _is_name(self.name):
+            raise BadRequest(f"no sequence: {self!r}")
 
     @property
     def seconds(self) -> float:
@@ -118,11 +105,8 @@ def is_usable_in_step(pose_name: str) -> bool:
     return not any(sign in pose_name for sign in ",|\r\n")
 
 
-def _check_name(kind: str, name: str) -> None:
-    if any(sign in name for sign in ":\r\n"):
-        raise BadRequest(
-            tr("a {0}'s name has no colon and no line end, unlike {1!r}").format(tr(kind), name)
-        )
+def _is_name(name: str) -> bool:
+    return not any(sign in name for sign in ":\r\n")
 
 
 def free_name(name: str, taken: Iterable[str]) -> str:
