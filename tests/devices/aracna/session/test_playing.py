@@ -21,14 +21,15 @@ from trex_gui.devices.aracna.session.messages import (
     Moving,
     Play,
     PlayEnded,
+    Report,
     SetSpeeds,
     SetTimeScale,
     SpeedsHeld,
     Step,
     StepBegun,
 )
-from trex_gui.devices.aracna.session.player import StepClock
-from trex_gui.devices.aracna.session.servo_estimates import TRUST
+from trex_gui.devices.aracna.session.player import SequencePlayer
+from trex_gui.devices.aracna.session.servo_estimates import TRUST, ServoEstimates
 
 HERE = (512,) * 8
 SLOW = (100,) * 8
@@ -224,15 +225,19 @@ def test_blend_in_precedes_rounds_and_blend_out_follows(
 ) -> None:
     before, many, after = counts
     one = step(5, 1.0)
-    playing = StepClock(Play(1, (one,) * many, rounds, (one,) * before, (one,) * after), 0.0)
+    reports: list[Report] = []
+    player = SequencePlayer(reports.append, ServoEstimates(8))
+    player.start(Play(1, (one,) * many, rounds, (one,) * before, (one,) * after), 0.0)
     whole = [("in", index, 0) for index in range(before)]
     whole += [("steps", index, turn) for turn in range(rounds) for index in range(many)]
     out = [("out", index, 0) for index in range(after)]
-    seen: list[tuple[str, int, int]] = []
-    while (turn := playing.next()) is not None:
-        playing.start(turn, playing.due)
-        seen.append((turn.part, turn.index, turn.round))
-        if len(seen) == end_after:
-            playing.end()
+    while player.is_playing:
+        player.next_speeds(0.0)
+        player.next_goals()
+        player.on_arrival()
+        if len(reports) == end_after:
+            player.end()
+    begun = [report for report in reports if isinstance(report, StepBegun)]
+    seen = [(step.part, step.index, step.round) for step in begun]
     cut = whole if end_after is None else whole[:end_after]
     assert seen == [*cut, *out]

@@ -68,85 +68,55 @@ def _numbered(part: str, steps: Sequence[Step], number: int = 0) -> Iterator[Sch
     return (ScheduledStep(part, index, number, step) for index, step in enumerate(steps))
 
 
-class StepClock:
-    """Schedules the steps of a sequence; `due` is the next one's start, on the line's clock."""
-
-    def __init__(self, play: Play, now: float) -> None:
-        self.play = play
-        self.time_scale = play.time_scale
-        self.due = now
-        self.current: ScheduledStep | None = None
-        self.is_ending = False
-        self._steps = _schedule(play)
-
-    def end(self) -> None:
-        """Let only the blend-out follow the running step."""
-        self.is_ending = True
-        if self.current is None or self.current.part != "out":
-            self._steps = _numbered("out", self.play.blend_out)
-
-    def next(self) -> ScheduledStep | None:
-        return next(self._steps, None)
-
-    def start(self, step: ScheduledStep, now: float) -> tuple[float, float]:
-        """Start a step; return by how much it is late, and the time for its motion, in seconds.
-
-        The time excludes what a `.c` takes by itself, but not a `.v`.
-        """
-        seconds = step.step.seconds * self.time_scale
-        if self.current is None:  # requests queued earlier have been sent by now
-            self.due = now
-        late = max(0.0, now - self.due)
-        if late > seconds:  # it could never catch up
-            self.due = now
-        self.current = step
-        self.due += seconds
-        return late, max(self.due - now - REPLY_TIME, seconds * _SHORTEST)
-
-
 class SequencePlayer:
     """The playing sequence and the state of its step: speeds, then goals, then arrival."""
 
     def __init__(self, report: Callable[[Report], None], servos: ServoEstimates) -> None:
         self._report = report
         self.servos = servos
-        self._clock: StepClock | None = None
+        self._play: Play | None = None
         self._goals: tuple[int, ...] | None = None  # of the running step, not sent yet
         self._is_moving = False
-        self._speeds_before: tuple[int, ...] | None = None  # to restore at the end
 
     @property
     def is_playing(self) -> bool:
-        return self._clock is not None
+        return self._play is not None
 
     def start(self, play: Play, now: float) -> None:
         check_play(play, len(self.servos.speeds))
-        self._speeds_before = None
-        self._clock = StepClock(play, now)
+        self._play, self._time_scale = play, play.time_scale
+        self._steps = _schedule(play)
+        self._due = now  # start of the next step
+        self._current: ScheduledStep | None = None
+        self._is_ending = False
+        self._speeds_before: tuple[int, ...] | None = None  # to restore at the end
         self._goals, self._is_moving = None, False
 
     def end(self) -> None:
-        """End after the running step, with the blend-out."""
-        if self._clock is not None:
-            self._clock.end()
+        """Let only the blend-out follow the running step."""
+        if self._play is None:
+            return
+        self._is_ending = True
+        if self._current is None or self._current.part != "out":
+            self._steps = _numbered("out", self._play.blend_out)
 
     def set_time_scale(self, time_scale: float) -> None:
         """Change the time scale from the next step on, unless it is out of range."""
-        if self._clock is not None and _is_scale(time_scale):
-            self._clock.time_scale = time_scale
+        if _is_scale(time_scale):
+            self._time_scale = time_scale
 
     def stop(self, now: float, why: Ending, error: StudioError | None = None) -> None:
-        clock, self._clock = self._clock, None
+        play, self._play = self._play, None
         self._goals, self._is_moving = None, False
-        if clock is not None:
+        if play is not None:
             self._report(PlayEnded(now, why))
-            self._report(Outcome(clock.play.id, None if error else why, error))
+            self._report(Outcome(play.id, None if error else why, error))
 
     def seconds_to_next(self, now: float) -> float:
         """Return how long until something is to be sent; infinity while nothing plays."""
-        if self._clock is None or self._is_moving:
+        if self._play is None or self._is_moving:
             return math.inf
-        return 0.0 if self._goals is not None else max(0.0, self._clock.due - now)
+        return 0.0 if self._goals is not None else max(0.0, self._due - now)
 
     def next_speeds(self, now: float) -> tuple[int, ...] | None:
         """Start the due step; return the speeds it needs if they are to be set.
@@ -154,21 +124,29 @@ class SequencePlayer:
         At the end these are the speeds from before: otherwise the next move could take minutes,
         because a motor hardly had to move in the last step.
         """
-        if self._clock is None or self._goals is not None:
+        if self._play is None or self._goals is not None:
             return None
-        if (step := self._clock.next()) is None:
+        if (scheduled := next(self._steps, None)) is None:
             before, self._speeds_before = self._speeds_before, None
             if before not in {None, self.servos.speeds}:
                 return before
-            self.stop(now, Ending.ENDED if self._clock.is_ending else Ending.DONE)
+            self.stop(now, Ending.ENDED if self._is_ending else Ending.DONE)
             return None
-        if self._clock.current is None:  # queued speeds have been set by now
+        if self._current is None:  # requests queued earlier have been sent by now
             speeds = tuple(speed for speed in self.servos.speeds if speed is not None)
             self._speeds_before = speeds if len(speeds) == len(self.servos.speeds) else None
-        late, seconds = self._clock.start(step, now)
-        self._goals = self.servos.crop(step.step.goals)
-        self._report(StepBegun(now, step.part, step.index, step.round, late))
-        return self.servos.speeds_to(self._goals, seconds)
+            self._due = now
+        self._current = scheduled
+        step, part = scheduled.step, scheduled.part
+        seconds, late = step.seconds * self._time_scale, max(0.0, now - self._due)
+        if late > seconds:  # it could never catch up
+            self._due = now
+        self._due += seconds
+        self._goals = self.servos.crop(step.goals)
+        self._report(StepBegun(now, part, scheduled.index, scheduled.round, late))
+        # A `.c` takes time by itself; what a `.v` takes is known to `speeds_to`.
+        left = max(self._due - now - REPLY_TIME, seconds * _SHORTEST)
+        return self.servos.speeds_to(self._goals, left)
 
     def next_goals(self) -> tuple[int, ...] | None:
         """Return the goals of the step once its speeds are set; `None`: nothing to send."""
