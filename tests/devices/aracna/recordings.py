@@ -9,11 +9,12 @@ from hypothesis import strategies as st
 
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.core.recording.store import CHUNK, Recording, RecordingWriter
-from trex_gui.devices.aracna.recording import FORMAT, Record, RobotHeader, StoppedResponding
+from trex_gui.devices.aracna.recording import FORMAT, Record, RobotHeader
 from trex_gui.devices.aracna.session.messages import (
     Ending,
     Moved,
     Moving,
+    NotResponding,
     Passed,
     PlayEnded,
     Restarted,
@@ -53,7 +54,7 @@ records: st.SearchStrategy[Record] = st.one_of(
     st.builds(PlayEnded, _times, st.sampled_from(Ending)),
     st.builds(Stuck, _times, st.none() | st.integers(0, MOTORS - 1)),
     st.builds(Restarted, _times, st.booleans()),
-    st.builds(StoppedResponding, _times),
+    st.builds(NotResponding, _times),
     st.builds(Marker, _times, st.sampled_from(["stop", "fault", "link"]), _texts),
 )
 

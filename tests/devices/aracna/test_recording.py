@@ -16,8 +16,15 @@ from tests.devices.trex.recording import samples
 from tests.support.matrix import examples
 from trex_gui.core.recording.export import export_span
 from trex_gui.core.recording.kinds import Marker, RecordingError
-from trex_gui.devices.aracna.recording import Record, RobotHeader, StoppedResponding
-from trex_gui.devices.aracna.session.messages import Moved, Moving, Passed, SpeedsHeld, StepBegun
+from trex_gui.devices.aracna.recording import Record, RobotHeader
+from trex_gui.devices.aracna.session.messages import (
+    Moved,
+    Moving,
+    NotResponding,
+    Passed,
+    SpeedsHeld,
+    StepBegun,
+)
 
 HEADER = RobotHeader(datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC), 100.0, version=1, motors=2)
 
@@ -64,7 +71,7 @@ def test_last_goals_positions_and_speeds_fill_later_rows(folder: Path) -> None:
         Moving(101.0, (512, 0), (None, None), 2.0),
         Passed(102.0, (510,)),
         Moved(103.0, (512, 0), (510, 1), 2.0),
-        StoppedResponding(104.0),
+        NotResponding(104.0),
     )
     assert (speeds["time_s"], speeds["sample"]) == ("0.500000", "speeds")
     assert speeds["motor_1_speed_units"] == "200"

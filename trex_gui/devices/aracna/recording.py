@@ -22,6 +22,7 @@ from trex_gui.devices.aracna.session.messages import (
     Ending,
     Moved,
     Moving,
+    NotResponding,
     Passed,
     PlayEnded,
     Restarted,
@@ -30,16 +31,12 @@ from trex_gui.devices.aracna.session.messages import (
     Stuck,
 )
 
+Report = (
+    Moving | Passed | Moved | SpeedsHeld | StepBegun | PlayEnded | Stuck | Restarted | NotResponding
+)
+"""Reports of the session that are recorded."""
 
-@dataclass(frozen=True, slots=True)
-class StoppedResponding:
-    time: float
-
-
-Report = Moving | Passed | Moved | SpeedsHeld | StepBegun | PlayEnded | Stuck | Restarted
-"""Reports of the session that are recorded as they are."""
-
-Record = Report | StoppedResponding | Marker  # times are seconds on the session's clock
+Record = Report | Marker  # times are seconds on the session's clock
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,9 +179,7 @@ def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
             lambda time, voided: Restarted(time, bool(voided)),
             clears=clears,
         ),
-        SampleKind(
-            "not_responding", StoppedResponding, (), lambda _: (), StoppedResponding, clears=clears
-        ),
+        SampleKind("not_responding", NotResponding, (), lambda _: (), NotResponding, clears=clears),
         MARKERS,
     )
 

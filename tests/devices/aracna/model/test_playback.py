@@ -13,8 +13,15 @@ from trex_gui.core.recording.store import CHUNK
 from trex_gui.devices.aracna.model.recordings import RobotPlayback
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.protocol.joints import degrees
-from trex_gui.devices.aracna.recording import Record, StoppedResponding
-from trex_gui.devices.aracna.session.messages import Moved, Moving, Passed, Restarted, Stuck
+from trex_gui.devices.aracna.recording import Record
+from trex_gui.devices.aracna.session.messages import (
+    Moved,
+    Moving,
+    NotResponding,
+    Passed,
+    Restarted,
+    Stuck,
+)
 
 LONG_TIMEOUT = 20_000
 
@@ -72,7 +79,7 @@ def test_curve_is_flat_at_rest_and_linear_in_motion(tmp_path: Path, qtbot: QtBot
     playback.close()
 
 
-@pytest.mark.parametrize("lost", [Restarted(T0 + 3, voided=False), StoppedResponding(T0 + 3)])
+@pytest.mark.parametrize("lost", [Restarted(T0 + 3, voided=False), NotResponding(T0 + 3)])
 def test_curve_has_gap_while_position_is_unknown(
     tmp_path: Path, qtbot: QtBot, lost: Record
 ) -> None:

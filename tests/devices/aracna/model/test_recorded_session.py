@@ -15,10 +15,11 @@ from trex_gui.core.events import EventKind
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.aracna.model.recordings import AracnaRecorder, RobotPlayback
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.aracna.recording import Record, StoppedResponding
+from trex_gui.devices.aracna.recording import Record
 from trex_gui.devices.aracna.session.messages import (
     Moved,
     Moving,
+    NotResponding,
     Passed,
     Play,
     PlayEnded,
@@ -33,7 +34,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 LONG_TIMEOUT = 15_000
 RECORDED = (
     *(Moving, Passed, Moved, SpeedsHeld, StepBegun, PlayEnded, Stuck, Restarted),
-    *(StoppedResponding, Marker),
+    *(NotResponding, Marker),
 )
 
 
@@ -121,9 +122,9 @@ def test_recording_contains_faults_and_rejected_move(session: Session) -> None:
     session.wait_for(ConnectionState.CONNECTED)
     found = session.stop()
     kinds = {type(row) for row in found}
-    assert {Stuck, Restarted, StoppedResponding} <= kinds
-    silences = [row for row in found if isinstance(row, StoppedResponding)]
-    reports = [row for row in without_markers(found) if not isinstance(row, StoppedResponding)]
+    assert {Stuck, Restarted, NotResponding} <= kinds
+    silences = [row for row in found if isinstance(row, NotResponding)]
+    reports = [row for row in without_markers(found) if not isinstance(row, NotResponding)]
     assert silences
     assert reports == session.reported
     markers = [row for row in found if isinstance(row, Marker)]

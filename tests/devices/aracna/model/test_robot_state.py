@@ -45,10 +45,10 @@ def test_watched_motion_has_end_time_until_it_is_answered() -> None:
     [
         (Restarted(11.0, voided=True),),
         (Restarted(11.0, voided=True), CONNECTED),
-        (NotResponding(), CONNECTED),
+        (NotResponding(13.0), CONNECTED),
         (CONNECTED,),
         (Moved(11.0, GOALS, (-1, -1), 1.0),),
-        (Stuck(11.0, 1), Restarted(12.0, voided=True), NotResponding()),
+        (Stuck(11.0, 1), Restarted(12.0, voided=True), NotResponding(13.0)),
     ],
     ids=["restart", "answers again", "silence", "answers", "answer lost", "stuck"],
 )

@@ -16,11 +16,10 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.protocol.joints import degrees
-from trex_gui.devices.aracna.recording import FORMAT, Record, Report, RobotHeader, StoppedResponding
+from trex_gui.devices.aracna.recording import FORMAT, Record, Report, RobotHeader
 from trex_gui.devices.aracna.session.messages import (
     Moved,
     Moving,
-    NotResponding,
     Passed,
     SpeedsHeld,
 )
@@ -98,8 +97,6 @@ class AracnaRecorder(RecordThread[Record]):
     def _on_reported(self, report: object) -> None:
         if isinstance(report, Report):
             self.put(report)
-        elif isinstance(report, NotResponding):
-            self.put(StoppedResponding(now()))
 
     @Slot(str)
     def _on_rejected(self, text: str) -> None:

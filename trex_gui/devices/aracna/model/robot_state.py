@@ -4,7 +4,6 @@ from collections import deque
 from dataclasses import dataclass, field
 
 from trex_gui.devices.aracna.protocol.replies import UNREADABLE
-from trex_gui.devices.aracna.recording import StoppedResponding
 from trex_gui.devices.aracna.session.errors import RobotError, rejected_speeds
 from trex_gui.devices.aracna.session.messages import (
     Connected,
@@ -104,7 +103,7 @@ class RobotState:
                 self.stuck = report
             case SpeedsHeld():
                 self.speeds = report
-            case Restarted() | NotResponding() | StoppedResponding():
+            case Restarted() | NotResponding():
                 self.present = (None,) * self.motors
                 self._stop_observing()
                 self.moved, self.speeds, self.led = None, None, None

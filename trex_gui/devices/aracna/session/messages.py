@@ -212,6 +212,7 @@ class Stuck:
 class NotResponding:
     """The robot has stopped responding; it is queried until `Connected`."""
 
+    time: float
     error: StudioError | None = None
 
 

@@ -374,5 +374,5 @@ class AracnaSession:
         now = self._now()
         self._liveness.set_not_responding(now)
         self._servos.forget()
-        self._report(NotResponding(error))
+        self._report(NotResponding(now, error))
         self._drop(now, Ending.LOST, RobotNoReplyError(ErrorCode.NOT_RESPONDING))
