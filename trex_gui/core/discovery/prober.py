@@ -1,4 +1,4 @@
-"""What the scan of a port needs from each kind of device, and what a probe reports."""
+"""Interface between the scan of a port and each kind of device."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ class ScanProgress:
 
 
 class Evidence(IntEnum):
-    """How much was learned where no device was found."""
+    """Amount of evidence where no device was found."""
 
     SILENCE = 0
     ECHO = 1
@@ -31,7 +31,7 @@ class Evidence(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Diagnosis:
-    """What was tried for one kind of device, what was received, and what to check."""
+    """Tries for one kind of device, received bytes, and what to check."""
 
     evidence: Evidence
     text: str

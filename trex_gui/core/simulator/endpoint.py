@@ -18,7 +18,7 @@ class EndpointError(StudioError):
 
 @dataclass(frozen=True, slots=True)
 class HostSettings:
-    """How the host has set its port; `parity` is `None` if it cannot be seen."""
+    """Settings of the host's port; `parity` is `None` if it cannot be seen."""
 
     baud: int
     stop_bits: int

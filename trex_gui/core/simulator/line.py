@@ -105,7 +105,7 @@ class WireFaults:
         return True
 
     def _is_cut_off(self, byte: int) -> bool:
-        """Whether a byte belongs to a cut; the end of the text line ends the cut."""
+        """Return whether a byte belongs to a cut; the end of the text line ends the cut."""
         if self.to_cut:
             self.to_cut -= 1
             return False
@@ -114,7 +114,7 @@ class WireFaults:
         return True
 
     def _is_whole(self, begun: float) -> bool:
-        """Whether the cable has been plugged in since a byte began."""
+        """Return whether the cable has been plugged in since a byte began."""
         return self.plugged and begun >= self._plugged_at - EPSILON
 
 

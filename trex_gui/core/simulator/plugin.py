@@ -1,4 +1,4 @@
-"""What a device contributes to `trex-sim`."""
+"""Contribution of a device to `trex-sim`."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -43,7 +43,7 @@ class SampledByte:
 
 
 def is_other_rate(baud: float, other: float) -> bool:
-    """Whether two UARTs at these rates cannot understand each other."""
+    """Return whether two UARTs at these rates cannot understand each other."""
     return abs(baud / other - 1) > _RATE_TOLERANCE
 
 

@@ -126,15 +126,9 @@ class AracnaProber:
     def diagnosis(self) -> Diagnosis:
         if self._not_sent:
             return Diagnosis(Evidence.SILENCE, self._not_sent)
-        if is_echo(self._received):
-            return Diagnosis(
-                Evidence.ECHO,
-                tr(
-                    "No Aracna responds on {0}: everything sent comes back, and nothing else."
-                    " The adapter's TX and RX are joined; an Aracna never echoes."
-                ).format(self._settings.text()),
-            )
         text = str(diagnose(self._settings, self._received))
+        if is_echo(self._received):
+            return Diagnosis(Evidence.ECHO, text)
         if is_boot_message(self._received):
             return Diagnosis(Evidence.KNOWN, text)
         strange = self._received.strip(b"\r\n")

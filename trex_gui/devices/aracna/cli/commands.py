@@ -208,7 +208,6 @@ def _check_count(values: tuple[int, ...], motors: int, quantity: str) -> None:
 
 
 def _check_limits(goals: tuple[int, ...]) -> None:
-    """Raise a UsageError that names each motor and its limits if a position is outside them."""
     wrong = [
         f"motor {motor} goes from {limit.low} to {limit.high}, not to {goal}"
         for motor, (goal, limit) in enumerate(zip(goals, factory_limits(len(goals)), strict=True))

@@ -61,7 +61,7 @@ class RobotSnapshot:
 
     @property
     def is_held_up(self) -> bool:
-        """Whether the firmware waits for servos, none of which can move."""
+        """Return whether the firmware waits for servos, none of which can move."""
         waits = any(servo.dead or (servo.moving and servo.cannot_move) for servo in self.servos)
         return (
             self.state is FirmwareState.MOVING

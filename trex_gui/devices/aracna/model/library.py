@@ -28,7 +28,7 @@ UNTITLED = "poses.ppr"
 
 
 class ItemKind(Enum):
-    """What a library holds; the value is the field of `Project`."""
+    """Kind of items in a library. The value is the field of `Project`."""
 
     POSE = "poses"
     SEQUENCE = "sequences"

@@ -1,5 +1,6 @@
 """The robot of a window: its connection, what it has reported, and what the user requests."""
 
+from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
@@ -10,7 +11,7 @@ from trex_gui.core.events import EventKind
 from trex_gui.core.session import Close, Outcome
 from trex_gui.core.translation import Number, tr
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.devices.aracna.model.robot_state import Rate, RobotState
+from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.model.setpoints import JointLimits, Targets
 from trex_gui.devices.aracna.model.texts import cropped_goals_text, event_of
 from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS, travel_seconds
@@ -77,7 +78,7 @@ class Robot(DeviceConnection[PortSettings]):
         self.speeds = (FIRST_SPEED,) * MOTORS  # for the next motion
         self.speeds_chosen = False  # the user has chosen them
         self.events = EventLog(self, clock=clock)
-        self._rate = Rate()
+        self._replies = deque[float](maxlen=10)  # times of the last ones, while dragging
         self._pending_moves = 0
         self._pending_speeds = 0
         self._is_holding = False  # targets follow the present positions after a halt
@@ -90,8 +91,10 @@ class Robot(DeviceConnection[PortSettings]):
 
     @property
     def rate(self) -> float | None:
-        """Commands per second that were answered lately, while dragging."""
-        return self._rate.per_second
+        """Commands answered per second while dragging; `None` before there are three replies."""
+        if len(self._replies) < 3 or self._replies[-1] <= self._replies[0]:
+            return None
+        return (len(self._replies) - 1) / (self._replies[-1] - self._replies[0])
 
     def remaining(self) -> float:
         """Return the seconds until the running motion should end, observed or not; 0 for none."""
@@ -119,7 +122,7 @@ class Robot(DeviceConnection[PortSettings]):
     def _reset(self, motors: int) -> None:
         """Forget the robot, except for when a motion that may be running should end."""
         self.state = RobotState(motors, unobserved_until=self.state.moving_until)
-        self._rate.reset()
+        self._replies.clear()
         self.dragging = self._is_holding = False
         self.speeds, self.speeds_chosen = (FIRST_SPEED,) * motors, False
         self.targets.set_count(motors)
@@ -151,7 +154,9 @@ class Robot(DeviceConnection[PortSettings]):
                 self.targets.set_all(goals)
             case Moved(time=moment):
                 if self.dragging:
-                    self._rate.add(moment)
+                    if self._replies and moment > self._replies[-1] + 1:  # after a pause
+                        self._replies.clear()
+                    self._replies.append(moment)
                 if self._is_holding:
                     self.aim_at_present()
             case DragDropped(error=error):
@@ -207,7 +212,7 @@ class Robot(DeviceConnection[PortSettings]):
         """Let `drag` send goals until `end_drag` or `halt`."""
         if self._can_move():
             self.dragging = True
-            self._rate.reset()
+            self._replies.clear()
             self.changed.emit()
 
     def drag(self, goals: Sequence[int]) -> None:
@@ -325,7 +330,7 @@ class Robot(DeviceConnection[PortSettings]):
 
     @property
     def is_at_rest(self) -> bool:
-        """Whether nothing moves or is about to, as far as a connected robot tells."""
+        """Return whether nothing moves or is about to, as far as a connected robot tells."""
         state = self.state
         is_busy = state.moving is not None or state.play is not None or state.may_be_moving
         is_about_to = self.dragging or self._pending_moves > 0
@@ -338,7 +343,7 @@ class Robot(DeviceConnection[PortSettings]):
 
     @property
     def move_blocker(self) -> str:
-        """Why the robot cannot be moved now; empty if it can."""
+        """Reason that the robot cannot be moved now; empty if it can."""
         if self.link is not ConnectionState.CONNECTED:
             return tr("No robot is connected.")
         if self.state.play is not None:

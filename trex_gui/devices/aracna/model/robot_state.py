@@ -1,6 +1,5 @@
 """The state of the robot as its session or a recording reports it; no Qt, no clock of its own."""
 
-from collections import deque
 from dataclasses import dataclass, field
 
 from trex_gui.devices.aracna.protocol.replies import UNREADABLE
@@ -39,28 +38,6 @@ class MissedGoal:
     @property
     def unreadable(self) -> bool:
         return self.present == UNREADABLE
-
-
-class Rate:
-    def __init__(self) -> None:
-        self._times: deque[float] = deque(maxlen=10)
-
-    def add(self, time: float) -> None:
-        """Count a reply; a pause of a second starts again."""
-        if self._times and time > self._times[-1] + 1:
-            self._times.clear()
-        self._times.append(time)
-
-    def reset(self) -> None:
-        self._times.clear()
-
-    @property
-    def per_second(self) -> float | None:
-        """The rate; `None` before there are three replies."""
-        if len(self._times) < 3:
-            return None
-        span = self._times[-1] - self._times[0]
-        return (len(self._times) - 1) / span if span > 0 else None
 
 
 @dataclass(slots=True)
@@ -142,7 +119,7 @@ class RobotState:
 
     @property
     def reply_lost(self) -> bool:
-        """Whether the last reply to a `.c` has no position: it was lost, or no servo answers."""
+        """Return whether the last reply to a `.c` was lost, or no servo has answered."""
         return self.moved is not None and set(self.moved.present) == {UNREADABLE}
 
     @property
@@ -173,17 +150,17 @@ class RobotState:
 
     @property
     def ends_at(self) -> float | None:
-        """When the observed motion should end, on the session's clock; `None` if there is none."""
+        """End of the observed motion on the session's clock; `None` if there is none."""
         return None if self.moving is None else self.moving.time + self.moving.expected
 
     @property
     def moving_until(self) -> float | None:
-        """When any motion should end, observed or not, on the session's clock."""
+        """End of any motion, observed or not, on the session's clock."""
         return self.unobserved_until if self.moving is None else self.ends_at
 
     @property
     def may_be_moving(self) -> bool:
-        """Whether no motion is observed and no reply has shown that all motors have stopped.
+        """Return whether no motion is observed and no reply has shown that all motors have stopped.
 
         This includes the time before the first reply: another host may have moved the robot.
         """

@@ -1,4 +1,4 @@
-"""What the user sets for each motor: limits and goals."""
+"""Limits and goals that the user sets for each motor."""
 
 from collections.abc import Sequence
 

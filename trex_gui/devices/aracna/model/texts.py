@@ -19,7 +19,6 @@ def joint_text(motor: int) -> str:
 
 
 def spoken_joint(motor: int) -> str:
-    """Return motor, joint and leg for screen readers."""
     if motor >= MOTORS:
         return tr("Motor {0}").format(motor)
     leg = tr(LEGS[motor // 2].value).lower()

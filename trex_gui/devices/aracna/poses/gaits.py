@@ -72,7 +72,7 @@ class Gait:
 
     @property
     def start(self) -> Pose | None:
-        """Where it starts; `None` if it starts anywhere."""
+        """Pose in which it starts; `None` if it starts anywhere."""
         return self.stages[-1].pose if self.cyclic else None
 
 

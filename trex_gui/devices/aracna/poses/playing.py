@@ -1,4 +1,4 @@
-"""What is sent for a sequence or gait: steps within the joints' limits, and how long they take.
+"""Steps that are sent for a sequence or gait: within the joints' limits, and how long they take.
 
 A servo without load needs its distance over its speed; nothing makes it faster than its ceiling.
 """

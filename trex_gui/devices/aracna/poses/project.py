@@ -1,4 +1,4 @@
-"""What one pose file holds: poses, sequences of them, and their names."""
+"""Poses, sequences of them and their names, as one pose file holds them."""
 
 from collections.abc import Collection, Iterable
 from collections.abc import Set as AbstractSet
@@ -101,7 +101,7 @@ class Project:
 
 
 def is_usable_in_step(pose_name: str) -> bool:
-    """Whether a step can name a pose: files separate steps by commas and their times by bars."""
+    """Return whether a step of a file can name a pose: commas and bars separate steps there."""
     return not any(sign in pose_name for sign in ",|\r\n")
 
 

@@ -28,7 +28,7 @@ The published CAD of the robot uses AX-18A. An AX-12A ends at 59 rpm, a setting 
 
 
 class Leg(Enum):
-    """Which leg, seen from above with the front up; the value is its name for the user."""
+    """Leg, seen from above with the front up. The value is its name for the user."""
 
     LEFT_FRONT = tr_noop("Front left")
     RIGHT_FRONT = tr_noop("Front right")

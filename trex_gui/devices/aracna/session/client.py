@@ -104,8 +104,6 @@ CommandEvent = Answered | PartialReply | LateReply | ReplyLost | Voided
 
 
 class AracnaClient:
-    """Talks over an open line at the robot's line settings."""
-
     def __init__(self, transport: Transport, settings: PortSettings) -> None:
         self.transport = transport
         self.settings = settings.at(LINE)

@@ -17,7 +17,7 @@ from trex_gui.devices.aracna.protocol import commands
 
 @unique
 class ErrorCode(Enum):
-    """What went wrong; the value is the sentence with a place for each field."""
+    """Error of a session. The value is the sentence with a place for each field."""
 
     NO_ROBOT = tr_noop(
         "No Aracna responds on {0}. It does not listen while it moves: if it is moving, wait until "
@@ -84,13 +84,13 @@ class RobotInternalError(RobotError, InternalError):
 
 
 def is_echo(received: bytes) -> bool:
-    """Whether only the query itself came back."""
+    """Return whether only the query itself came back."""
     query = commands.QUERY.strip()
     return query in received and not received.replace(query, b"").strip(b"\r\n\x00\xff")
 
 
 def is_boot_message(received: bytes) -> bool:
-    """Whether the board has reported its start and nothing else."""
+    """Return whether the board has reported its start and nothing else."""
     text = received.strip(b"\r\n")
     return bool(text) and not text.replace(b".h", b"").strip(b"\r\nh")
 
@@ -108,7 +108,7 @@ def diagnose(settings: PortSettings, received: bytes) -> RobotError:
 
 
 def suggests_scan(error: BaseException) -> bool:
-    """Whether another device, or none, may be on the port: a scan may find it."""
+    """Return whether another device, or none, may be on the port: a scan may find it."""
     return isinstance(error, RobotError) and error.code in {
         ErrorCode.NO_ROBOT,
         ErrorCode.OTHER_DEVICE,

@@ -1,4 +1,4 @@
-"""When to query the robot, and when to report that it does not respond. Pure."""
+"""Schedule of queries to the robot, and the decision that it does not respond. Pure."""
 
 from enum import Enum, auto
 
@@ -14,7 +14,7 @@ CONNECT_TIMEOUT = 15.0
 
 
 class QueryReason(Enum):
-    """Why the reply to `.q` is awaited before anything else is sent."""
+    """Reason to await the reply to `.q` before anything else is sent."""
 
     CONNECTING = auto()
     RESTARTED = auto()

@@ -231,7 +231,7 @@ class StepBegun:
 
 
 class Ending(Enum):
-    """Why a sequence ended; the value is the sentence for the user."""
+    """End of a sequence. The value is the sentence for the user."""
 
     DONE = tr_noop("Played to the end.")
     ENDED = tr_noop("The sequence has ended after its step.")

@@ -48,7 +48,6 @@ class ServoEstimates:
         return crop(goals, self.limits)
 
     def forget_positions(self) -> None:
-        """A motion has begun."""
         self.present = (None,) * len(self.present)
 
     def forget_speeds(self) -> None:

@@ -74,8 +74,6 @@ _IDLE = 0.05  # seconds to wait for requests before checking the line: a `.h` ma
 
 
 class AracnaSession:
-    """Serves one line from opening to closing it."""
-
     def __init__(
         self,
         settings: PortSettings,

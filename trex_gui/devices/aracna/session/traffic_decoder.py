@@ -37,15 +37,15 @@ class AracnaDecoder(Decoder):
         return shown.encode("ascii").decode("unicode_escape").encode("latin-1")
 
     def is_routine(self, sent: bytes) -> bool:
-        """Whether it is the keep-alive query."""
+        """Return whether it is the keep-alive query."""
         return sent == b".q\n"
 
     def may_move(self, sent: bytes) -> bool:
-        """Whether a line has the second character of a command for positions: the first is free."""
+        """Return whether a line commands positions by its second character: the first is free."""
         return any(line[1:2] == b"c" for line in sent.split(b"\n"))
 
     def is_whole(self, transaction: Transaction) -> bool:
-        """Whether a reply to the last command, or a restart, has arrived."""
+        """Return whether a reply to the last command, or a restart, has arrived."""
         lines = transaction.received.split(b"\n")[:-1]
         if not transaction.sent:
             return bool(lines)
@@ -53,7 +53,7 @@ class AracnaDecoder(Decoder):
         return any(line.startswith((last, b".h")) for line in lines)
 
     def goes_with(self, transaction: Transaction, sent: bytes) -> bool:
-        """Whether it is a query behind a command that has no reply yet."""
+        """Return whether it is a query behind a command that has no reply yet."""
         is_late = transaction.sent[:2] in {b".c", b".v", b".l"} and not self.is_whole(transaction)
         return sent == b".q\n" and is_late
 
@@ -102,7 +102,7 @@ class AracnaDecoder(Decoder):
 
 
 def _answers(reply: Reply, sent: bytes) -> bool:
-    """Whether it is the reply to this command, or voids it; an empty line has none."""
+    """Return whether it is the reply to this command, or voids it; an empty line has none."""
     kind = _REPLY_KINDS.get(sent[:2])
     return kind is None or isinstance(reply, kind | Hello)
 

@@ -39,7 +39,6 @@ def _reset(line: AracnaLine) -> str:
 
 
 def _power(line: AracnaLine, state: str) -> str:
-    """Switch board and servos, as the robot's own switch does."""
     if state not in {"on", "off", "cycle"}:
         raise WrongUsage
     if state != "on":

@@ -186,5 +186,5 @@ class AracnaLine(SimulatedLine):
 
 
 def _is_other_parity(host: SerialFormat | None) -> bool:
-    """Whether a host uses a parity bit; a second stop bit does not matter."""
+    """Return whether a host uses a parity bit; a second stop bit does not matter."""
     return host is not None and host.parity is not Parity.NONE

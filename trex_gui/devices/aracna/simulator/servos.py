@@ -75,7 +75,7 @@ class Servo:
 
     @property
     def moving(self) -> bool:
-        """Whether it has not reached its goal, even if it is blocked or dead."""
+        """Return whether it has not reached its goal, even if it is blocked or dead."""
         return self.torque and abs(self.goal - self.position) > self.margin
 
     @property

@@ -1,4 +1,4 @@
-"""Which part of the help is about which page and message of an Aracna."""
+"""Parts of the help about the pages and messages of an Aracna."""
 
 from trex_gui.core.errors import PortFault
 from trex_gui.devices.aracna.session.errors import ErrorCode

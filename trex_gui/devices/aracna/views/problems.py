@@ -1,4 +1,4 @@
-"""Page of what went wrong with a robot, and of its line."""
+"""Page of the problems of a robot, and of its line."""
 
 from collections.abc import Sequence
 from datetime import datetime

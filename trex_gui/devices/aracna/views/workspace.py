@@ -46,8 +46,6 @@ if TYPE_CHECKING:
 
 
 class AracnaRecordings(RecordingManager["RobotPlaybackWindow"]):
-    """Records a robot and owns the windows of its recordings."""
-
     def __init__(self, robot: Robot, window: QWidget) -> None:
         texts = RecordingTexts(
             stem="aracna",

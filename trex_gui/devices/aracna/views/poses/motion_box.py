@@ -194,7 +194,6 @@ class _Delegate(QStyledItemDelegate):
 
     @Slot()
     def _on_activated(self) -> None:
-        """Apply a pose as soon as it is chosen."""
         editor = self.sender()
         if isinstance(editor, QWidget):
             self.commitData.emit(editor)

@@ -70,7 +70,6 @@ class NameList(QListWidget):
         return action
 
     def buttons(self, parent: QWidget) -> list[QToolButton]:
-        """Create buttons for the actions on the current item."""
         kind = "Pose" if self._kind is ItemKind.POSE else "Sequence"
         arrows = Qt.ArrowType
         buttons = []
@@ -105,7 +104,6 @@ class NameList(QListWidget):
             self.edit(self.currentIndex())
 
     def drop_at(self, point: QPoint) -> None:
-        """Move the current item to where it was dropped."""
         key = self.current
         if key is None or key.built_in:
             return

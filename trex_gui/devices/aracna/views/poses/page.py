@@ -47,7 +47,6 @@ class PosesPage(QWidget):
         self._show_file()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Hide the drawing where it has no room."""
         super().resizeEvent(event)
         self._drawn.show_in(self.contentsRect().width() - self._panel.minimumSize().width())
 

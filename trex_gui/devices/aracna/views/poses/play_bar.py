@@ -1,4 +1,4 @@
-"""How a sequence or gait is played: rounds, speed, blending; and a preview."""
+"""Controls that play a sequence or gait: rounds, speed, blending, and a preview."""
 
 from collections import defaultdict
 from collections.abc import Mapping
@@ -125,7 +125,6 @@ class PlayBar(QWidget):
 
     @Slot()
     def play(self) -> None:
-        """Play the current sequence or gait, if that is possible."""
         take_typed()
         self._update_preview()
         if self._preview.play is not None and not self._robot.move_blocker:
@@ -185,7 +184,7 @@ class PlayBar(QWidget):
 
 @dataclass(frozen=True, slots=True)
 class Preview:
-    """What would be played, or why nothing can be; `notes` are remarks on steps, by index."""
+    """Request to play, or the reason that nothing can be played. `notes` are remarks on steps, by index."""
 
     play: Play | None = None
     text: str = ""

@@ -19,8 +19,6 @@ _ACROSS = 4
 
 
 class PoseBox(ui.Card):
-    """Edits the poses of a library."""
-
     pose_chosen = Signal(str)  # name of the current pose; empty for none
 
     def __init__(self, robot: Robot, library: Library, parent: QWidget | None = None) -> None:

@@ -104,7 +104,6 @@ class RobotDrawing(Painted):
         return QSize(170, 170)
 
     def follow(self, robot: Robot) -> None:
-        """Draw the state and the targets of a robot from now on."""
         self._robot = robot
         robot.changed.connect(self._on_robot_changed)
         robot.targets.changed.connect(self._on_robot_changed)
@@ -242,6 +241,5 @@ class RobotCard(Card):
 
 
 def _differ(one: DrawnLeg, other: DrawnLeg) -> bool:
-    """Whether two pictures of a leg differ visibly."""
     pairs = zip((*one.outer, *one.foot), (*other.outer, *other.foot), strict=True)
     return any(abs(a - b) > 0.01 for a, b in pairs)

@@ -1,7 +1,7 @@
 """The joints in rows: goal, present position, difference, speed, limits."""
 
 from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, Signal, Slot
-from PySide6.QtWidgets import QFrame, QLabel, QSizePolicy, QSpinBox, QWidget
+from PySide6.QtWidgets import QLabel, QSizePolicy, QSpinBox, QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.robot import Robot
@@ -99,7 +99,6 @@ class JointRow(QObject):
         return super().eventFilter(watched, event)
 
     def show_goal(self) -> None:
-        """Show the target without a signal."""
         goal = self._robot.targets.goals[self._motor]
         with (
             QSignalBlocker(self.slider),
@@ -112,7 +111,6 @@ class JointRow(QObject):
                 self._degrees.setValue(degrees(goal))
 
     def show_limits(self) -> None:
-        """Show the limits without a signal."""
         limits = self._robot.limits.of(self._motor)
         with QSignalBlocker(self.slider), QSignalBlocker(self.low), QSignalBlocker(self.high):
             self.slider.set_limits(limits)
@@ -264,9 +262,7 @@ class JointTable(QWidget):
             self._grid.addWidget(label, line, _LEG, 2, 1)
             self._legs.append(label)
             if motor:
-                gap = QFrame(self)
-                gap.setFixedHeight(3)
-                self._grid.addWidget(gap, line - 1, _LEG)
+                self._grid.setRowMinimumHeight(line - 1, 3)
         for column, widget in enumerate(row.widgets, start=_NAME):
             self._grid.addWidget(widget, line, column)
         row.goal_edited.connect(self.goal_edited)

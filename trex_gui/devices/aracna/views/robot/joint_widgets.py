@@ -55,7 +55,6 @@ class JointSlider(PressSlider):
             self.setValue(self._limits.crop(value))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Go to the limits with Home and End."""
         match event.key():
             case Qt.Key.Key_Home:
                 self.setValue(self._limits.low)
@@ -72,7 +71,6 @@ class JointSlider(PressSlider):
         return QSize(70, self.sizeHint().height())
 
     def paint_groove(self, painter: QPainter, handle: QRect) -> None:
-        """Paint the whole travel, and the part within the limits."""
         middle = handle.center().y()
         left, right = self.x_of(0, handle), self.x_of(HIGHEST, handle)
         painter.setPen(QPen(theme().color("track_edge")))
@@ -148,7 +146,6 @@ class CommonSpeedBox(SpeedBox):
         self.update_suffix()
 
     def stepBy(self, steps: int) -> None:
-        """Step from 0 if they differ."""
         if not self.differ:
             super().stepBy(steps)
         elif steps > 0:

@@ -82,7 +82,6 @@ class RobotPage(QWidget):
         self._joints.setMaximumWidth(max(widest, self._joints.minimumSizeHint().width()))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Hide the drawing where it has no room."""
         super().resizeEvent(event)
         self._drawn.show_in(self.contentsRect().width() - self._joints.minimumSizeHint().width())
 
