@@ -197,7 +197,7 @@ class SimulatedLine:
 
     @property
     def host_format(self) -> SerialFormat:
-        """How the port of a fitting host is set."""
+        """Settings of the port of a fitting host."""
         return self.stations[0].line_format
 
     @property

@@ -15,7 +15,7 @@ from trex_gui.devices.aracna.session.messages import Step
 
 Present = Many[int | None]  # position of each motor; `None` where unknown
 COMMAND_SECONDS = 0.1
-"""What a step takes at least: `.v` and `.c` without motion take 42-55 and 33-37 ms."""
+"""Shortest time of a step: `.v` and `.c` without motion take 42-55 and 33-37 ms."""
 
 
 def steps_of(

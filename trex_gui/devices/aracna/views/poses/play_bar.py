@@ -184,7 +184,7 @@ class PlayBar(QWidget):
 
 @dataclass(frozen=True, slots=True)
 class Preview:
-    """Request to play, or the reason that nothing can be played. `notes` are remarks on steps, by index."""
+    """Request to play, or the reason that there is none; `notes` are remarks on steps, by index."""
 
     play: Play | None = None
     text: str = ""
