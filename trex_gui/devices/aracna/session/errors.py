@@ -26,7 +26,8 @@ class ErrorCode(Enum):
         "connected.",
     )
     ECHO = tr_noop(
-        "Everything sent on {0} comes back, and nothing else: the adapter's TX and RX are joined.",
+        "No Aracna responds on {0}: everything sent comes back, and nothing else."
+        " The adapter's TX and RX are joined; an Aracna never echoes.",
     )
     BOOT_LOOP = tr_noop(
         "An Aracna on {0} reports that it starts, but does not respond afterwards. It may be "
