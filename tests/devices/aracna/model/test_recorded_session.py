@@ -51,8 +51,9 @@ class Session(RobotHarness):
 
     def _on_reported(self, report: object) -> None:
         if self.recorder.recording and isinstance(report, RECORDED):
-            is_silent = isinstance(report, NotResponding)  # its error is not recorded
-            self.reported.append(replace(report, error=None) if is_silent else report)
+            if isinstance(report, NotResponding):
+                report = replace(report, error=None)  # which is not recorded
+            self.reported.append(report)
 
     def wait_for(self, link: ConnectionState) -> None:
         self.wait(lambda: self.robot.link is link)

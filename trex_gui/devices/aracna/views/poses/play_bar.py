@@ -3,7 +3,6 @@
 from collections import defaultdict
 from collections.abc import Mapping
 from collections.abc import Sequence as Many
-from dataclasses import dataclass, field
 
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtWidgets import QWidget
@@ -12,7 +11,6 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.aracna.model.library import ItemKey, Library
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.aracna.poses.gaits import Gait
 from trex_gui.devices.aracna.poses.playing import (
     Present,
     blend_in,
@@ -24,7 +22,6 @@ from trex_gui.devices.aracna.poses.playing import (
     stages_of,
     steps_of,
 )
-from trex_gui.devices.aracna.poses.project import Pose, Sequence
 from trex_gui.devices.aracna.protocol.joints import Limits
 from trex_gui.devices.aracna.session.messages import Play
 from trex_gui.devices.aracna.views.poses.motion_box import MotionBox
@@ -48,8 +45,8 @@ class PlayBar(QWidget):
         self._robot = robot
         self._library = library
         self._motions = motions
-        self._preview = Preview()
-        self._limits: tuple[Limits, ...] = ()  # of the preview, as the positions
+        self._request: Play | None = None  # if the current sequence or gait can be played
+        self._limits: tuple[Limits, ...] = ()  # of the request, as the positions
         self._present: Present = ()
         self._played: ItemKey | None = None
 
@@ -127,9 +124,9 @@ class PlayBar(QWidget):
     def play(self) -> None:
         take_typed()
         self._update_preview()
-        if self._preview.play is not None and not self._robot.move_blocker:
+        if self._request is not None and not self._robot.move_blocker:
             self._played = self._motions.current
-            self._robot.play(self._preview.play)
+            self._robot.play(self._request)
 
     @Slot(bool)
     def _on_loop_toggled(self, checked: bool) -> None:
@@ -153,91 +150,62 @@ class PlayBar(QWidget):
 
     @Slot()
     def _update_preview(self) -> None:
-        state = self._robot.state
+        """Show what would be played, or why nothing can be."""
+        state, played = self._robot.state, self._motions.played
         self._limits, self._present = self._robot.limits.first(state.motors), state.present
-        self._preview = preview(
-            self._motions.played,
-            self._library.project.poses,
-            self._limits,
-            self._present,
-            rounds=0 if self._loop.isChecked() else self._rounds.value(),
-            time_scale=self._time_scale,
-            with_blend_in=self._blend_in.isChecked(),
-            with_blend_out=self._blend_out.isChecked(),
+        limits, present, poses = self._limits, self._present, self._library.project.poses
+        self._request = None
+        if played is None:
+            self._show_preview(tr("Choose a sequence or a gait to play it."))
+            return
+        try:
+            steps = steps_of(played, poses, limits)
+        except BadRequest as error:
+            known = {pose.name for pose in poses}
+            undefined = [n for n, step in enumerate(played.steps) if step.pose_name not in known]
+            notes = dict.fromkeys(undefined, tr("not defined"))
+            self._show_preview(tr("Cannot play: {0}.").format(error), alarming=True, notes=notes)
+            return
+        self._request = play = Play(
+            0,
+            steps,
+            0 if self._loop.isChecked() else self._rounds.value(),
+            blend_in(played, poses, limits, present) if self._blend_in.isChecked() else (),
+            blend_out(limits, poses) if self._blend_out.isChecked() else (),
+            self._time_scale,
         )
-        self._motions.table.show_notes(self._preview.notes)
-        text = self._preview.text
-        self._summary.show_note(text, alarming=self._preview.alarming)
+        scaled = steps_of(played, poses, limits, play.time_scale)
+        start = play.blend_in[-1].goals if play.blend_in else present
+        late = late_motors(scaled, start, again=play.rounds != 1)
+        limited = limited_motors(played, poses, limits)
+        other = mismatch((pose for pose, _ in stages_of(played, poses)), len(limits))
+        sentences = (
+            other,
+            _length_text(len(steps), estimated_seconds(scaled, start), play.rounds),
+            tr("Positions outside the limits are cropped.") if limited else "",
+            tr("Some motors are too slow.") if late else "",
+        )
+        text, alarming = " ".join(filter(None, sentences)), bool(late or other)
+        self._show_preview(text, alarming=alarming, notes=_notes(late, limited))
+
+    def _show_preview(
+        self, text: str, *, alarming: bool = False, notes: dict[int, str] | None = None
+    ) -> None:
+        """Show a text, and remarks on steps by index."""
+        self._motions.table.show_notes(notes or {})
+        self._summary.show_note(text, alarming=alarming)
         self._summary.setAccessibleName(text)
         self._show_whether_playing()
 
     def _show_whether_playing(self) -> None:
         blocker, step = self._robot.move_blocker, self._robot.state.step
-        is_playable = self._preview.play is not None
-        tip = tr("Play the current sequence or gait.") if is_playable else self._preview.text
+        is_playable = self._request is not None
+        tip = tr("Play the current sequence or gait.") if is_playable else self._summary.text()
         self._play.setEnabled(is_playable and not blocker)
         self._play.setToolTip(ui.plain(blocker or tip))
         is_shown = step is not None and step.part == "steps"
         is_shown &= self._played == self._motions.current
         self._motions.table.show_running(step.index if step is not None and is_shown else None)
-
-
-@dataclass(frozen=True, slots=True)
-class Preview:
-    """Request to play, or the reason that there is none; `notes` are remarks on steps, by index."""
-
-    play: Play | None = None
-    text: str = ""
-    alarming: bool = False
-    notes: dict[int, str] = field(default_factory=dict)
-
-
-def preview(
-    played: Sequence | Gait | None,
-    poses: Many[Pose],
-    limits: Many[Limits],
-    present: Present,
-    *,
-    rounds: int,
-    time_scale: float,
-    with_blend_in: bool,
-    with_blend_out: bool,
-) -> Preview:
-    """Check what would be played; `rounds` 0 is endless, `time_scale` 2 is half as fast."""
-    if played is None:
-        return Preview(text=tr("Choose a sequence or a gait to play it."))
-    try:
-        steps = steps_of(played, poses, limits)
-    except BadRequest as error:
-        notes = {}
-        if isinstance(played, Sequence):
-            missing = played.missing({pose.name for pose in poses})
-            notes = {
-                number: tr("not defined")
-                for number, step in enumerate(played.steps)
-                if step.pose_name in missing
-            }
-        return Preview(text=tr("Cannot play: {0}.").format(error), alarming=True, notes=notes)
-    play = Play(
-        0,
-        steps,
-        rounds,
-        blend_in(played, poses, limits, present) if with_blend_in else (),
-        blend_out(limits, poses) if with_blend_out else (),
-        time_scale,
-    )
-    scaled = steps_of(played, poses, limits, time_scale)
-    start = play.blend_in[-1].goals if play.blend_in else present
-    late = late_motors(scaled, start, again=rounds != 1)
-    limited = limited_motors(played, poses, limits)
-    sentences = [_length_text(len(steps), estimated_seconds(scaled, start), rounds)]
-    if limited:
-        sentences.append(tr("Positions outside the limits are cropped."))
-    if late:
-        sentences.append(tr("Some motors are too slow."))
-    if other := mismatch((pose for pose, _ in stages_of(played, poses)), len(limits)):
-        sentences.insert(0, other)
-    return Preview(play, " ".join(sentences), bool(late or other), _notes(late, limited))
 
 
 def _notes(
