@@ -95,12 +95,11 @@ class MakeProber(Protocol):
         """Try everything if `full`; `known`: the user has said that the port has this kind."""
 
 
-class Recall(Protocol):
-    def __call__(self, wire: Transport, settings: PortSettings, packed: str) -> FoundDevice | None:
-        """Probe only where a device was found before: `packed` is what its settings packed.
+Recall = Callable[[Transport, PortSettings, str], FoundDevice | None]
+"""Probe only where a device was found before: the text is what its settings packed.
 
-        Raises PortUnavailable.
-        """
+Raises PortUnavailable.
+"""
 
 
 def recall_none(wire: Transport, settings: PortSettings, packed: str) -> None:

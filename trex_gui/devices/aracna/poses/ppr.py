@@ -149,10 +149,12 @@ class _Reader:
         return name, resolutions
 
     def read_line(self, number: int, line: str, motors: int) -> None:
+        name = line.removeprefix(_SEQUENCE).removeprefix(_POSE).partition(":")[0]
+        if name != name.strip():
+            self._padded.add(number)
         try:
             if line.startswith(_SEQUENCE):
                 self.sequences.append((number, _sequence(line.removeprefix(_SEQUENCE))))
-                self._note_padding(number, line.removeprefix(_SEQUENCE))
                 return
             if line.startswith(_NUKE):
                 self.rest.append(line)
@@ -175,12 +177,6 @@ class _Reader:
             )
             self.warn(number, text.format(pose.name, count, motors))
         self.poses.append((number, pose))
-        self._note_padding(number, line.removeprefix(_POSE))
-
-    def _note_padding(self, number: int, line: str) -> None:
-        name = line.partition(":")[0]
-        if name != name.strip():
-            self._padded.add(number)
 
     def with_unique_names(self, items: list[tuple[int, ItemT]], kind: str) -> tuple[ItemT, ...]:
         """Return the items; of several with one name the last keeps it.

@@ -136,7 +136,7 @@ class AracnaClient:
 
     def set_speeds(self, values: Sequence[int]) -> None:
         """Set every servo's speed, one value of 0-1023 for each motor (BadRequest otherwise)."""
-        line = commands.speeds(values, self._known_motors())
+        line = commands.speeds(values, self.motors)
         self._send("v", tuple(values), line, REPLY_TIMEOUT)
 
     def set_led(self, *, on: bool) -> None:
@@ -144,13 +144,8 @@ class AracnaClient:
 
     def move(self, goals: Sequence[int], timeout: float) -> None:
         """Move every motor, one goal of 0-1023 for each (BadRequest otherwise)."""
-        line = commands.positions(goals, self._known_motors())
+        line = commands.positions(goals, self.motors)
         self._send("c", tuple(goals), line, timeout)
-
-    def _known_motors(self) -> int:
-        if not self.motors:
-            raise RobotNoReplyError(ErrorCode.NOT_READY)
-        return self.motors
 
     def _send(self, letter: str, values: tuple[int, ...], line: bytes, timeout: float) -> None:
         if self.pending is not None:

@@ -61,7 +61,6 @@ class RobotPlaybackWindow(RecordingWindow):
 
         playback.moved.connect(self._show_moment)
         playback.loaded.connect(self._show_moment)
-        self._drawing.pointed.connect(self._drawing.mark)
         self._drawing.pointed.connect(self._joints.mark)
         self._drawing.chosen.connect(self._joints.focus)
         self._joints.toggled.connect(self._on_toggled)

@@ -28,7 +28,6 @@ class PosesPage(QWidget):
         text = f"* {assumed_text()}"
         remark = ui.label(None, "aracnaPosesFootnote", text, wrap=True, size="caption")
         self._drawn = RobotCard(robot, remark, "aracnaPosesDrawing", self)
-        self._drawn.drawing.pointed.connect(self._drawn.drawing.mark)
         self._head = PageHead(tr("Poses"), self)
         poses = PoseBox(robot, library, self)
         motions = MotionBox(library, robot.notifier, self)

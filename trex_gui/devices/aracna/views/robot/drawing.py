@@ -91,6 +91,7 @@ class RobotDrawing(Painted):
         self._goals: tuple[int, ...] = ()
         self._marked = -1
         self.setMouseTracking(True)
+        self.pointed.connect(self.mark)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
     def show_robot(self, state: RobotState, goals: tuple[int, ...]) -> None:
@@ -102,16 +103,6 @@ class RobotDrawing(Painted):
 
     def minimumSizeHint(self) -> QSize:
         return QSize(170, 170)
-
-    def follow(self, robot: Robot) -> None:
-        self._robot = robot
-        robot.changed.connect(self._on_robot_changed)
-        robot.targets.changed.connect(self._on_robot_changed)
-        self._on_robot_changed()
-
-    @Slot()
-    def _on_robot_changed(self) -> None:
-        self.show_robot(self._robot.state, self._robot.targets.goals)
 
     @Slot(int)
     def mark(self, motor: int) -> None:
@@ -231,8 +222,15 @@ class RobotCard(Card):
         super().__init__(parent=parent)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.drawing = named(RobotDrawing(robot.state, self), name)
-        self.drawing.follow(robot)
+        self._robot = robot
         column((self.drawing, 1), remark, into=self)
+        robot.changed.connect(self._on_changed)
+        robot.targets.changed.connect(self._on_changed)
+        self._on_changed()
+
+    @Slot()
+    def _on_changed(self) -> None:
+        self.drawing.show_robot(self._robot.state, self._robot.targets.goals)
 
     def show_in(self, room: int) -> None:
         """Show it if the page leaves so many pixels beside what it needs."""

@@ -203,6 +203,7 @@ class JointTable(QWidget):
             )
         }
 
+        self.pointed.connect(self.mark)
         robot.targets.changed.connect(self._on_targets_changed)
         robot.limits.changed.connect(self._on_limits_changed)
         robot.changed.connect(self._on_changed)

@@ -67,9 +67,8 @@ class RobotPage(QWidget):
         ui.column(start, self._content, into=self, margins=(16, 12, 16, 8))
 
         follow_theme(self._title, "room", self._make_room)
-        for signal in (drawing.pointed, table.pointed):
-            signal.connect(drawing.mark)
-            signal.connect(table.mark)
+        drawing.pointed.connect(table.mark)
+        table.pointed.connect(drawing.mark)
         drawing.chosen.connect(table.focus)
         robot.changed.connect(self._on_changed)
         self._on_changed()
