@@ -120,7 +120,7 @@ def test_stuck_motor_is_known_until_it_answers(tmp_path: Path, qtbot: QtBot) -> 
     playback.set_position(T0 + 9)
     known = playback.state()
     assert known.stuck is None
-    assert [each.motor for each in known.missed_goals] == [3, 4, 5, 6, 7]
+    assert list(known.missed_goals) == [3, 4, 5, 6, 7]
     playback.close()
 
 

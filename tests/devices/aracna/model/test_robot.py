@@ -163,10 +163,12 @@ def test_unreadable_position_is_reported_as_missed_goal(
     robot: Robot, harness: RobotHarness
 ) -> None:
     harness.move((512,) * 8)
-    assert not list(robot.state.missed_goals)
+    assert not robot.state.missed_goals
     harness.simulator.do("servo 2 lose position")
     harness.move((480,) * 8)
-    assert [(each.motor, each.unreadable) for each in robot.state.missed_goals] == [(2, True)]
+    assert [(each.motor, each.unreadable) for each in robot.state.missed_goals.values()] == [
+        (2, True)
+    ]
     assert robot.state.present[2] is None
     assert "Motor 2 did not report its position (−1)." in [event.text for event in robot.events.all]
 

@@ -5,7 +5,6 @@ import pytest
 from tests.support.aracna import BOOT, AracnaStage
 from trex_gui.core.transport.settings import Parity, SerialFormat
 from trex_gui.devices.aracna.simulator.firmware import PARSING
-from trex_gui.devices.aracna.simulator.line import AracnaLine
 
 VERSION = b".q1,8\r\n"
 GOALS = b".c512,512,512,512,512,512,512,512\n"
@@ -82,13 +81,6 @@ def test_drop_unsent_discards_queued_bytes(stage: AracnaStage) -> None:
     assert stage.line.backlog == 0
     assert stage.ask(b"") == b""
     assert stage.ask(b"\n.q\n").endswith(VERSION)
-
-
-def test_robot_requires_motors_and_one_position_for_each() -> None:
-    with pytest.raises(ValueError, match="0 motors"):
-        AracnaLine(motors=0)
-    with pytest.raises(ValueError, match="8 motors and 2 positions"):
-        AracnaLine(positions=[1, 2])
 
 
 # --- An answer that is cut ----------------------------------------------------------------

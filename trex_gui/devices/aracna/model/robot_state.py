@@ -123,18 +123,16 @@ class RobotState:
         return self.moved is not None and set(self.moved.present) == {UNREADABLE}
 
     @property
-    def missed_goals(self) -> tuple[MissedGoal, ...]:
+    def missed_goals(self) -> dict[int, MissedGoal]:
+        """Motors that are not where they were sent, by number."""
         if self.moved is None:
-            return ()
+            return {}
         pairs = enumerate(zip(self.moved.goals, self.moved.present, strict=False))
-        return tuple(
-            MissedGoal(motor, goal, present)
+        return {
+            motor: MissedGoal(motor, goal, present)
             for motor, (goal, present) in pairs
             if present == UNREADABLE or abs(goal - present) > TOLERANCE
-        )
-
-    def missed_goal(self, motor: int) -> MissedGoal | None:
-        return next((each for each in self.missed_goals if each.motor == motor), None)
+        }
 
     @property
     def speed_error(self) -> RobotError | None:

@@ -51,7 +51,7 @@ def missed_goals_text(state: RobotState) -> str:
     """Describe every motor that missed its goal; empty if none did."""
     if state.reply_lost:
         return tr("The reply was lost (or no motor responds): positions are not known.")
-    return " ".join(map(missed_text, state.missed_goals))
+    return " ".join(map(missed_text, state.missed_goals.values()))
 
 
 def difference_text(state: RobotState, motor: int, *, is_observed: bool = True) -> tuple[str, bool]:
@@ -65,7 +65,7 @@ def difference_text(state: RobotState, motor: int, *, is_observed: bool = True) 
     if state.moving is not None:
         is_awaited = is_observed and state.awaited_motor <= motor
         return tr("moving …") if is_awaited else difference, False
-    missed = state.missed_goal(motor)
+    missed = state.missed_goals.get(motor)
     if missed is not None and not missed.unreadable:
         return tr("{0} missed").format(difference), True
     if missed is not None or (state.held_speed(motor) or 0) < 0:

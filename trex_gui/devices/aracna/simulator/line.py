@@ -7,7 +7,7 @@ from functools import partial
 from trex_gui.core.simulator.line import SimulatedLine
 from trex_gui.core.simulator.sampling import RateConverter, ReceiveError, is_other_rate
 from trex_gui.core.transport.settings import Parity, SerialFormat
-from trex_gui.devices.aracna.protocol.joints import MOTORS
+from trex_gui.devices.aracna.protocol.joints import CENTRE, MOTORS
 from trex_gui.devices.aracna.simulator.firmware import (
     Firmware,
     Pause,
@@ -170,13 +170,10 @@ class AracnaLine(SimulatedLine):
         2012 `.q` did not report the number of motors. `boot_loader`: seconds before each `.h`.
         """
         super().__init__(paced=paced, seed=seed)
-        if positions is None:
-            positions = (512,) * motors
-        if motors < 1 or len(positions) != motors:
-            raise ValueError(f"{motors} motors and {len(positions)} positions")
         if version is None:
             version = 0 if motors == _OLD_MOTORS else 1
-        self.servos = tuple(Servo(position, margin) for position in positions)
+        starts = positions or (CENTRE,) * motors
+        self.servos = tuple(Servo(position, margin) for position in starts)
         firmware = Firmware(
             self.servos, version, reports_motors=reports_motors, boot_loader=boot_loader
         )

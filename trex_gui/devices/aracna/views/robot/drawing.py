@@ -201,7 +201,7 @@ class RobotDrawing(Painted):
         place, radius = self.joint_place(motor), max(_RADIUS * self._scale(), 10.0)
         marked = motor == self._marked
         is_bad = (
-            any(each.motor == motor for each in state.missed_goals)
+            motor in state.missed_goals
             or (state.stuck is not None and state.stuck.motor == motor)
             or (state.held_speed(motor) or 0) < 0
         )

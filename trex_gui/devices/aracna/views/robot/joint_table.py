@@ -131,7 +131,7 @@ class JointRow(QObject):
         self._present.setText(position_text(present))
         is_observed = self._robot.link is ConnectionState.CONNECTED
         text, alarming = difference_text(state, self._motor, is_observed=is_observed)
-        missed = state.missed_goal(self._motor)
+        missed = state.missed_goals.get(self._motor)
         self._state.setText(text)
         self._state.setToolTip(ui.plain("" if missed is None else missed_text(missed)))
         ui.set_bold(self._state, alarming)
