@@ -3,7 +3,7 @@
 import pytest
 
 from tests.support.aracna import AracnaStage
-from trex_gui.core.errors import BadRequest, NoReply
+from trex_gui.core.errors import BadRequest
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.protocol.replies import Positions, Version
 from trex_gui.devices.aracna.session.client import (
@@ -50,7 +50,7 @@ def test_second_command_is_rejected_until_first_is_answered() -> None:
 
 def test_move_is_not_sent_before_motor_count_is_known() -> None:
     stage = AracnaStage()
-    with pytest.raises(NoReply):
+    with pytest.raises(BadRequest):
         client_of(stage, 0).move(THERE, 5.0)
     assert not stage.transport.sent
 
