@@ -43,10 +43,11 @@ def table(program):
     panel.export.save_table(path, -np.inf, np.inf)
 
 def transcript(program):
-    from trex_gui.ui.workers.file_worker import FileSaver
-    traffic = trex(program).device.connection.traffic
-    kept.append(saver := FileSaver(program.window, finishing_ms=3000))
-    saver.save(path, partial(traffic.write, rows=traffic.everything.rows))
+    from trex_gui.ui.files import write_in_background
+    device = trex(program).device
+    traffic = device.connection.traffic
+    write = partial(traffic.write, rows=traffic.everything.rows)
+    write_in_background(program.window, path, write, device.notifier, str)
 
 def built(*_):
     program = build()

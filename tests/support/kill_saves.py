@@ -37,8 +37,9 @@ from trex_gui.devices.trex.settings.edit_files import BoardIdentity, EditFiles
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
+from trex_gui.ui.files import write_text
 from trex_gui.ui.preferences import remove_litter
-from trex_gui.ui.workers.file_worker import ProgressCallback, write_text
+from trex_gui.ui.workers.file_worker import ProgressCallback
 
 ROOT = Path(__file__).parents[2]
 LONGEST_S = 0.03  # seconds until a program is killed; saving a version takes some milliseconds

@@ -1,16 +1,19 @@
 """Reading and writing files beside the window's thread: a disk may be slow or hang."""
 
+import io
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
-from typing import Generic, TypeVar, cast
+from typing import Any, Generic, TextIO, TypeVar, cast
 
 from PySide6.QtCore import QBuffer, QObject, Qt, Slot
 from PySide6.QtGui import QImage, QImageWriter
 from shiboken6 import Shiboken
 
 from trex_gui.core.errors import StudioError
-from trex_gui.core.files import SettingsError, save
+from trex_gui.core.files import SettingsError, atomic_file, save
+from trex_gui.core.recording.kinds import RecordingError
 from trex_gui.core.translation import tr
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import now
@@ -18,20 +21,27 @@ from trex_gui.ui.workers.file_worker import FileWorker, ProgressCallback
 
 ResultT = TypeVar("ResultT")
 
-background: set[FileWorker] = set()
+_CANCEL_TIMEOUT_MS = 500
+
+background: "set[_Job[Any]]" = set()
 """What `in_background` runs; the process must not exit normally before it has ended."""
 
 
 def end_background(timeout_ms: int) -> bool:
     """End all work in the background; return whether it ended in time.
 
-    What reports progress is cancelled, and files that are being saved are finished.
+    Files that are being saved are finished in that time, or cancelled at its end. Other work that
+    reports progress is cancelled at once.
     """
-    for job in background:
+    jobs, end = tuple(background), now() + timeout_ms / 1000
+    for job in jobs:
+        if not job.saves:
+            job.cancel()
+    if all(job.wait(max(0, round((end - now()) * 1000))) for job in jobs):
+        return True
+    for job in jobs:
         job.cancel()
-    end = now() + timeout_ms / 1000
-    ended = [job.wait(max(0, round((end - now()) * 1000))) for job in tuple(background)]
-    return all(ended)
+    return all(job.wait(_CANCEL_TIMEOUT_MS) for job in jobs)
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,8 +61,11 @@ class _Job(FileWorker, Generic[ResultT]):
         work: Callable[[ProgressCallback], ResultT],
         then: Callable[[ResultT], object],
         failed: Callable[[StudioError], object],
+        *,
+        saves: bool = False,
     ) -> None:
         super().__init__(work)
+        self.saves = saves
         self._owner = owner
         self._then = then
         self._failed = failed
@@ -105,9 +118,46 @@ def start_in_background(
     job = _Job(owner, work, then, failed)
     if progressed is not None:
         job.progressed.connect(progressed, Qt.ConnectionType.QueuedConnection)
+    _start(job)
+    return job.cancel
+
+
+def write_in_background(
+    owner: QObject,
+    path: Path,
+    write: Callable[[TextIO, ProgressCallback], int],
+    notifier: Notifier,
+    saved: Callable[[int], str],
+) -> None:
+    """Let `write` write a text file and return its number of rows, completely or not at all.
+
+    Then report `saved` of that number, or why the file was not written.
+    """
+    work = partial(write_text, path, write)
+    report = notifier.info.emit
+    _start(_Job(owner, work, lambda rows: report(saved(rows)), notifier.report_error, saves=True))
+
+
+def _start(job: _Job[Any]) -> None:
     background.add(job)
     job.start(FileWorker.Priority.LowPriority)
-    return job.cancel
+
+
+def write_text(
+    path: Path, write: Callable[[TextIO, ProgressCallback], int], progress: ProgressCallback
+) -> int:
+    try:
+        with (
+            atomic_file(path) as data,
+            # Names of ports may contain undecodable bytes.
+            io.TextIOWrapper(data, "utf-8", errors="backslashreplace", newline="") as file,
+        ):
+            return write(file, progress)
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise RecordingError(
+            path.name, tr("It was not written: {0}.").format(reason.rstrip("."))
+        ) from error
 
 
 def save_picture(path: Path, image: QImage) -> None:

@@ -10,8 +10,9 @@ from trex_gui.core.transport.traffic import TrafficDirection, TrafficEvent
 from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
+from trex_gui.ui.files import write_in_background
+from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.traffic.model import MOST_KEPT, TrafficModel
-from trex_gui.ui.workers.file_worker import FileSaver
 from trex_gui.ui.workers.session_thread import SessionThread
 
 POLL, ANSWER = b"\x8f", b"\x02\x00"
@@ -131,10 +132,11 @@ def test_saved_rows_include_bytes_and_meaning(
     setup.log(POLL)
     setup.log(POLL, ANSWER)
     setup.traffic.pull()
-    saver, path = FileSaver(), tmp_path / "line.txt"
-    with qtbot.waitSignal(saver.saved) as saved:
-        saver.save(path, partial(setup.traffic.write, rows=setup.traffic.everything.rows))
-    assert saved.args == [3, path]
+    notifier, path = Notifier(), tmp_path / "line.txt"
+    write = partial(setup.traffic.write, rows=setup.traffic.everything.rows)
+    with qtbot.waitSignal(notifier.info) as saved:
+        write_in_background(notifier, path, write, notifier, str)
+    assert saved.args == ["3"]
     lines = path.read_text(encoding="utf-8").splitlines()
     body = [line.split("\t") for line in lines if not line.startswith("#")]
     assert body[0] == ["time", "fault", "sent", "received", "took_ms", "meaning"]
@@ -150,9 +152,9 @@ def test_failed_save_is_reported_and_leaves_no_file(
 ) -> None:
     setup.log(WRITE, STORED)
     setup.traffic.pull()
-    saver, path = FileSaver(), tmp_path / "no such folder" / "line.txt"
-    with qtbot.waitSignal(saver.failed) as failed:
-        saver.save(path, partial(setup.traffic.write, rows=setup.traffic.everything.rows))
-    assert "line.txt: It was not written: No such file or directory." in failed.args
-    assert not saver.is_saving
+    notifier, path = Notifier(), tmp_path / "no such folder" / "line.txt"
+    write = partial(setup.traffic.write, rows=setup.traffic.everything.rows)
+    with qtbot.waitSignal(notifier.error) as failed:
+        write_in_background(notifier, path, write, notifier, str)
+    assert failed.args == ["line.txt: It was not written: No such file or directory."]
     assert list(tmp_path.iterdir()) == []

@@ -15,7 +15,8 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.recording import FORMAT
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.workers.file_worker import FileSaver, FileWorker
+from trex_gui.ui.files import write_in_background
+from trex_gui.ui.workers.file_worker import FileWorker
 from trex_gui.ui.workers.record_thread import RecordThread
 
 
@@ -33,37 +34,15 @@ def test_internal_error_in_a_worker_is_reported_and_logged(
     assert "ZeroDivisionError: on purpose" in caplog.text
 
 
-def test_saver_reports_an_internal_error_and_stays_usable(qtbot: QtBot, tmp_path: Path) -> None:
-    saver = FileSaver()
-    with qtbot.waitSignal(saver.failed) as failed:
-        saver.save(tmp_path / "line.txt", fail)
-    assert isinstance(failed.args, list)
-    assert failed.args[0].startswith("line.txt was not written. Internal error")
-    assert not saver.is_saving
-    with qtbot.waitSignal(saver.saved) as saved:
-        saver.save(tmp_path / "line.txt", lambda _file, _progress: 3)
-    assert saved.args == [3, tmp_path / "line.txt"]
-
-
-def test_silent_end_of_a_worker_is_reported_as_a_failure(
-    qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(FileWorker, "run", lambda _worker: None)  # as a thread that dies
-    saver = FileSaver()
-    with qtbot.waitSignal(saver.failed) as failed:
-        saver.save(tmp_path / "line.txt", lambda _file, _progress: 0)
-    assert failed.args == ["line.txt was not written."]
-    assert not saver.is_saving
-
-
 @pytest.mark.skipif(os.name == "nt", reason="names there are text")
 def test_undecodable_port_name_is_saved_in_the_transcript(qtbot: QtBot, tmp_path: Path) -> None:
     device = Device()
     device.connect_to(ConnectionSettings(os.fsdecode(b"/dev/pts/\xe9")))
     qtbot.waitUntil(lambda: device.link is ConnectionState.DISCONNECTED)
-    traffic, saver, path = device.connection.traffic, FileSaver(), tmp_path / "line.txt"
-    with qtbot.waitSignal(saver.saved):
-        saver.save(path, partial(traffic.write, rows=traffic.everything.rows))
+    traffic, path = device.connection.traffic, tmp_path / "line.txt"
+    write = partial(traffic.write, rows=traffic.everything.rows)
+    with qtbot.waitSignal(device.notifier.info):
+        write_in_background(device, path, write, device.notifier, str)
     assert "There is no port /dev/pts/\\udce9" in path.read_text(encoding="utf-8")
     qtbot.waitUntil(device.shut_down)
 

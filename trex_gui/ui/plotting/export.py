@@ -20,7 +20,7 @@ from PySide6.QtWidgets import QMenu, QToolButton, QWidget
 from trex_gui.core.files import save
 from trex_gui.core.recording.export import csv_cell
 from trex_gui.core.translation import tr
-from trex_gui.ui.files import save_in_background, save_picture, start_in_background
+from trex_gui.ui.files import save_in_background, save_picture, write_in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.plotting.history import Floats
 from trex_gui.ui.plotting.marks import charge_text, value_text
@@ -32,7 +32,7 @@ from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.builders import action
 from trex_gui.ui.widgets.painted import Painter
-from trex_gui.ui.workers.file_worker import ProgressCallback, write_text
+from trex_gui.ui.workers.file_worker import ProgressCallback
 
 _LIGHT = "export/light_background"
 
@@ -127,12 +127,11 @@ class ExportButton(QToolButton):
             origin=self._plot.origin if self._plot.origin is not None else source.span[0],
         )
 
-        def report(count: int) -> None:
+        def saved(count: int) -> str:
             text = tr("{0} sample(s) written to {1}.", "", count)
-            self._notifier.info.emit(text.format(QLocale().toString(count), path))
+            return text.format(QLocale().toString(count), path)
 
-        work = partial(write_text, path, write)
-        start_in_background(self, work, report, self._notifier.report_error)
+        write_in_background(self, path, write, self._notifier, saved)
 
     def save_picture(self, path: Path) -> None:
         source = self._plot.source

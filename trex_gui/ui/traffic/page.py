@@ -12,6 +12,7 @@ from trex_gui.core.code import Language
 from trex_gui.core.translation import tr
 from trex_gui.core.transport.row_code import rows_as_code
 from trex_gui.core.transport.traffic import Transaction
+from trex_gui.ui.files import write_in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer
@@ -22,13 +23,10 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.view import View, copy_lines
-from trex_gui.ui.workers.file_worker import FileSaver
 
 _TYPING_MS = 200
 
 _MOST_CODE_ROWS = 1000  # copied as code at once: compilers take long for more
-
-_SAVE_TIMEOUT_MS = 3000  # longest wait for a file at the end of the program
 
 
 class TrafficPage(View):
@@ -56,7 +54,6 @@ class TrafficPage(View):
         self._device = device
         self._store = Preferences()
         self._table = TrafficTable(traffic, self)
-        self._saver = FileSaver(self, finishing_ms=_SAVE_TIMEOUT_MS)
 
         self._polling = ui.check_box(
             self,
@@ -110,8 +107,6 @@ class TrafficPage(View):
         self._paused.toggled.connect(self.refresh)
         self._view.selectionModel().currentRowChanged.connect(self._show_current)
         self._table.modelReset.connect(lambda: self._details.show_row(None))
-        self._saver.saved.connect(self._on_saved)
-        self._saver.failed.connect(self._notifier.error)
         traffic.changed.connect(self.refresh)
         traffic.cleared.connect(self.refresh)
         self._polling.setChecked(self._store.flag(self._polling_key, default=False))
@@ -240,10 +235,10 @@ class TrafficPage(View):
 
     def save(self, path: Path) -> None:
         file_questions.remember_folder(path)
-        self._saver.save(path, partial(self._traffic.write, rows=tuple(self._table.rows)))
+        write = partial(self._traffic.write, rows=tuple(self._table.rows))
 
-    @Slot(int, object)
-    def _on_saved(self, count: int, path: Path) -> None:
-        self._notifier.info.emit(
-            tr("{0} row(s) written to {1}.", "", count).format(QLocale().toString(count), path)
-        )
+        def saved(count: int) -> str:
+            text = tr("{0} row(s) written to {1}.", "", count)
+            return text.format(QLocale().toString(count), path)
+
+        write_in_background(self, path, write, self._notifier, saved)

@@ -1,19 +1,13 @@
 """Long file operations in a separate thread, so that the window stays responsive."""
 
-import io
 import logging
 import threading
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
-from pathlib import Path
-from typing import TextIO
 
-from PySide6.QtCore import QCoreApplication, QObject, Qt, Signal, Slot
+from PySide6.QtCore import QObject, Qt, Signal, Slot
 
 from trex_gui.core.errors import StudioError
-from trex_gui.core.files import atomic_file
-from trex_gui.core.recording.kinds import RecordingError
 from trex_gui.core.translation import tr
 from trex_gui.ui.runtime import now, runtime
 from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan
@@ -27,8 +21,6 @@ _WORK, _YIELD = 0.01, 0.001
 
 Python switches threads only every 5 ms, too rarely for their many short turns.
 """
-
-_CANCEL_TIMEOUT_MS = 1000
 
 ProgressCallback = Callable[[float], None]  # receives the share done, 0 to 1
 
@@ -150,67 +142,3 @@ class FileTask(QObject):
             worker.wait()
             worker.setParent(None)  # Python deletes it, at once
             self.done.emit(worker.outcome)
-
-
-class FileSaver(QObject):
-    """Writes one text file at a time, completely or not at all."""
-
-    saved = Signal(int, object)  # number of rows and the `Path`
-    failed = Signal(str)  # why nothing was written, for the user
-
-    def __init__(self, parent: QObject | None = None, *, finishing_ms: int = 0) -> None:
-        """At the end of the program a file has `finishing_ms` before it is cancelled."""
-        super().__init__(parent)
-        self._finishing_ms = finishing_ms
-        self._task = FileTask(self)
-        self._path = Path()
-        self._task.done.connect(self._on_done)
-        app = QCoreApplication.instance()
-        if app is not None:
-            app.aboutToQuit.connect(self.finish)
-
-    @property
-    def is_saving(self) -> bool:
-        return self._task.is_running
-
-    def save(self, path: Path, write: Callable[[TextIO, ProgressCallback], int]) -> None:
-        """Let `write` write the file in a thread; it returns the number of rows."""
-        if self.is_saving:
-            self.failed.emit(tr("Another file is still being written."))
-        else:
-            self._path = path
-            self._task.start(partial(write_text, path, write))
-
-    @Slot()
-    def finish(self) -> None:
-        """Wait for the file at the end of the program, but not for a disk that hangs."""
-        self._task.close(_CANCEL_TIMEOUT_MS, finish_ms=self._finishing_ms)
-
-    @Slot(object)
-    def _on_done(self, done: Done) -> None:
-        if isinstance(done.error, RecordingError):
-            self.failed.emit(str(done.error))
-        elif done.error is not None:
-            text = tr("{0} was not written. {1}")
-            self.failed.emit(text.format(self._path.name, done.error))
-        elif isinstance(done.result, int):
-            self.saved.emit(done.result, self._path)
-        else:
-            self.failed.emit(tr("{0} was not written.").format(self._path.name))
-
-
-def write_text(
-    path: Path, write: Callable[[TextIO, ProgressCallback], int], progress: ProgressCallback
-) -> int:
-    try:
-        with (
-            atomic_file(path) as data,
-            # Names of ports may contain undecodable bytes.
-            io.TextIOWrapper(data, "utf-8", errors="backslashreplace", newline="") as file,
-        ):
-            return write(file, progress)
-    except OSError as error:
-        reason = error.strerror or str(error)
-        raise RecordingError(
-            path.name, tr("It was not written: {0}.").format(reason.rstrip("."))
-        ) from error
