@@ -55,7 +55,7 @@ from trex_gui.ui.frame import preferences_dialog
 from trex_gui.ui.theme import theme as theme_module
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.translations import CONTEXT
-from trex_gui.ui.widgets.builders import RedButton
+from trex_gui.ui.widgets.behaviour import RedButton
 
 ENTER, SPACE = Qt.Key.Key_Return, Qt.Key.Key_Space
 FRAME = QSize(16, 48)

@@ -44,8 +44,7 @@ from tests.support.catalogs import OTHER_LANGUAGES, translation, translation_of_
 from trex_gui.devices.trex.views.boards import BoardPanel
 from trex_gui.ui.devices.demo_panel import DemoDock
 from trex_gui.ui.diagnostics.problems import ProblemCard
-from trex_gui.ui.widgets.behaviour import HoldButton
-from trex_gui.ui.widgets.builders import RedButton
+from trex_gui.ui.widgets.behaviour import HoldButton, RedButton
 from trex_gui.ui.widgets.messages import Banner, InlinePrompt
 
 _INPUTS = (

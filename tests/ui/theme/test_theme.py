@@ -8,6 +8,7 @@ from PySide6.QtWidgets import (
     QApplication,
     QMenu,
     QPushButton,
+    QRadioButton,
     QStyle,
     QStyleOptionButton,
     QTabBar,
@@ -238,7 +239,7 @@ def test_frames_and_lines_of_menus_are_seen_in_high_contrast(qtbot: QtBot) -> No
 def test_check_marks_and_icons_of_buttons_grow_with_the_font(qtbot: QtBot) -> None:
     window = QWidget()
     qtbot.addWidget(window)
-    check, radio = ui.check_box(window, "", "text"), ui.radio_button(window, "", "text")
+    check, radio = ui.check_box(window, "", "text"), QRadioButton("text", window)
     button = ui.button(window, "", "text", icon="stop")
 
     def widths() -> list[int]:

@@ -30,7 +30,7 @@ from trex_gui.ui.plotting.plot import TracePlot
 from trex_gui.ui.plotting.traces import TraceInfo, Traces
 from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets.bar import MINUS, WARNING_SIGN, LimitState, limit_state
-from trex_gui.ui.widgets.behaviour import clear_corner, paint_placeholder
+from trex_gui.ui.widgets.behaviour import paint_placeholder
 from trex_gui.ui.widgets.builders import flat_table, plain, set_row_height
 
 Index = QModelIndex | QPersistentModelIndex
@@ -299,7 +299,6 @@ class EventList(QListWidget):
         self._origin: float | None = None
         self._placeholder = ""
         self.setObjectName("eventList")
-        clear_corner(self)
         self.setAccessibleName(tr("Events"))
         self.setUniformItemSizes(True)
         self.setTextElideMode(Qt.TextElideMode.ElideRight)

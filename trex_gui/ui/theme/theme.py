@@ -13,7 +13,7 @@ from typing import Literal
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, Signal, Slot
 from PySide6.QtGui import QColor, QFont, QFontDatabase, QFontMetrics, QGuiApplication, QPalette
-from PySide6.QtWidgets import QApplication, QToolTip, QWidget
+from PySide6.QtWidgets import QApplication, QLabel, QToolTip, QWidget
 
 from trex_gui.core.resource_files import resource
 from trex_gui.ui.preferences import Preferences
@@ -273,13 +273,9 @@ def fixed_font() -> QFont:
     return scaled_font(font, theme().font_size / 100)
 
 
-def set_text_color(widget: QWidget, name: str) -> None:
-    def apply() -> None:
-        palette = widget.palette()
-        palette.setColor(widget.foregroundRole(), theme().color(name))
-        widget.setPalette(palette)
-
-    follow_theme(widget, "textColor", apply)
+def set_text_color(label: QLabel, name: str) -> None:
+    """Give a label a colour of `style.qss`; any other name is the ordinary one."""
+    set_style_property(label, "textColor", name)
 
 
 def set_look(widget: QWidget, look: str) -> None:
@@ -301,6 +297,3 @@ def set_style_property(widget: QWidget, name: str, value: object) -> None:
         for each in (widget, *widget.findChildren(QWidget)):
             each.style().unpolish(each)
             each.style().polish(each)
-            options = Qt.FindChildOption.FindDirectChildrenOnly
-            if (follower := each.findChild(_Follower, "textColor", options)) is not None:
-                follower.apply()  # the style restores the palette of before

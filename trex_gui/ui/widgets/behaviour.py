@@ -15,13 +15,13 @@ from PySide6.QtWidgets import (
     QDialog,
     QHeaderView,
     QPushButton,
-    QTableView,
     QWidget,
 )
 
 from trex_gui.core.translation import tr
 from trex_gui.ui.runtime import new_timer, now
-from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.theme.theme import set_look, theme
 from trex_gui.ui.widgets.placement import keep_on_screen
 
 ENTER = {Qt.Key.Key_Return, Qt.Key.Key_Enter}
@@ -34,30 +34,6 @@ _LOSSES = {
     QEvent.Type.UngrabMouse,
     QEvent.Type.WindowDeactivate,
 }
-
-
-class LastColumn(QObject):
-    """Gives the last column of a table what the others leave, and at least room for its title."""
-
-    def __init__(self, table: QTableView) -> None:
-        super().__init__(table)
-        self._table = table
-        table.viewport().installEventFilter(self)
-        table.horizontalHeader().sectionResized.connect(self._fit)
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Resize and watched is self._table.viewport():
-            self._fit()
-        return False
-
-    @Slot()
-    def _fit(self) -> None:
-        header = self._table.horizontalHeader()
-        last = header.count() - 1
-        room = self._table.viewport().width() - header.sectionPosition(last)
-        width = max(room, header.sectionSizeHint(last))
-        if width != header.sectionSize(last):
-            header.resizeSection(last, width)
 
 
 class EnterWatch(QObject):
@@ -136,11 +112,6 @@ def strokes(painter: QPainter) -> Iterator[None]:
             painter.setWorldTransform(base * QTransform.fromTranslate(x / ratio, y / ratio))
             yield
     painter.setWorldTransform(base)
-
-
-def clear_corner(view: QAbstractItemView) -> None:
-    """Leave the corner between scroll bars empty: Qt fills it with the colour of outlines."""
-    view.setCornerWidget(QWidget(view))
 
 
 def name_headers(view: QAbstractItemView) -> None:
@@ -229,6 +200,21 @@ class ConfirmButton(QPushButton):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if self.takes_clicks:
             super().mousePressEvent(event)
+
+
+class RedButton(QPushButton):
+    """Stop button: acts on press, not on release. It is never the default of a dialog."""
+
+    def __init__(
+        self, name: str, text: str, stop: Callable[[], object], parent: QWidget | None
+    ) -> None:
+        super().__init__(text, parent)
+        self.setObjectName(name)
+        self.setAccessibleName(text)
+        self.setAutoDefault(False)
+        set_look(self, "stop")
+        set_icon(self, "stop", "stop_text")
+        self.pressed.connect(stop)
 
 
 class HoldButton(QPushButton):

@@ -7,15 +7,7 @@ from itertools import pairwise
 from typing import Any, TypeVar
 
 from PySide6.QtCore import QLocale, QObject, QSize, SignalInstance
-from PySide6.QtGui import (
-    QAction,
-    QIcon,
-    QKeySequence,
-    QPalette,
-    QResizeEvent,
-    QShortcut,
-    Qt,
-)
+from PySide6.QtGui import QAction, QIcon, QKeySequence, QResizeEvent, QShortcut, Qt
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractItemView,
@@ -24,6 +16,7 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QDoubleSpinBox,
+    QFrame,
     QGridLayout,
     QGroupBox,
     QHBoxLayout,
@@ -32,7 +25,6 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QProgressBar,
     QPushButton,
-    QRadioButton,
     QSizePolicy,
     QSlider,
     QSpinBox,
@@ -47,12 +39,7 @@ from PySide6.QtWidgets import (
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import CARD_PADDING, follow_theme, set_look, set_style_property, theme
 from trex_gui.ui.units import units
-from trex_gui.ui.widgets.behaviour import (
-    ConfirmButton,
-    clear_corner,
-    focused_wheel,
-    name_headers,
-)
+from trex_gui.ui.widgets.behaviour import ConfirmButton, focused_wheel, name_headers
 from trex_gui.ui.widgets.painted import never_mirror
 
 
@@ -81,43 +68,13 @@ class Card(QGroupBox):
 
 
 class ComboBox(QComboBox):
-    """Its list can be read in each theme.
-
-    The wheel changes it only while it has the focus; otherwise the page scrolls.
-    """
+    """The wheel changes it only while it has the focus; otherwise the page scrolls."""
 
     wheelEvent = focused_wheel(QComboBox.wheelEvent)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-
-    def showPopup(self) -> None:  # noqa: N802 - of Qt
-        # Qt fills the list with the window colour of menus, which is for outlines in this theme.
-        palette = QPalette()  # of the view only this role
-        palette.setColor(QPalette.ColorRole.Window, self.palette().color(QPalette.ColorRole.Base))
-        self.view().setPalette(palette)
-        self.view().window().setBackgroundRole(QPalette.ColorRole.Base)
-        super().showPopup()
-
-
-class RedButton(QPushButton):
-    """Stop button: acts on press, not on release. It is never the default of a dialog."""
-
-    def __init__(
-        self, name: str, stop: Callable[[], object], parent: QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
-        self.setObjectName(name)
-        self.setAutoDefault(False)
-        set_look(self, "stop")
-        set_icon(self, "stop", "stop_text")
-        self.pressed.connect(stop)
-
-    def describe(self, text: str, tip: str) -> None:
-        self.setText(text)
-        self.setAccessibleName(text)
-        self.setToolTip(plain(tip))
 
 
 Handler = Callable[..., object] | SignalInstance  # what a signal is connected to
@@ -203,10 +160,6 @@ def tool_button(
         made.setText(text)
         made.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
     return _connected(made, icon, on_click, None)
-
-
-def radio_button(parent: QWidget, name: str, text: str, *, tip: str = "") -> QRadioButton:
-    return named(QRadioButton(text, parent), name, tip=tip)
 
 
 def check_box(
@@ -395,7 +348,6 @@ def flat_table(table: TableT, name: str, accessible: str) -> TableT:
     """
     named(table, name, accessible=accessible)
     name_headers(table)
-    clear_corner(table)
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -512,6 +464,12 @@ def column(
 ) -> QVBoxLayout:
     """Lay items out one below the other, as `row` does side by side."""
     return _filled(QVBoxLayout(into) if into else QVBoxLayout(), items, margins, spacing)
+
+
+def action_row(frame: QFrame, *items: Item) -> None:
+    """Fill the row at the bottom of a window, which has the stop button at its left."""
+    set_look(frame, "actions")
+    row(*items, into=frame, margins=(12, 6, 12, 6))
 
 
 def grid(

@@ -36,7 +36,6 @@ class Note(QLabel):
 
     def __init__(self, lines: int, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._color = "window_text"
         self._hides = lines == 0
         if self._hides:
             self.hide()
@@ -54,11 +53,8 @@ class Note(QLabel):
             self.setText(text)
         if self._hides:
             self.setVisible(bool(text))
-        color = color if alarming else "window_text"
-        if color != self._color:
-            self._color = color
-            set_bold(self, alarming)
-            set_text_color(self, color)
+        set_bold(self, alarming)
+        set_text_color(self, color if alarming else "")
 
 
 class ElidedLabel(QLabel):

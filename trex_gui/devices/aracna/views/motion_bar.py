@@ -1,7 +1,7 @@
 """The stop button and the row below the pages: what the robot is doing, and for how long."""
 
 from PySide6.QtCore import Slot
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QFrame, QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.robot import Robot
@@ -9,8 +9,7 @@ from trex_gui.devices.aracna.model.texts import activity_text
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.action_frame import ActionFrame
-from trex_gui.ui.widgets.builders import RedButton
+from trex_gui.ui.widgets.behaviour import RedButton
 from trex_gui.ui.widgets.labels import Note
 
 _REFRESH_MS = 100
@@ -20,10 +19,9 @@ class StopSequenceButton(RedButton):
     """Halts the robot, as Esc does; also in windows that may cover the pages."""
 
     def __init__(self, robot: Robot, name: str, parent: QWidget | None = None) -> None:
-        super().__init__(name, robot.halt, parent)
-        self.describe(
-            tr("Stop sequence"),
-            tr("End the sequence, send nothing more, stay where the robot is (Esc, anywhere)"),
+        super().__init__(name, tr("Stop sequence"), robot.halt, parent)
+        self.setToolTip(
+            tr("End the sequence, send nothing more, stay where the robot is (Esc, anywhere)")
         )
         self._robot = robot
         robot.link_changed.connect(self._on_link_changed)
@@ -35,7 +33,7 @@ class StopSequenceButton(RedButton):
         self.setEnabled(self._robot.link not in unavailable)
 
 
-class MotionBar(ActionFrame):
+class MotionBar(QFrame):
     """Says what the button can do: end what is sent, not what moves."""
 
     def __init__(self, robot: Robot, recording: QWidget, parent: QWidget) -> None:
@@ -61,7 +59,7 @@ class MotionBar(ActionFrame):
         )
         hint_label = ui.label(self, "aracnaHonestLabel", hint, wrap=True)
         texts = ui.column(self._activity, hint_label, spacing=2)
-        self.fill(stop, (texts, 1), recording, self._end)
+        ui.action_row(self, stop, (texts, 1), recording, self._end)
 
         robot.changed.connect(self._update)
         self._update()

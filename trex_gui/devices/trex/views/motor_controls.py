@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QDialog, QWidget
+from PySide6.QtWidgets import QDialog, QFrame, QWidget
 
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.board.drive_status import drive_statuses
@@ -13,9 +13,7 @@ from trex_gui.devices.trex.model.drive_texts import timeout_warning
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.theme import set_look, set_style_property
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.action_frame import ActionFrame
-from trex_gui.ui.widgets.behaviour import ConfirmButton, keep_room
-from trex_gui.ui.widgets.builders import RedButton
+from trex_gui.ui.widgets.behaviour import ConfirmButton, RedButton, keep_room
 from trex_gui.ui.widgets.labels import Note
 
 _ARM_DIALOG_WIDTH = 480  # pixels
@@ -146,9 +144,8 @@ class StopButton(RedButton):
     """The same text, colour and effect everywhere. Esc does the same."""
 
     def __init__(self, device: Device, name: str, parent: QWidget | None = None) -> None:
-        super().__init__(name, device.press_stop, parent)
-        tip = tr("Stop both motors and the auxiliary now (Esc, anywhere)")
-        self.describe(tr("Stop motors"), tip)
+        super().__init__(name, tr("Stop motors"), device.press_stop, parent)
+        self.setToolTip(tr("Stop both motors and the auxiliary now (Esc, anywhere)"))
         self._device = device
         device.link_changed.connect(self._on_link_changed)
         self._on_link_changed()
@@ -164,7 +161,7 @@ class StopButton(RedButton):
         self.setEnabled(self._device.link not in inactive or self._device.may_stop_matter)
 
 
-class ActionBar(ActionFrame):
+class ActionBar(QFrame):
     """The row with the stop button at the bottom of a window, amber while motors are armed."""
 
     def __init__(self, device: Device, stop_name: str, parent: QWidget) -> None:
@@ -249,7 +246,7 @@ class ControlBar(ActionBar):
         ui.set_large(stop, run, self._apply)
         self._apply.setMinimumWidth(self._apply.sizeHint().width())  # nothing moves as it changes
 
-        self.fill(stop, run, (self._state, 1), recording, self._apply)
+        ui.action_row(self, stop, run, (self._state, 1), recording, self._apply)
 
         self._apply.clicked.connect(self.apply_requested)
         motors = device.motors

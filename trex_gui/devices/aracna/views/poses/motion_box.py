@@ -40,9 +40,9 @@ from trex_gui.devices.aracna.poses.project import (
 )
 from trex_gui.devices.aracna.views.poses.name_list import NameList, small_button
 from trex_gui.ui.notifier import Notifier
-from trex_gui.ui.theme.theme import set_look
+from trex_gui.ui.theme.theme import follow_theme, set_look
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import LastColumn, paint_placeholder, take_typed
+from trex_gui.ui.widgets.behaviour import paint_placeholder, take_typed
 
 _Index = QModelIndex | QPersistentModelIndex
 _LINES = 5
@@ -225,8 +225,10 @@ class StepTable(QTableWidget):
         )
         head = self.horizontalHeader()
         head.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        head.setSectionResizeMode(StepColumn.NOTE, QHeaderView.ResizeMode.Fixed)
-        LastColumn(self)
+        head.setStretchLastSection(True)
+        follow_theme(
+            self, "note", lambda: head.setMinimumSectionSize(head.sectionSizeHint(StepColumn.NOTE))
+        )
         self.setMinimumHeight(_LINES * self.verticalHeader().defaultSectionSize())
 
         self.itemChanged.connect(self._on_edited)

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from functools import partial
 
 from PySide6.QtCore import QSignalBlocker, Qt, Slot
-from PySide6.QtWidgets import QCheckBox, QWidget
+from PySide6.QtWidgets import QCheckBox, QRadioButton, QWidget
 
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.model.device import Device
@@ -117,9 +117,9 @@ class Options(ui.Card):
             "The board ramps speeds at the Acceleration setting and pauses for the brake "
             "duration before reversing"
         )
-        accelerate = ui.radio_button(self, "accelerateButton", text, tip=tip)
+        accelerate = ui.named(QRadioButton(text, self), "accelerateButton", tip=tip)
         tip = tr("Bypasses ramp and brake duration, and for a moment also the current limit")
-        at_once = ui.radio_button(self, "setButton", tr("Se&t at once"), tip=tip)
+        at_once = ui.named(QRadioButton(tr("Se&t at once"), self), "setButton", tip=tip)
         (accelerate if motors.accelerate else at_once).setChecked(True)
         tip = tr(
             "How hard Brake and letting go of pad, keys and held sliders brake; Stop always "
