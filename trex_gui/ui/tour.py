@@ -18,7 +18,6 @@ from PySide6.QtWidgets import (
     QLabel,
     QStackedWidget,
     QTabBar,
-    QTabWidget,
     QWidget,
 )
 
@@ -149,13 +148,6 @@ class Tour(QObject):
         if found is None or not (found.isVisible() and found.isEnabled()):
             return False
         found.click()
-        return True
-
-    def choose_tab(self, tabs: str, index: int) -> bool:
-        found = self._program.window.findChild(QTabWidget, tabs)
-        if found is None:
-            return False
-        found.setCurrentIndex(index)
         return True
 
     def is_visible(self, widget: str) -> bool:

@@ -42,8 +42,6 @@ class StartTexts:
 
 
 class PortRow(QWidget):
-    """A port with what is known of its adapter."""
-
     def __init__(self, name: str, parent: QWidget) -> None:
         super().__init__(parent)
         self._name, self._about = ElidedLabel("", self), ElidedLabel("", self)

@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
-from PySide6.QtCore import QObject, Qt, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtWidgets import QFileDialog, QSizePolicy, QWidget
 
 from trex_gui.core.errors import StudioError
@@ -23,6 +23,7 @@ from trex_gui.ui.theme.icons import set_sign
 from trex_gui.ui.widgets import builders
 from trex_gui.ui.widgets.file_drop import FileDrop
 from trex_gui.ui.widgets.file_questions import ask_to_save, last_folder, remember_folder
+from trex_gui.ui.widgets.labels import ElidedLabel
 from trex_gui.ui.workers.record_thread import RecordThread
 
 if TYPE_CHECKING:  # the plotting library takes as long to load as all of Qt
@@ -49,8 +50,7 @@ class RecordIndicator(QWidget):
         dot = builders.label(self)
         set_sign(dot, "record", "led_red")
         self._text = builders.label(self, f"{prefix}recordText", bold=True)
-        self._file = builders.label(self, f"{prefix}recordFile")
-        # A long name is cut rather than making the window wide; its tool tip has all of it.
+        self._file = builders.named(ElidedLabel("", self), f"{prefix}recordFile")
         self._file.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         stop = builders.button(
             self,
@@ -86,17 +86,13 @@ class RecordIndicator(QWidget):
             text += "  " + tr("%n sample(s) lost: the disk is too slow", "", recorder.lost)
         self._text.setText(text)
         name = recorder.path.name if recorder.path is not None else ""
-        width = max(0, self._file.width())
-        elided = self.fontMetrics().elidedText(name, Qt.TextElideMode.ElideMiddle, width)
-        self._file.setText(elided)
+        self._file.show_text(name)
         self._file.setToolTip(builders.plain(str(recorder.path or "")))
         self.setAccessibleDescription(f"{text}, {name}")
 
 
 @dataclass(frozen=True, slots=True)
 class RecordingTexts:
-    """Texts that depend on the device."""
-
     stem: str  # start of the names of new files
     unavailable: str  # why nothing can be recorded
     open_command: str  # menu command that opens a recording

@@ -8,8 +8,6 @@ from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import (
     QAbstractButton,
     QApplication,
-    QDialog,
-    QDialogButtonBox,
     QLabel,
     QMessageBox,
 )
@@ -66,10 +64,7 @@ def set_sign(label: QLabel, name: str, color: str, room: int = 0) -> None:
 
 
 class DialogIcons(QObject):
-    """Gives Qt's own dialogs our icons, as they come to the front.
-
-    Qt takes theirs from the desktop, which on some has one for each standard button, too.
-    """
+    """Gives Qt's message boxes our icons, as they come to the front."""
 
     def __init__(self, app: QGuiApplication, parent: QObject) -> None:
         super().__init__(parent)
@@ -77,14 +72,11 @@ class DialogIcons(QObject):
 
     @Slot(QWindow)
     def _on_focus_window_changed(self, window: QWindow | None) -> None:
-        for widget in QApplication.topLevelWidgets():
-            if isinstance(widget, QDialog) and window and widget.windowHandle() is window:
-                for box in widget.findChildren(QDialogButtonBox):
-                    for button in box.buttons():
-                        button.setIcon(QIcon())
-                if isinstance(widget, QMessageBox) and widget.icon() in _SIGNS:
-                    name, color = _SIGNS[widget.icon()]
-                    widget.setIconPixmap(icon(name, color).pixmap(_SIGN_SIZE, _SIGN_SIZE))
+        for box in QApplication.topLevelWidgets():
+            is_in_front = window is not None and box.windowHandle() is window
+            if is_in_front and isinstance(box, QMessageBox) and box.icon() in _SIGNS:
+                name, color = _SIGNS[box.icon()]
+                box.setIconPixmap(icon(name, color).pixmap(_SIGN_SIZE, _SIGN_SIZE))
 
 
 _SIGN_SIZE = 48

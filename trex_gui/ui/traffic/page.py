@@ -1,6 +1,6 @@
 """Page of the traffic log: every byte on the line, and its meaning."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
@@ -90,16 +90,28 @@ class TrafficPage(View):
         parts = above, (self._view, 1), self._details, *send
         ui.column(*parts, into=self, margins=(0, 12, 0, 16))
 
-        self._add_action(f"{key}Copy", tr("&Copy"), QKeySequence.StandardKey.Copy, self._copy_rows)
-        for language, text, shortcut in (
-            (Language.PYTHON, tr("Copy as &Python"), "Ctrl+Shift+P"),
-            (Language.C, tr("Copy as C (&POSIX)"), "Ctrl+Shift+C"),
-            (Language.ARDUINO, tr("Copy as &Arduino sketch"), "Ctrl+Shift+A"),
+        code = partial(partial, self._copy_code)
+        for name, text, shortcut, then in (
+            ("Copy", tr("&Copy"), QKeySequence.StandardKey.Copy, self._copy_rows),
+            ("CopyPython", tr("Copy as &Python"), "Ctrl+Shift+P", code(Language.PYTHON)),
+            ("CopyC", tr("Copy as C (&POSIX)"), "Ctrl+Shift+C", code(Language.C)),
+            (
+                "CopyArduino",
+                tr("Copy as &Arduino sketch"),
+                "Ctrl+Shift+A",
+                code(Language.ARDUINO),
+            ),
+            ("Save", tr("Sa&ve as text…"), "", self._ask_and_save),
         ):
-            copy_code = partial(self._copy_code, language)
-            name = f"{key}Copy{language.value.capitalize()}"
-            self._add_action(name, text, shortcut, copy_code)
-        self._add_action(f"{key}Save", tr("Sa&ve as text…"), "", self._ask_and_save)
+            action = ui.action(
+                self._view,
+                f"{key}{name}Action",
+                text,
+                shortcut=shortcut,
+                context=Qt.ShortcutContext.WidgetShortcut,
+                on_trigger=then,
+            )
+            self._view.addAction(action)
         self._view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
         self._polling.toggled.connect(self._apply_filter)
         self._faults.toggled.connect(self._apply_filter)
@@ -111,26 +123,6 @@ class TrafficPage(View):
         traffic.cleared.connect(self.refresh)
         self._polling.setChecked(self._store.flag(self._polling_key, default=False))
         self._apply_filter()
-
-    def _add_action(
-        self,
-        name: str,
-        text: str,
-        shortcut: str | QKeySequence.StandardKey,
-        slot: Callable[[], object],
-    ) -> None:
-        """Add an entry to the menu of the table, with a key while the table has the focus."""
-        context = Qt.ShortcutContext.WidgetShortcut
-        self._view.addAction(
-            ui.action(
-                self._view,
-                f"{name}Action",
-                text,
-                shortcut=shortcut,
-                context=context,
-                on_trigger=slot,
-            )
-        )
 
     @Slot(str)
     def search(self, text: str) -> None:
