@@ -23,7 +23,7 @@ class EventLog(QObject):
     def add(
         self, kind: EventKind, text: str, at: float | None = None, *, is_problem: bool = False
     ) -> Event:
-        """Note an event, now or at a time of the session's clock; return it."""
+        """Note an event, now or at a time of the session's clock, and return it."""
         event = Event(self._clock() if at is None else at, kind, text, is_problem)
         self.put(event)
         return event

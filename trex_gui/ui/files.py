@@ -28,7 +28,7 @@ background: "set[_Job[Any]]" = set()
 
 
 def end_background(timeout_ms: int) -> bool:
-    """End all work in the background; return whether it ended in time.
+    """End all work in the background and return whether it ended in time.
 
     Files that are being saved are finished in that time, or cancelled at its end. Other work that
     reports progress is cancelled at once.
@@ -46,7 +46,7 @@ def end_background(timeout_ms: int) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class Content:
-    """What a document is to be saved as; `note_saved` takes the path, once it is there."""
+    """Content of a document to be saved. `note_saved` takes the path, once it is there."""
 
     text: str
     note_saved: Callable[[Path], object]
@@ -111,7 +111,7 @@ def start_in_background(
     failed: Callable[[StudioError], object],
     progressed: Callable[[float], object] | None = None,
 ) -> Callable[[], None]:
-    """Do the same with work that reports its progress; return what cancels it.
+    """Do the same with work that reports its progress, and return what cancels it.
 
     Work that is cancelled calls back no more.
     """

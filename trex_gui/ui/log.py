@@ -48,7 +48,6 @@ class Log(QObject):
         self.entries = deque[LogEntry](maxlen=MOST_ENTRIES)  # in the order of their arrival
 
     def follow(self, events: EventLog) -> None:
-        """Log every event from now on."""
         events.happened.connect(self._on_happened)
 
     def add(self, text: str, *, is_problem: bool = False, at: float | None = None) -> None:

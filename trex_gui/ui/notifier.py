@@ -12,7 +12,7 @@ from trex_gui.ui.translations import error_sentence
 
 
 class Remedy(Enum):
-    """What a button in a message does."""
+    """An action that a button in a message offers."""
 
     FIND = auto()  # look for a board whose line settings are unknown
     RECONNECT = auto()  # connect again to the port that was used last
@@ -107,7 +107,6 @@ class Notifier(QObject):
 
     @Slot(str, object)
     def report(self, text: str, remedies: Remedies) -> None:
-        """Emit an `error` with buttons."""
         self.error.emit(text)
         self.remedies_offered.emit(remedies)
 
@@ -115,12 +114,11 @@ class Notifier(QObject):
         self.error.emit(error_sentence(error))
 
     def warn(self, text: str, remedies: Remedies = (), lasts: Callable[[], bool] = never) -> None:
-        """Emit a `danger` with buttons; no other message replaces it while it `lasts`."""
+        """Emit a `danger` with buttons. No other message replaces it while it `lasts`."""
         self.danger.emit(text)
         self.remedies_offered.emit(remedies)
         self.danger_lasts = lasts
 
     def ask(self, text: str, *answers: Answer) -> None:
-        """Emit an `info` with a button for each answer."""
         self.info.emit(text)
         self.remedies_offered.emit(answers)

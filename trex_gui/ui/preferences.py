@@ -1,4 +1,4 @@
-"""What the program remembers from one start to the next: a typed reader of its configuration."""
+"""Typed access to the configuration of the program."""
 
 import contextlib
 import logging
@@ -22,7 +22,7 @@ _ABANDONED_S = 600.0  # seconds after which a lock or a draft is nobody's
 
 
 class Preferences:
-    """Values by key; one that cannot be used is logged, and counts as missing.
+    """Values by key. One that cannot be used is logged, and counts as missing.
 
     Anybody may have edited the file, and Qt returns whatever it says: another type, a list, a
     number of any size. A file that is not an ordinary one is not opened: a pipe would hang. What
@@ -36,7 +36,7 @@ class Preferences:
         return self._read(key, default, _flag)
 
     def integer(self, key: str, default: int, lowest: int, highest: int) -> int:
-        """Return a number in a range; one outside it cannot be used."""
+        """Return a number in a range. Any other number cannot be used."""
         return self._read(key, default, lambda found: _in_range(int(_text(found)), lowest, highest))
 
     def real(self, key: str, default: float, lowest: float, highest: float) -> float:
@@ -51,7 +51,7 @@ class Preferences:
         return Path(self._read(key, str(default), _path))
 
     def data(self, key: str) -> QByteArray:
-        """Return bytes; empty if there are none."""
+        """Return bytes, empty if there are none."""
         return self._read(key, QByteArray(), _data)
 
     def set(self, key: str, value: bool | float | str | QByteArray) -> None:
@@ -92,7 +92,7 @@ def _report(path: Path, problem: str) -> None:
 
 @cache
 def remove_litter(path: Path) -> None:
-    """Remove old locks and drafts that Qt left beside a file in programs that were killed; once."""
+    """Remove old locks and drafts that Qt left beside a file when programs were killed."""
     litter = re.compile(re.escape(path.name) + r"\.(lock(\.rmlock)+|[A-Za-z]{6})")
     with contextlib.suppress(OSError):
         for each in path.parent.iterdir():
@@ -101,7 +101,7 @@ def remove_litter(path: Path) -> None:
 
 
 def _problem(path: Path) -> str:
-    """Say why Qt must not open this file; empty if it may, or if there is none."""
+    """Say why Qt must not open this file, empty if it may, or if there is none."""
     try:
         found = path.stat()
     except OSError:

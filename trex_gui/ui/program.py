@@ -24,7 +24,7 @@ _FILES_TIMEOUT_MS = 5000  # a slow disk takes seconds to save a file; reading is
 
 
 class Program:
-    """The window and everything below it; nothing is connected at first."""
+    """The window and everything below it. Nothing is connected at first."""
 
     def __init__(self, plugins: Sequence[DevicePlugin], timeouts: Timeouts | None = None) -> None:
         self.plugins = tuple(plugins)
@@ -95,14 +95,14 @@ class Program:
 
     @property
     def workspaces(self) -> Mapping[str, Workspace]:
-        """The workspace of each kind of device by its key; most users need one kind only."""
+        """The workspace of each kind of device by its key. Most users need one kind only."""
         return {plugin.key: self.workspace(plugin.key) for plugin in self.plugins}
 
     def connect_to_demo(self, device: str) -> None:
         self.device_manager.connect_to(self.ports.demo_of(device))
 
     def connect_to_port(self, url: str, device: str | None = None) -> None:
-        """Connect to a port; if `device` is given it leads to that kind from now on."""
+        """Connect to a port. If `device` is given it leads to that kind from now on."""
         port = self.ports.add_typed(url)
         if device is not None:
             port = self.ports.lead_to(port, device)
@@ -142,7 +142,7 @@ class Program:
         self.device_manager.stop_now(ending=ending)
 
     def shut_down(self) -> bool:
-        """Stop the motors, close the line, then end recordings; for the end of the program.
+        """Stop the motors, close the line, then end recordings, for the end of the program.
 
         Return whether every thread has ended, whatever it did; Qt aborts on destroying one that
         runs.
@@ -153,7 +153,7 @@ class Program:
         return all(ends) and wait_for_orphans()
 
     def close(self) -> bool:
-        """Shut down and destroy everything; for whoever runs the event loop.
+        """Shut down and destroy everything, for whoever runs the event loop.
 
         Return whether every thread has ended; otherwise nothing is destroyed, and only `os._exit`
         ends the process.

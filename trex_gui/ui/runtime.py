@@ -36,7 +36,7 @@ class Runtime:
         QThread.start(thread, priority)
 
     def wait(self, thread: QThread, milliseconds: int) -> bool:
-        """Wait for the end of a thread, with -1 for ever; return whether it has ended."""
+        """Wait for the end of a thread, with -1 for ever, and return whether it has ended."""
         return QThread.wait(thread, QDeadlineTimer(milliseconds))
 
     def process(self, parent: QObject) -> QProcess:
@@ -62,7 +62,7 @@ def use_runtime(runtime: Runtime) -> Runtime:
 def new_timer(
     parent: QObject, milliseconds: int, then: Callable[[], object], *, single_shot: bool = False
 ) -> QTimer:
-    """Return a timer that is not started yet; with 0 ms it fires after the event in progress."""
+    """Return a timer that is not started yet. With 0 ms it fires after the event in progress."""
     timer = _runtime.timer(parent)
     timer.setInterval(milliseconds)
     timer.setSingleShot(single_shot)

@@ -112,7 +112,7 @@ class Tour(QObject):
         yield from [lambda: None] * round(seconds * 1000 / _STEP_MS)
 
     def look_at_pages(self, state: str = "", *, first_only: bool = False) -> Iterator[Do]:
-        """Take pictures of the pages, or of the first; `state` becomes part of the file names."""
+        """Take pictures of the pages, or of the first. `state` becomes part of the file names."""
         window = self._program.window
         for scheme in self._schemes:
             yield partial(theme().set_scheme, scheme)

@@ -35,7 +35,7 @@ def choose_language(code: str) -> None:
 
 
 def chosen_locale() -> QLocale:
-    """Return language and number formats of the window; those of the country if it has both."""
+    """Return language and number formats of the window, those of the country if it has both."""
     system, code = QLocale.system(), chosen_language()
     is_of_system = code in {AS_THE_SYSTEM, system.name().partition("_")[0]}
     return system if is_of_system else QLocale(code)

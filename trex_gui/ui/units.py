@@ -1,4 +1,4 @@
-"""Whether values are shown first in physical units or as the device's own numbers."""
+"""Order of values in physical units and as the device's own numbers."""
 
 from functools import cache
 
@@ -40,5 +40,4 @@ def choose_units(*, own_first: bool) -> None:
 
 
 def restore_units() -> None:
-    """Use the order that was chosen."""
     units().set_own_first(Preferences().flag(_KEY, default=False))

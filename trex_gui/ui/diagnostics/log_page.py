@@ -15,8 +15,6 @@ from trex_gui.ui.widgets.view import View
 
 
 class LogPage(View):
-    """The entries, newest at the bottom."""
-
     help_wanted = Signal(str)  # the topic of the line with the cursor
 
     def __init__(

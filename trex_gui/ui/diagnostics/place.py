@@ -27,7 +27,7 @@ class Diagnostics(Place):
     """Problems, log and traffic, with one search, one copy and one save."""
 
     def __init__(self, workspace: Workspace, name: str, show_help: Callable[[str], object]) -> None:
-        """`name` begins the object names; `show_help` opens a topic of the help."""
+        """`name` begins the object names. `show_help` opens a topic of the help."""
         super().__init__(f"{name}Page", tr("Diagnostics"), workspace)
         self._workspace, self._show_help = workspace, show_help
         copy = ui.button(
@@ -64,7 +64,7 @@ class Diagnostics(Place):
     def pages(
         self, problems: Callable[[], ProblemsPage], traffic: Callable[[], View]
     ) -> tuple[PageInfo, ...]:
-        """Return the three pages; the arguments make the first and the last."""
+        """Return the three pages. The arguments make the first and the last."""
         owner = self._workspace
 
         def make_problems() -> QWidget:

@@ -1,4 +1,4 @@
-"""What went wrong, as cards, and how good the connection is."""
+"""Problems as cards, and the quality of the connection."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -24,7 +24,7 @@ _MINUTE, _SLOT = 60.0, 0.5  # seconds that are drawn, and those of one point
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """A kind of problem that occurred; texts are for the user."""
+    """A kind of problem that occurred. Texts are for the user."""
 
     key: str  # names it, also in the object names of its card
     title: str  # with its state: "Motor 1 fault, active now"
@@ -176,7 +176,7 @@ class RoundTrips(Painted):
 
 
 class ProblemsPage(View):
-    """What went wrong, newest first; below it the connection. A device gives the content."""
+    """Problems, the newest first, and below them the connection."""
 
     page_wanted = Signal(str)  # the key of the page
     help_wanted = Signal(str)  # its topic
@@ -216,23 +216,22 @@ class ProblemsPage(View):
         ui.column(*parts, into=self, margins=(0, 12, 0, 16), spacing=12)
 
     def problems(self) -> Sequence[Problem]:
-        """Return what occurred, the newest first."""
         raise NotImplementedError
 
     def since(self) -> datetime | None:
-        """Return when the device was first watched, in local time; `None` if it is not."""
+        """Return when the device was first watched, in local time, `None` if it is not."""
         raise NotImplementedError
 
     def readings(self) -> Sequence[Reading]:
         raise NotImplementedError
 
     def clear(self, key: str) -> None:
-        """Take a problem as known; it counts again when it is reported again."""
+        """Take a problem as known until it is reported again."""
         raise NotImplementedError
 
     @Slot()
     def show_problems(self) -> None:
-        """Show the problems, active ones first; among the others a card keeps its place."""
+        """Show the problems, active ones first. Among the others a card keeps its place."""
         newest = {problem.key: problem for problem in self.problems()}
         before = [problem.key for problem in self._shown if problem.key in newest]
         order = [*(key for key in newest if key not in before), *before]

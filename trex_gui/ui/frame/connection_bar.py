@@ -26,7 +26,7 @@ _LEAST, _STATE, _QUALITY, _CONNECT, _WIDEST = 12, 12, 11, 15, 116  # widths, ave
 
 
 class ConnectionBar(QFrame):
-    """Choosing a port only chooses it; the button connects, or disconnects the connected one.
+    """Choosing a port only chooses it. The button connects, or disconnects the connected one.
 
     The list shows the port that was connected or chosen last; at first the port that was used last
     or the only one.
@@ -149,7 +149,7 @@ class ConnectionBar(QFrame):
 
     @property
     def would_connect(self) -> bool:
-        """Whether Connect connects: nothing is connected, or the list shows another port."""
+        """Return whether Connect connects: nothing is connected, or the list shows another port."""
         shown = self._combo.currentData()
         is_other = isinstance(shown, Port) and shown != self._manager.current.port
         return is_other or self._manager.is_idle
@@ -166,7 +166,7 @@ class ConnectionBar(QFrame):
             then()
 
     def connect_shown(self) -> None:
-        """Connect to the port that the list shows; if it shows none, open the list."""
+        """Connect to the port that the list shows. If it shows none, open the list."""
         if not self.would_connect:
             return
         shown = self._combo.currentData()
@@ -186,7 +186,7 @@ class ConnectionBar(QFrame):
             self.connect_to(self._ports.now(self._last) or self._last)
 
     def connect_with(self, remedy: ConnectWith) -> None:
-        """Connect with other settings to the port that is shown; without one, open the list."""
+        """Connect with other settings to the port that is shown. Without one, open the list."""
         port = self._port_to_show() or self._last
         if port is None:
             self._offer_ports()
@@ -200,7 +200,7 @@ class ConnectionBar(QFrame):
 
     @Slot()
     def find_board(self, *, at_once: bool = False) -> None:
-        """Open the search; `at_once`: of the port that is shown."""
+        """Open the search. `at_once`: of the port that is shown."""
         if self._dialog is None:
             self._dialog = FindDialog(
                 self._manager, self._ports, self._unless_busy, self._line_choices, self.window()

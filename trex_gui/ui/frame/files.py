@@ -33,7 +33,7 @@ class RecentFile:
 
 
 class RecentFiles(QObject):
-    """A list that is remembered; the newest is first."""
+    """A list that is remembered. The newest is first."""
 
     changed = Signal()
 
@@ -44,7 +44,6 @@ class RecentFiles(QObject):
         return tuple(found[:_MOST])
 
     def note(self, device: str, kind: str, path: Path) -> None:
-        """Put a file first."""
         noted = RecentFile(device, kind, path.absolute())
         if not {"\n", "\0"} & set(str(noted.path)):
             self._keep(noted, *(one for one in self.entries if one.path != noted.path))
@@ -126,7 +125,7 @@ class FileOpener(QObject):
             self._notifier.error.emit(text.format(name, kind, device))
 
     def open_recent(self, file: RecentFile) -> None:
-        """Open a file again where it was opened; one that is gone is taken off the list."""
+        """Open a file again where it was opened, or remove it from the list."""
 
         def then(is_there: bool) -> None:
             if is_there:

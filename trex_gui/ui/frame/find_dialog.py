@@ -35,7 +35,7 @@ _CHECKABLE = Qt.ItemFlag.ItemIsUserCheckable
 
 
 class FindDialog(ReusedDialog):
-    """A dialog beside the window; closing it ends the scan.
+    """A dialog beside the window. Closing it ends the scan.
 
     Boards stand above the ports without one, which are folded as soon as there is a board.
     """
@@ -152,7 +152,7 @@ class FindDialog(ReusedDialog):
         )
 
     def look(self, chosen: Port | None, *, at_once: bool = False) -> None:
-        """Open; the port that is chosen in the window is listed and searched first.
+        """Open the dialog. The port that is chosen in the window is listed and searched first.
 
         `at_once`: search that port now, and no other.
         """

@@ -73,7 +73,7 @@ _DEVICE = "window/device"
 
 
 def last_device() -> str:
-    """Return the key of the kind of device whose workspace was shown last; empty at first."""
+    """Return the key of the kind of device whose workspace was shown last, empty at first."""
     return Preferences().text(_DEVICE)
 
 
@@ -210,7 +210,7 @@ class MainWindow(QMainWindow):
         return next(workspace for workspace in self._workspaces if workspace.key == key)
 
     def _menus(self, workspaces: Sequence[Menus]) -> Iterator[tuple[str, Entries]]:
-        """Yield titles and entries; menus that only one workspace has come before Window."""
+        """Yield titles and entries. Menus that only one workspace has come before Window."""
         connection, stop = self._connection, partial(stop_or_close_dialog, self._manager)
         open_log, about = partial(open_log_folder, self, self._notifier), f"{INDEX}#about"
 
@@ -344,7 +344,6 @@ class MainWindow(QMainWindow):
 
     @Slot(object)
     def apply_remedy(self, remedy: Remedy | ConnectWith) -> None:
-        """Do what a button in a message offers."""
         match remedy:
             case ConnectWith():
                 self._connection.connect_with(remedy)
@@ -374,7 +373,7 @@ class MainWindow(QMainWindow):
 
     @Slot()
     def reopen(self) -> None:
-        """Close the window to be opened again, connected as it is; asks what closing asks."""
+        """Close the window to be opened again, connected as it is. Ask what closing asks."""
         is_connected = self._manager.current.link is ConnectionState.CONNECTED
         port = self._manager.current.port if is_connected else None
         self._is_reopening = True

@@ -29,7 +29,6 @@ class PlaceBar(QTabBar):
         follow_theme(self, "sizes", self.show_names)
 
     def set_narrow(self, narrow: bool) -> None:
-        """Show icons only, with the names as tool tips."""
         if narrow != self.is_narrow:
             self.is_narrow = narrow
             self.show_names()
@@ -99,7 +98,7 @@ class PlaceBar(QTabBar):
 
 
 class Places(QTabWidget):
-    """Tabs in a column; in a narrow window they are icons."""
+    """Tabs in a column. In a narrow window they are icons."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)

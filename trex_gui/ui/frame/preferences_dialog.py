@@ -1,4 +1,4 @@
-"""What the user prefers in the whole program; each choice takes effect at once."""
+"""Preferences of the user for the whole program. Each choice takes effect at once."""
 
 from pathlib import Path
 

@@ -71,7 +71,7 @@ class ReportDialog(ReusedDialog):
         buttons.rejected.connect(self.close)
 
     def open_report(self, parts: Mapping[str, Callable[[], str]]) -> None:
-        """Collect the files beside the window's thread; `parts` make them there."""
+        """Collect the files beside the window's thread. `parts` make them there."""
         self._list.clear()
         self._text.clear()
         self._enable()

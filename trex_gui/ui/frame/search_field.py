@@ -26,7 +26,7 @@ _FOUND = Qt.ItemDataRole.UserRole
 
 
 class SearchField(QLineEdit):
-    """Shows the hits of what is typed below it; Enter opens the selected one, Esc leaves."""
+    """Shows the hits of what is typed below it. Enter opens the selected one, Esc leaves."""
 
     def __init__(self, findables: Callable[[], Iterable[Findable]], parent: QWidget) -> None:
         """`findables` returns what can be found now, when a search begins."""

@@ -64,7 +64,7 @@ class EscapeWatch(QObject):
 
 
 def _is_closed_by_escape() -> bool:
-    """Whether a menu, a list, a question or an editor in a table is open, which Esc closes."""
+    """Return whether Esc closes a menu, a list, a question or an editor in a table."""
     if QApplication.activePopupWidget() is not None:
         return True
     focus = QApplication.focusWidget()
@@ -96,7 +96,7 @@ class UnconfirmedStopWarning(QObject):
 
     @property
     def is_due(self) -> bool:
-        """Whether the window, with every line closed, must not close without it."""
+        """Return whether the window, with every line closed, must not close without it."""
         is_log_out = self._log_out_at is not None and now() - self._log_out_at < _LOG_OUT_S
         return bool(self._manager.unconfirmed_stop) and not self.given and not is_log_out
 

@@ -1,4 +1,4 @@
-"""Drawing of the wires between an adapter, or a receiver, and a board; not to scale."""
+"""Drawing of the wires between an adapter, or a receiver, and a board, not to scale."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -25,7 +25,7 @@ SEPARATOR = ""
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """One entry of a menu; `shortcut` is a portable key sequence."""
+    """One entry of a menu. `shortcut` is a portable key sequence."""
 
     key: str
     text: str
@@ -76,7 +76,7 @@ class PageInfo:
 
 @dataclass(frozen=True, slots=True)
 class LineChoice:
-    """Line settings to offer; `review` lets the user review them, once the device is connected."""
+    """Line settings to offer. `review` lets the user review them, once the device is connected."""
 
     text: str
     review: Callable[[], object]
@@ -94,7 +94,6 @@ class Workspace(QWidget):
     bar: QWidget  # with the stop button
 
     def __init__(self, key: str, notifier: Notifier, parent: QWidget | None = None) -> None:
-        """`key` is that of the kind of device."""
         super().__init__(parent)
         self.notifier = notifier
         self.key = key
@@ -156,7 +155,7 @@ class Workspace(QWidget):
         return len(self._infos)
 
     def page_at(self, number: int) -> QWidget | None:
-        """Return a page, in the area that scrolls it; an empty one if it is not made yet."""
+        """Return a page, in the area that scrolls it, or an empty one if it is not made yet."""
         holder, index = self._holders[number]
         return holder.widget(index)
 
@@ -194,7 +193,7 @@ class Workspace(QWidget):
         self.show_number(self._number_of(key))
 
     def show_saved(self, saved: str) -> None:
-        """Show the page of the last session, by its key or number; else the first."""
+        """Show the page of the last session, by its key or number, or else the first."""
         keys = [info.key for info in self._infos]
         former = self.former_pages or keys
         if saved.isdecimal() and int(saved) < len(former):
@@ -264,15 +263,15 @@ class Workspace(QWidget):
 
     @property
     def has_edits(self) -> bool:
-        """Whether there are edits that the device, or a file, does not have."""
+        """Return whether there are edits that the device, or a file, does not have."""
         return False
 
     def enabled_actions(self) -> Mapping[str, bool]:
-        """Return whether each of its actions is enabled; missing ones are."""
+        """Return whether each of its actions is enabled. Missing ones are."""
         return {}
 
     def may_close(self, leave: Callable[[], object]) -> bool:
-        """Return whether nothing would be lost; else ask, and call `leave` on consent."""
+        """Return whether nothing would be lost, else ask, and call `leave` on consent."""
         del leave
         return True
 
@@ -283,7 +282,7 @@ class Workspace(QWidget):
         """End what continues after the line is closed: a disk may be slow."""
 
     def shut_down(self) -> bool:
-        """End every thread; return whether all ended in time."""
+        """End every thread and return whether all ended in time."""
         return True
 
     def line_choices(self, line: object) -> Sequence[LineChoice]:
@@ -305,7 +304,7 @@ def entries_of(menus: Menus) -> list[Entry]:
 def fill_menu_bar(
     window: QMainWindow, menus: Iterable[tuple[str, Entries]], prefix: str = ""
 ) -> dict[str, QAction]:
-    """Add menus by title to a window; return the actions by key.
+    """Add menus by title to a window and return the actions by key.
 
     Object names are `openAction`, or `editorOpenAction` with a prefix. Qt shows no separator at
     an end of a menu or behind another one.
@@ -336,7 +335,7 @@ def fill_menu_bar(
 def menu_findables(
     window: QMainWindow, pages: Collection[str], moving: Collection[str]
 ) -> Iterator[Findable]:
-    """Yield the entries of the menus, those of `pages` as pages; each does what it does there.
+    """Yield the entries of the menus, those of `pages` as pages. Each does what it does there.
 
     Where it is `moving`, or disabled, its menu is opened at it instead.
     """

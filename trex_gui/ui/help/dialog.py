@@ -103,7 +103,7 @@ class HelpDialog(ReusedDialog):
 
 
 class _Browser(QTextBrowser):
-    """Shows a page, a picture of it as it is, or a program; leaves the rest to the desktop."""
+    """Shows a page, a picture of it as it is, or a program. Leaves the rest to the desktop."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -137,7 +137,7 @@ class _Browser(QTextBrowser):
         return super().loadResource(kind, name)
 
     def _html(self, shown: QUrl) -> str:
-        """Convert a file; headings of a page become anchors, and its pictures links to them."""
+        """Convert a file. Headings of a page become anchors, and its pictures links to them."""
         path = Path(shown.toLocalFile())
         if path.suffix == ".png":
             return f'<img src="{path.name}#{_WHOLE}">'

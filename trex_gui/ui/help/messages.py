@@ -40,7 +40,7 @@ class MessageHelp:
         return {f"{MESSAGES}#{anchor_of(own)}": shown for own, shown in found if own}
 
     def topic(self, message: str) -> str:
-        """Return the topic of the coded text in a message or a line of the log; empty if none.
+        """Return the topic of the coded text in a message or a line of the log, empty if none.
 
         Of several texts in it the longest counts: it contains the others.
         """
@@ -63,7 +63,7 @@ def texts_of(codes: Iterable[Enum]) -> list[str]:
 
 
 def topic_in_front(topics: Mapping[str, str], page: QWidget | None) -> str:
-    """Return the topic of what has the focus, or of a page; `topics` are by object name."""
+    """Return the topic of what has the focus, or of a page. `topics` are by object name."""
     widget = QApplication.focusWidget() or QApplication.activeWindow()
     while widget is not None:
         if widget.objectName() in topics:

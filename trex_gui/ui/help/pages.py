@@ -1,4 +1,4 @@
-"""Help pages in Markdown and their sections; a forge shows the same files."""
+"""Help pages in Markdown and their sections."""
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -81,7 +81,7 @@ def pages() -> Sequence[Page]:
 def help_findables(
     headings: Mapping[str, str], show: Callable[[str], object]
 ) -> Iterator[Findable]:
-    """Yield what the search finds in the help; `show` shows a topic.
+    """Yield what the search finds in the help. `show` shows a topic.
 
     `headings` are those of messages in the language of the window, by topic.
     """

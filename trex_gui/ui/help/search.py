@@ -81,7 +81,7 @@ class SearchIndex:
                 self._weights[word][number] += 1 / sqrt(1 + len(title) / 4)
 
     def find(self, query: str) -> list[Findable]:
-        """Return what answers a query best, the best first; the pages without a query."""
+        """Return what answers a query, the best first, or the pages without a query."""
         typed: list[str] = []
         for word in _words(query):  # several words that mean the same are one
             alike = {word, *_synonyms().get(word, ())}

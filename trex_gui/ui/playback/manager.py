@@ -118,7 +118,7 @@ class RecordingManager(QObject, Generic[WindowT]):
         store: str,
         prefix: str = "",
     ) -> None:
-        """The last folder is remembered under `store`; `prefix` starts object names."""
+        """The last folder is remembered under `store`. `prefix` starts object names."""
         super().__init__(window)
         self._format = fmt
         self._texts = texts
@@ -245,7 +245,7 @@ class RecordingManager(QObject, Generic[WindowT]):
             window.close()
 
     def shut_down(self) -> bool:
-        """End recording, loading and exporting; return whether every thread has ended."""
+        """End recording, loading and exporting, and return whether every thread has ended."""
         ends = [self.recorder.shut_down()]
         ends += [window.player.close() for window in self.windows]
         return all(ends)
@@ -267,7 +267,7 @@ class RecordingManager(QObject, Generic[WindowT]):
 
     @Slot()
     def _on_changed(self) -> None:
-        """Report only what menus depend on; the recorder reports every kilobyte."""
+        """Report only what menus depend on. The recorder reports every kilobyte."""
         state = (self.recorder.recording, self.recorder.can_record)
         if state != self._last:
             self._last = state

@@ -96,7 +96,7 @@ def _export(
 
 
 class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
-    """One recording and a position in it; subclasses define the curves of a device.
+    """One recording and a position in it. Subclasses define the curves of a device.
 
     Before it is loaded only the header is known.
     """
@@ -112,7 +112,7 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
         curves: Curves[RecordT, StateT],
         parent: QObject | None = None,
     ) -> None:
-        """Take an open recording; `start_loading` reads it. `initial` is the state before it."""
+        """Take an open recording. `start_loading` reads it. `initial` is the state before it."""
         super().__init__(recording.header.clock, parent)
         self.path = recording.path
         self.header = recording.header
@@ -133,7 +133,7 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
         raise NotImplementedError
 
     def close(self) -> bool:
-        """Cancel loading or exporting, and close the file; return whether the thread has ended."""
+        """Cancel loading or exporting, close the file, and return whether the thread has ended."""
         self.pause()
         if not self._task.close(_CLOSE_TIMEOUT_MS):
             return False  # the file still belongs to that thread
@@ -178,12 +178,11 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
         self._begin(self.loader())
 
     def export_header(self, start: float) -> dict[str, Value]:
-        """Return the header of an export that begins at a time."""
         del start  # a device adds its settings at that time
         return {"device": self._recording.format.device, **self.header.values()}
 
     def export(self, path: Path, start: float, end: float) -> None:
-        """Write a span as CSV or MCAP; ends in `exported` or `failed` unless cancelled."""
+        """Write a span as CSV or MCAP. Ends in `exported` or `failed` unless cancelled."""
         if self.is_loaded and not self.is_busy:
             span, header = (start, end), self.export_header(start)
             self._begin(partial(_export, self._recording, path, span, header))

@@ -17,7 +17,7 @@ _PER_SECOND = 100  # slider steps per second: about the rate of the samples
 
 
 class PlaybackCursor(QObject):
-    """A position between `start` and `end`; all times are on the session's clock (s)."""
+    """A position between `start` and `end`. All times are on the session's clock (s)."""
 
     progressed = Signal()  # `end` may have changed
     moved = Signal()  # `position`
@@ -42,7 +42,7 @@ class PlaybackCursor(QObject):
             self.moved.emit()
 
     def play(self) -> None:
-        """Play on; from the start again at the end."""
+        """Play on, or from the start again at the end."""
         if self.position >= self.end:
             self.set_position(self.start)
         self._last_frame = now()
@@ -55,7 +55,7 @@ class PlaybackCursor(QObject):
             self.playing_changed.emit()
 
     def set_speed(self, speed: float) -> None:
-        """Set a positive playback speed; 1 is real time."""
+        """Set a positive playback speed. 1 is real time."""
         if speed <= 0:
             raise ValueError(f"playback speed {speed} is not positive")
         self.speed = speed

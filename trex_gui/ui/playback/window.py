@@ -32,7 +32,7 @@ _CSV_SUFFIX = ".csv"
 
 
 class RecordingWindow(QMainWindow):
-    """One recording; needs no device.
+    """Window of one recording. It needs no device.
 
     A subclass for each device calls `arrange` and describes the device. The window may cover the
     main window while motors turn, so `arrange` takes a stop button.
@@ -48,7 +48,7 @@ class RecordingWindow(QMainWindow):
         plot_name: str = "",
         parent: QWidget | None = None,
     ) -> None:
-        """`name` starts object names and settings keys; `plot_name` is for screen readers."""
+        """`name` starts object names and settings keys. `plot_name` is for screen readers."""
         super().__init__(parent)
         self.setObjectName(f"{name}Window")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -172,7 +172,7 @@ class RecordingWindow(QMainWindow):
 
     @Slot()
     def update_figures(self) -> None:
-        """Update what depends on the span and the cursor; nothing by default."""
+        """Update what depends on the span and the cursor. Nothing by default."""
 
     @Slot()
     def update_state(self) -> None:
@@ -285,7 +285,7 @@ class RecordingWindow(QMainWindow):
 
     @Slot()
     def _on_cursor_changed(self) -> None:
-        """Move to a click in the plot; show the position again when the pointer leaves it."""
+        """Move to a click in the plot, and show the position again when the pointer leaves it."""
         mark = self.plot.mark_time
         if mark is not None and mark != self._marked:
             self.player.set_position(mark)

@@ -73,7 +73,7 @@ class FocusFrame(QObject):
 
 
 def _place_of(widget: QWidget, window: QWidget) -> QRect:
-    """Return where a widget is in its window; of a tab bar, where the current tab is."""
+    """Return the place of a widget, or of the current tab of a tab bar, in its window."""
     place = QRect(QPoint(), widget.size())
     if isinstance(widget, QTabBar):
         place = widget.tabRect(widget.currentIndex()).adjusted(_ROOM, _ROOM, -_ROOM, -_ROOM)

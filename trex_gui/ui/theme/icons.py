@@ -34,7 +34,7 @@ def icon(name: str, color: str = "icon") -> QIcon:
 
 
 def set_icon(target: QAction | QAbstractButton, name: str, color: str = "icon") -> None:
-    """Give an action or a button an icon that follows the theme; a later call replaces it."""
+    """Give an action or a button an icon that follows the theme. A later call replaces it."""
 
     def apply() -> None:
         made = icon(name, color)
@@ -51,7 +51,7 @@ def set_icon(target: QAction | QAbstractButton, name: str, color: str = "icon") 
 
 
 def set_sign(label: QLabel, name: str, color: str, room: int = 0) -> None:
-    """Show an icon in a label, which follows the theme; a later call replaces it.
+    """Show an icon in a label, which follows the theme. A later call replaces it.
 
     It is higher than a line of the label by `room` pixels.
     """
@@ -121,7 +121,6 @@ def _tinted(shape: QPixmap, color: QColor) -> QPixmap:
 
 @cache
 def application_icon() -> QIcon:
-    """Return the program's own icon, in its own colours."""
     renderer = QSvgRenderer(str(resource("icons/trex-studio.svg")))
     made = QIcon()
     for size in (*_SIZES, 128, 256):

@@ -83,7 +83,7 @@ def _role(name: str) -> QPalette.ColorRole:
 
 @cache
 def read_colours(scheme: str) -> Colours:
-    """Read `resources/themes/<scheme>.toml`; a bad colour is a `ValueError` naming it."""
+    """Read `resources/themes/<scheme>.toml`. A bad colour is a `ValueError` naming it."""
     tables = tomllib.loads(resource(f"themes/{scheme}.toml").read_text(encoding="utf-8"))
 
     def colours(table: str) -> dict[str, QColor]:
@@ -123,7 +123,7 @@ class Theme(QObject):
 
     @contextmanager
     def painted_as(self, scheme: str) -> Iterator[None]:
-        """Return the colours of a scheme inside, for a picture; nothing is repainted."""
+        """Return the colours of a scheme inside, for a picture. Nothing is repainted."""
         before, self._colours = self._colours, read_colours(scheme)
         try:
             yield
@@ -144,7 +144,7 @@ class Theme(QObject):
         self._show()
 
     def set_scheme(self, choice: Scheme) -> None:
-        """Choose a scheme; `system` follows the desktop, also when that changes later."""
+        """Choose a scheme. `system` follows the desktop, also when that changes later."""
         if choice not in SCHEMES:
             raise ValueError(f"no scheme {choice!r}; there are {', '.join(SCHEMES)}")
         self.choice = choice
@@ -161,7 +161,7 @@ class Theme(QObject):
         self._show()
 
     def set_font_size(self, percent: int) -> None:
-        """Scale the system's font for every window; widgets inherit it."""
+        """Scale the system's font for every window. Widgets inherit it."""
         if percent != self.font_size and self._app is not None:
             self.font_size = percent
             self._app.setFont(scaled_font(self._system_font, percent / 100))
@@ -208,7 +208,7 @@ class Theme(QObject):
 
 @cache
 def theme() -> Theme:
-    """The one theme of the application; without `install` it is the light one."""
+    """The one theme of the application. Without `install` it is the light one."""
     return Theme()
 
 
@@ -225,7 +225,6 @@ def choose_font_size(percent: int) -> None:
 
 
 def restore_choices() -> None:
-    """Use the scheme and the font size that were chosen."""
     store = Preferences()
     wanted = store.text(_SCHEME, "system")
     for scheme in SCHEMES:
@@ -235,7 +234,7 @@ def restore_choices() -> None:
 
 
 class _Follower(QObject):
-    """Repeats what depends on the theme; lives as a child of its target."""
+    """Repeats what depends on the theme. Lives as a child of its target."""
 
     apply: Callable[[], object]
 
@@ -250,7 +249,7 @@ class _Follower(QObject):
 
 
 def follow_theme(target: QObject, key: str, apply: Callable[[], object]) -> None:
-    """Call `apply` now and when the theme changes; a later call with the same key replaces it."""
+    """Call `apply` now and when the theme changes. A later call with the same key replaces it."""
     options = Qt.FindChildOption.FindDirectChildrenOnly
     follower = target.findChild(_Follower, key, options) or _Follower(target, key)
     follower.apply = apply
@@ -258,7 +257,7 @@ def follow_theme(target: QObject, key: str, apply: Callable[[], object]) -> None
 
 
 def scaled_font(font: QFont, factor: float) -> QFont:
-    """Return a font of another size; its size may be in points or pixels."""
+    """Return a font of another size. Its size may be in points or pixels."""
     scaled = QFont(font)
     if font.pointSizeF() > 0:
         scaled.setPointSizeF(font.pointSizeF() * factor)
@@ -274,7 +273,7 @@ def fixed_font() -> QFont:
 
 
 def set_text_color(label: QLabel, name: str) -> None:
-    """Give a label a colour of `style.qss`; any other name is the ordinary one."""
+    """Give a label a colour of `style.qss`. Any other name is the ordinary one."""
     set_style_property(label, "textColor", name)
 
 

@@ -43,7 +43,7 @@ class RowBuffer:
         return self.rows[max(count - self._dropped, 0) :]
 
     def add(self, transaction: Transaction) -> None:
-        """Add a row; drop the oldest ones, many at a time."""
+        """Add a row. Drop the oldest ones, many at a time."""
         self.rows.append(transaction)
         if len(self.rows) > MOST_KEPT:
             self._dropped += len(self.rows) - _TRIMMED
@@ -100,7 +100,6 @@ class TrafficModel(QObject):
         self.changed.emit()
 
     def wall_time(self, transaction: Transaction) -> float:
-        """Return the time of a row in seconds since 1970."""
         return self._epoch + transaction.time
 
     def line_of(self, row: Transaction) -> str:
@@ -125,7 +124,7 @@ class TrafficModel(QObject):
     def write(
         self, file: TextIO, progress: ProgressCallback, *, rows: Sequence[Transaction]
     ) -> int:
-        """Write rows as tab-separated text, from any thread; return their number."""
+        """Write rows as tab-separated text, from any thread, and return their number."""
         file.write(transcript.head())
         for done, row in enumerate(rows):
             if done % _CHUNK == 0:
@@ -150,7 +149,7 @@ class TrafficModel(QObject):
             self.changed.emit()
 
     def set_seen(self, seen: bool) -> None:
-        """Set whether a page shows the rows; bring one that does up to date."""
+        """Set whether a page shows the rows. Bring one that does up to date."""
         self._is_seen = seen
         self._timer.setInterval(_SHOWN_MS if seen else _UNSEEN_MS)
         if seen:

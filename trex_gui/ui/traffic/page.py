@@ -42,7 +42,7 @@ class TrafficPage(View):
         *,
         sender: PacketSender | None = None,
     ) -> None:
-        """Show traffic; `key` names the page and its settings, `device` is in the texts.
+        """Show traffic. `key` names the page and its settings, `device` is in the texts.
 
         With a `sender` bytes can be typed and sent.
         """

@@ -20,7 +20,7 @@ class SendPreview:
 
 
 class PacketSender(Protocol):
-    """What knows what bytes mean, and sends them."""
+    """Decodes and sends bytes that the user types."""
 
     @property
     def changed(self) -> SignalInstance:
@@ -34,7 +34,7 @@ class PacketSender(Protocol):
 
     def preview(self, text: str) -> SendPreview: ...
     def send(self, text: str) -> None:
-        """Send what has a preview without a blocker; the result goes to the notifier."""
+        """Send what has a preview without a blocker. The result goes to the notifier."""
 
 
 class SendRow(QWidget):

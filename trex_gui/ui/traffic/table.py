@@ -44,7 +44,7 @@ Index = QModelIndex | QPersistentModelIndex
 
 
 class TrafficTable(QAbstractTableModel):
-    """One row per transaction; `refresh` adds new rows, so a hidden page costs nothing."""
+    """One row per transaction. `refresh` adds new rows, so a hidden page costs nothing."""
 
     def __init__(self, traffic: TrafficModel, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -70,7 +70,7 @@ class TrafficTable(QAbstractTableModel):
         return self._traffic.everything if self._polling else self._traffic.without_polling
 
     def set_filter(self, *, polling: bool, faults: bool, text: str) -> None:
-        """List polls, too; list only faults; list only rows that contain `text`."""
+        """List polls, too, or only faults, or only rows that contain `text`."""
         self._polling, self._faults, self._text = polling, faults, text.strip().casefold()
         self.rebuild()
 
@@ -112,7 +112,7 @@ class TrafficTable(QAbstractTableModel):
             self.endRemoveRows()
 
     def _update(self, row: Transaction) -> None:
-        """Update a row; with more bytes it may match the filter or match it no longer."""
+        """Update a row. With more bytes it may match the filter or match it no longer."""
         listed = bool(self.rows) and self.rows[-1] is row
         matches = self._matches(row)
         last = len(self.rows) - 1
@@ -213,8 +213,6 @@ def _alignment(column: int) -> Qt.AlignmentFlag:
 
 
 class TrafficView(QTableView):
-    """Table of transactions, with a text if it is empty."""
-
     def __init__(self, table: TrafficTable, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._placeholder = ""
@@ -263,7 +261,7 @@ class TrafficView(QTableView):
 
     @property
     def is_at_bottom(self) -> bool:
-        """Whether the newest row is visible, so that the next one should be, too."""
+        """Return whether the newest row is visible, so that the next one should be, too."""
         bar = self.verticalScrollBar()
         return bar.value() >= bar.maximum() - self.verticalHeader().defaultSectionSize()
 
@@ -279,7 +277,7 @@ class TrafficView(QTableView):
 
 
 class RowDetails(QPlainTextEdit):
-    """All bytes of the selected row, their meaning and timing; read-only."""
+    """All bytes of the selected row, their meaning and timing. Read-only."""
 
     def __init__(
         self, traffic: TrafficModel, table: TrafficTable, parent: QWidget | None = None

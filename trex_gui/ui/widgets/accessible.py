@@ -1,4 +1,4 @@
-"""What painted widgets tell screen readers: their role, and their state when it is asked for."""
+"""Roles and states of painted widgets for screen readers."""
 
 from typing import Any, NamedTuple
 
@@ -26,7 +26,7 @@ class Spoken:
     spoken_role = QAccessible.Role.Graphic
 
     def spoken_name(self) -> str:
-        """Return a name that changes; empty: `accessibleName` is the name."""
+        """Return a name that changes. Empty: `accessibleName` is the name."""
         return ""
 
     def spoken_state(self) -> str:
@@ -38,7 +38,7 @@ class Spoken:
         return None
 
     def set_spoken_value(self, value: float) -> None:
-        """Take a value from a screen reader; what only shows something ignores it."""
+        """Take a value from a screen reader. What only shows something ignores it."""
 
 
 class _Interface(QAccessibleWidget):
@@ -70,7 +70,7 @@ class _RangeInterface(_Interface, QAccessibleValueInterface):
         QAccessibleValueInterface.__init__(self)
 
     def interface_cast(self, kind: QAccessible.InterfaceType, /) -> Any:
-        """Return a pointer; what the stubs name, and `None` for a null pointer, crash Qt."""
+        """Return a pointer. What the stubs name, and `None` for a null pointer, crash Qt."""
         if kind is QAccessible.InterfaceType.ValueInterface:
             return VoidPtr(getCppPointer(self)[-1])
         return super().interface_cast(kind) or VoidPtr(0)

@@ -90,7 +90,7 @@ class ReusedDialog(QDialog):
 
 
 def paint_placeholder(view: QAbstractItemView, text: str, *, short: str = "") -> None:
-    """Paint a text into an empty view; `short` instead where there is no room for all of it."""
+    """Paint a text into an empty view. `short` instead where there is no room for all of it."""
     box = view.viewport().rect().adjusted(8, 4, -8, -4)
     how = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
     with QPainter(view.viewport()) as painter:
@@ -146,7 +146,7 @@ class PressMonitor(QObject):
         widget.installEventFilter(self)
 
     def begin(self) -> None:
-        """Watch from now on; beginning again is fine."""
+        """Watch from now on. Beginning again is fine."""
         if not self._timer.isActive():
             self._was_active = self._widget.isActiveWindow()
             self._timer.start()

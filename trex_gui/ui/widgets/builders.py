@@ -44,7 +44,7 @@ from trex_gui.ui.widgets.painted import never_mirror
 
 
 class Card(QGroupBox):
-    """A group of controls: a plain surface with its title inside; cards are never nested."""
+    """A group of controls: a plain surface with its title inside. Cards are never nested."""
 
     def __init__(self, title: str = "", parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -68,7 +68,7 @@ class Card(QGroupBox):
 
 
 class ComboBox(QComboBox):
-    """The wheel changes it only while it has the focus; otherwise the page scrolls."""
+    """The wheel changes it only while it has the focus. Otherwise the page scrolls."""
 
     wheelEvent = focused_wheel(QComboBox.wheelEvent)
 
@@ -103,7 +103,7 @@ def no_mnemonic(text: str) -> str:
 
 
 def named(widget: WidgetT, name: str, *, accessible: str = "", tip: str = "") -> WidgetT:
-    """Give a widget its object name, accessible name and tool tip; return it."""
+    """Give a widget its object name, accessible name and tool tip, and return it."""
     widget.setObjectName(name)
     if isinstance(widget, QAbstractSpinBox | QSlider):
         never_mirror(widget)
@@ -173,7 +173,7 @@ def check_box(
     on_click: Handler | None = None,
     on_toggle: Handler | None = None,
 ) -> QCheckBox:
-    """Create a check box; `checked` is set before `on_toggle` is connected."""
+    """Create a check box. `checked` is set before `on_toggle` is connected."""
     made = named(QCheckBox(text, parent), name, accessible=accessible, tip=tip)
     made.setChecked(checked)
     return _connected(made, "", on_click, on_toggle)
@@ -220,7 +220,7 @@ def label(
 
 
 def search_field(parent: QWidget, name: str, accessible: str, hint: str) -> QLineEdit:
-    """Create a field with a button that clears it; Ctrl+F leads there while `parent` is seen."""
+    """Create a field with a button that clears it. Ctrl+F leads there while `parent` is seen."""
     made = named(QLineEdit(parent), name, accessible=accessible)
     made.setPlaceholderText(hint)
     made.setClearButtonEnabled(True)
@@ -246,7 +246,7 @@ def combo_box(
     on_activate: Handler | None = None,
     on_change: Handler | None = None,
 ) -> ComboBox:
-    """Create a combo box; an item is a text, or a text and its data.
+    """Create a combo box. An item is a text, or a text and its data.
 
     `on_activate` follows the user, `on_change` every change of the current index.
     """
@@ -326,7 +326,7 @@ def double_spin_box(
     tip: str = "",
     on_change: Handler | None = None,
 ) -> QDoubleSpinBox:
-    """Create what `spin_box` does, for numbers with decimals; it shows `lowest`."""
+    """Create what `spin_box` does, for numbers with decimals. It shows `lowest`."""
     made = named(DecimalSpinBox(parent), name, accessible=accessible, tip=tip)
     made.setDecimals(decimals)
     made.setRange(lowest, highest)
@@ -342,7 +342,7 @@ TableT = TypeVar("TableT", bound=QTableView)
 
 
 def flat_table(table: TableT, name: str, accessible: str) -> TableT:
-    """Give a table the look of all: striped rows, no grid, the whole row selected; return it.
+    """Give a table the look of all: striped rows, no grid, the whole row selected. Return it.
 
     Its cells are read-only and one row can be selected, unless the caller changes that.
     """
@@ -365,7 +365,7 @@ def flat_table(table: TableT, name: str, accessible: str) -> TableT:
 
 
 def set_row_height(table: QTableView, room: int) -> None:
-    """Make rows higher than a line by `room` pixels, in any font; a later call replaces it."""
+    """Make rows higher than a line by `room` pixels, in any font. A later call replaces it."""
 
     def apply() -> None:
         table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + room)
@@ -376,7 +376,7 @@ def set_row_height(table: QTableView, room: int) -> None:
 def splitter(
     parent: QWidget, name: str, orientation: Qt.Orientation, *parts: tuple[QWidget, int]
 ) -> QSplitter:
-    """Create a splitter of widgets, each with its stretch; none can be dragged to nothing."""
+    """Create a splitter of widgets, each with its stretch. None can be dragged to nothing."""
     made = named(QSplitter(orientation, parent), name)
     made.setChildrenCollapsible(False)
     for index, (widget, stretch) in enumerate(parts):
@@ -402,7 +402,7 @@ def action(
     checkable: bool = False,
     on_trigger: Trigger | None = None,
 ) -> QAction:
-    """Create an action; a widget that shall have its shortcut needs `addAction` as well."""
+    """Create an action. A widget that shall have its shortcut needs `addAction` as well."""
     made = QAction(QIcon(), text, parent)
     made.setObjectName(name)
     made.setShortcut(QKeySequence(shortcut))
@@ -479,7 +479,7 @@ def grid(
     spacing: tuple[int, int] | None = None,
     stretch: Iterable[tuple[int, int]] = (),
 ) -> QGridLayout:
-    """Create an empty grid; `spacing` is horizontal and vertical, `stretch` (column, factor)."""
+    """Create an empty grid. `spacing` is horizontal and vertical, `stretch` (column, factor)."""
     made = QGridLayout(into) if into else QGridLayout()
     _set_margins(made, margins)
     if spacing is not None:

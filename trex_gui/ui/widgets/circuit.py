@@ -48,7 +48,7 @@ def jumper_size(line: float) -> tuple[float, float]:
 
 
 def paint_jumper(painter: QPainter, place: QRectF, is_on: bool | None) -> None:
-    """Paint two pins, with the jumper on them or without; where it is not known, dashed."""
+    """Paint two pins, with the jumper on them or without, dashed where it is not known."""
     style = Qt.PenStyle.DashLine if is_on is None else Qt.PenStyle.SolidLine
     painter.setPen(QPen(theme().color("outline"), 1.5, style))
     painter.setBrush(theme().color("mark") if is_on else Qt.BrushStyle.NoBrush)

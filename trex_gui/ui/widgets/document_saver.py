@@ -22,16 +22,16 @@ class Document(Protocol):
 
     @property
     def on_disk(self) -> bytes | None:
-        """What its file held when it was opened or saved."""
+        """Content of its file when it was opened or saved."""
 
     @property
     def modified(self) -> bool:
-        """Whether it has changes that are not in the file."""
+        """Return whether it has changes that are not in the file."""
 
 
 @dataclass(slots=True)
 class _Following:
-    """A save that waits for another one in the same file; what `known` means is in `_begin`."""
+    """A save that waits for another one in the same file. What `known` means is in `_begin`."""
 
     content: Content
     known: bytes | None
@@ -60,7 +60,7 @@ class DocumentSaver(QObject):
         return bool(self._running)
 
     def save(self, path: Path, make: Callable[[], Content], *, ask: bool = False) -> bool:
-        """Begin to save what `make` returns now; return whether that has begun.
+        """Begin to save what `make` returns now and return whether that has begun.
 
         If `make` raises a StudioError, `failed` reports it. With `ask`, the user decides about
         changes that another program made in the file.
@@ -75,7 +75,7 @@ class DocumentSaver(QObject):
         return True
 
     def _begin(self, path: Path, content: Content, known: bytes | None) -> None:
-        """Save in a file that should hold what is `known`; `None`: whatever it holds."""
+        """Save in a file that should hold what is `known`. `None`: whatever it holds."""
         if path in self._running:
             self._running[path].append(_Following(content, known))
             return
@@ -118,13 +118,13 @@ class DocumentSaver(QObject):
     def may_leave(
         self, answer: SaveAnswer, save: Callable[[], bool], leave: Callable[[], object]
     ) -> bool:
-        """Return whether the document may be left; with `SAVE`, call `leave` once it is saved."""
+        """Return whether the document may be left. With `SAVE`, call `leave` once it is saved."""
         if answer is SaveAnswer.SAVE:
             self.save_and_leave(save, leave)
         return answer is SaveAnswer.DISCARD
 
     def answer(self) -> SaveAnswer:
-        """Ask what to do with changes that are not saved; without any, they are discarded."""
+        """Ask what to do with changes that are not saved. Without any, they are discarded."""
         if self.is_saving:
             may = file_questions.may_leave_unfinished(self._window, self._document.name)
             return SaveAnswer.DISCARD if may else SaveAnswer.CANCEL

@@ -15,7 +15,7 @@ _DEFAULT_FOLDER = "files/default_folder"
 
 
 class SaveAnswer(Enum):
-    """What to do with edits that are not saved."""
+    """Answer of the user about edits that are not saved."""
 
     SAVE = auto()
     DISCARD = auto()
@@ -93,7 +93,7 @@ def set_default_folder(folder: Path | None) -> None:
 
 
 def last_folder(key: str = _FOLDER) -> Path:
-    """Return where a file dialog begins; files of each `key` have a last folder of their own."""
+    """Return where a file dialog begins. Files of each `key` have a last folder of their own."""
     documents = QStandardPaths.StandardLocation.DocumentsLocation
     last = Preferences().path(key, QStandardPaths.writableLocation(documents))
     return default_folder() or last

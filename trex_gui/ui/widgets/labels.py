@@ -48,7 +48,7 @@ class Note(QLabel):
         )
 
     def show_note(self, text: str, *, alarming: bool = False, color: str = "warning") -> None:
-        """Show a text; an alarming one is bold and in this theme colour."""
+        """Show a text. An alarming one is bold and in this theme colour."""
         if self.text() != text:
             self.setText(text)
         if self._hides:
@@ -58,7 +58,7 @@ class Note(QLabel):
 
 
 class ElidedLabel(QLabel):
-    """Plain text whose end may be elided, unless it wraps; the tool tip has all of it.
+    """Plain text whose end may be elided, unless it wraps. The tool tip has all of it.
 
     It is always wide enough for the text `at_least`.
     """
@@ -94,7 +94,7 @@ class ElidedLabel(QLabel):
 
 
 class Sign(QLabel):
-    """A small icon that follows the theme; without a name it keeps its room."""
+    """A small icon that follows the theme. Without a name it keeps its room."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -142,7 +142,7 @@ class LinkLabel(QLabel):
 
 
 class LiveLabel(QLabel, Spoken):
-    """Shows a value that changes all the time; a screen reader hears `accessibleName: text`.
+    """Shows a value that changes all the time. A screen reader hears `accessibleName: text`.
 
     Other labels send an event with each text, or hide their text behind an accessible name.
     """
@@ -196,7 +196,7 @@ class PageHead(QWidget):
 
 
 class LegendKey(ElidedLabel):
-    """Names a curve; `color` is a name of the theme. Without a style it is a dot.
+    """Names a curve. `color` is a name of the theme. Without a style it is a dot.
 
     It is elided only where its size policy ignores how wide it is.
     """

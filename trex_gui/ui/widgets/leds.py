@@ -21,7 +21,7 @@ _PACKETS = 17.0  # irregular steps a second of a LED that lights with each packe
 
 
 def is_lit(pattern: str, seconds: float, *, second: bool = False) -> bool:
-    """Return whether a LED is lit; `second` is the other one of an alternating pair."""
+    """Return whether a LED is lit. `second` is the other one of an alternating pair."""
     if pattern == "fast flash":
         return seconds * _FAST % 1 < 0.5
     if pattern == "with packets":
@@ -38,7 +38,7 @@ def is_lit(pattern: str, seconds: float, *, second: bool = False) -> bool:
 def paint_lamp(
     painter: QPainter, middle: QPointF, radius: float, color: str, *, is_known: bool = True
 ) -> None:
-    """Paint a LED, lit in a colour of the theme, or dark without one; dashed if not known."""
+    """Paint a LED, lit in a colour of the theme, or dark without one, dashed if not known."""
     style = Qt.PenStyle.SolidLine if is_known else Qt.PenStyle.DashLine
     painter.setPen(QPen(theme().color(color or "track_edge"), 1.5, style))
     painter.setBrush(theme().color(color or "track_off"))
@@ -50,7 +50,7 @@ def paint_lamp(
 
 
 class Lamp(Painted):
-    """One LED; `color` is a name of the theme."""
+    """One LED. `color` is a name of the theme."""
 
     def __init__(self, color: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -98,7 +98,7 @@ class Leds(QWidget):
     def show_patterns(
         self, shown: tuple[str, str], words: tuple[str, str], meanings: tuple[str, str]
     ) -> None:
-        """Show a pattern on each LED; `words` are beside it, `meanings` in its tool tip."""
+        """Show a pattern on each LED. `words` are beside it, `meanings` in its tool tip."""
         self._shown = shown
         for index in range(2):
             name, meaning = self._names[index], meanings[index]

@@ -44,11 +44,10 @@ class _MessageRow(QFrame):
 
     @property
     def text(self) -> str:
-        """The message or question; empty while there is none."""
+        """The message or question, empty while there is none."""
         return self._text.text()
 
     def _add_button(self, name: str, text: str, before: QWidget) -> QPushButton:
-        """Add a button before the one that is always there."""
         button = ui.button(self, name, text, default=False, confirms=True)
         self._layout.insertWidget(self._layout.indexOf(before), button)
         button.show()
@@ -66,7 +65,7 @@ class _MessageRow(QFrame):
 
 
 class Banner(_MessageRow):
-    """Shows the newest message of a notifier, or of its owner; hidden while there is none."""
+    """Shows the newest message of a notifier, or of its owner. Hidden while there is none."""
 
     chosen = Signal(object)  # the `Remedy` or `ConnectWith` whose button was pressed
     help_wanted = Signal(str)  # the topic of the message
@@ -77,7 +76,7 @@ class Banner(_MessageRow):
         notifier: Notifier | None = None,
         help_topic: Callable[[str], str] = lambda _: "",
     ) -> None:
-        """`help_topic` returns the topic of the help on a message; empty without help."""
+        """`help_topic` returns the topic of the help on a message, empty without help."""
         super().__init__("banner", parent, selectable=True)
         self._help_topic = help_topic
         self._notifier = notifier
@@ -105,7 +104,6 @@ class Banner(_MessageRow):
 
     @Slot(str)
     def show_danger(self, text: str) -> None:
-        """Show a text in the colours of the stop button."""
         self._is_left_out = False
         self._show(text, "warning", is_danger=True)
 
@@ -138,7 +136,6 @@ class Banner(_MessageRow):
 
     @Slot(object)
     def show_remedies(self, remedies: Remedies) -> None:
-        """Add buttons to the message that is shown."""
         if self._is_left_out:
             return
         self._offered = remedies
@@ -262,7 +259,7 @@ class InlinePrompt(_MessageRow):
         still: Callable[[], bool] = lambda: True,
         otherwise: Callable[[], object] = lambda: None,
     ) -> None:
-        """Ask; returns before the answer.
+        """Ask, and return before the answer.
 
         `still` tells whether the question makes sense, see `reconsider`; `otherwise` is called
         when it is cancelled or no longer does.

@@ -20,7 +20,7 @@ def wants_motion(widget: QWidget) -> bool:
 
 
 class Painter(QPainter):
-    """Painter that does not follow the direction of the application; edges are smooth."""
+    """Painter that does not follow the direction of the application. Edges are smooth."""
 
     def __init__(self, device: QPaintDevice, *, smooth: bool = True) -> None:
         super().__init__(device)

@@ -36,13 +36,13 @@ def keep_on_screen(window: QWidget) -> None:
 
 
 def restore_geometry(window: QWidget, key: str, width: int, height: int) -> None:
-    """Place a window as `save_geometry` has stored it; else give it this size at most."""
+    """Place a window as `save_geometry` has stored it, else give it this size at most."""
     resize_with_font(window, width, height)
     window.restoreGeometry(Preferences().data(f"{key}/geometry"))
 
 
 def resize_with_font(window: QWidget, width: int, height: int) -> None:
-    """Give a window a size in pixels at 100 %; with larger fonts it is larger."""
+    """Give a window a size in pixels at 100 %. With larger fonts it is larger."""
     scale = max(theme().font_size, 100) / 100
     window.resize(round(width * scale), round(height * scale))
 

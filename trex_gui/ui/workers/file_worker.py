@@ -31,7 +31,7 @@ class _CancelledError(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Done:
-    """How work ended: with a result, an error, or neither (cancelled, or the thread died)."""
+    """End of work: a result, an error, or neither (cancelled, or the thread died)."""
 
     result: object = None
     error: StudioError | None = None

@@ -30,7 +30,7 @@ _SHUTDOWN_TIMEOUT_MS = 3000
 
 
 class RecordWorker(WorkerThread, Generic[RecordT]):
-    """Writes one recording; ends with its backlog or on an error."""
+    """Writes one recording. Ends with its backlog or on an error."""
 
     progressed = Signal(object)  # bytes written so far
 
@@ -40,7 +40,7 @@ class RecordWorker(WorkerThread, Generic[RecordT]):
         open_writer: Callable[[], RecordingWriter[Any, RecordT]],
         parent: QObject | None = None,
     ) -> None:
-        """Write the records of a backlog; `open_writer` is called in the new thread."""
+        """Write the records of a backlog. `open_writer` is called in the new thread."""
         super().__init__(parent)
         self.setObjectName("RecordWorker")
         self.error = ""  # why the recording ended early, for the user; set before the thread ends
@@ -121,7 +121,6 @@ class RecordThread(QObject, Generic[RecordT]):
 
     @property
     def lost(self) -> int:
-        """Records dropped because the disk was too slow."""
         return self._backlog.lost
 
     def start(self, path: Path) -> bool:
@@ -135,7 +134,7 @@ class RecordThread(QObject, Generic[RecordT]):
         first: Sequence[RecordT | Marker] = (),
         prepare: Callable[[], object] = lambda: None,
     ) -> None:
-        """Record into a new file; `prepare` is called before it is made, in the thread."""
+        """Record into a new file. `prepare` is called before it is made, in the thread."""
 
         def open_writer() -> RecordingWriter[HeaderT, RecordT]:
             prepare()
@@ -166,14 +165,14 @@ class RecordThread(QObject, Generic[RecordT]):
 
     @Slot()
     def stop(self) -> None:
-        """End the recording; `ended` follows once the file is complete."""
+        """End the recording. `ended` follows once the file is complete."""
         if self.recording:
             self._closing = True
             self._backlog.close(now())
             self.changed.emit()
 
     def end_because(self, message: str) -> None:
-        """End the recording and report why; `{0}` in the message is its file."""
+        """End the recording and report why. `{0}` in the message is its file."""
         self.stop()
         self.ended_early.emit(message.format(self.path))
 

@@ -21,7 +21,7 @@ _WRITING_TIMEOUT_MS = 3000
 
 class Session(Protocol):
     def run(self) -> None:
-        """Serve the line until it is lost or `Close` comes; never raise."""
+        """Serve the line until it is lost or `Close` comes. Never raise."""
         ...
 
 
@@ -51,7 +51,7 @@ class LineWorker(WorkerThread):
         self._requests.put(request)
 
     def close(self, timeout_ms: int = _TIMEOUT_MS) -> bool:
-        """Close the session; return whether the thread ended in time."""
+        """Close the session and return whether the thread ended in time."""
         self.submit(Close())
         return self.wait(timeout_ms)
 
@@ -78,12 +78,12 @@ class SessionThread(QObject):
         self._writes: set[int] = set()
 
     def moves(self, request: object) -> bool:
-        """Return whether this request may start a motor; true unless a device overrides it."""
+        """Return whether this request may start a motor. True unless a device overrides it."""
         del request
         return True
 
     def writes(self, request: object) -> bool:
-        """Return whether this request writes to the device; `shut_down` waits for its outcome."""
+        """Return whether this request writes to the device. `shut_down` waits for its outcome."""
         del request
         return False
 
@@ -92,7 +92,7 @@ class SessionThread(QObject):
         return self._worker is not None
 
     def start(self, make_session: MakeSession, *, may_move: bool) -> None:
-        """Start a session; `may_move` says that motors may be turning from an earlier one."""
+        """Start a session. `may_move` says that motors may be turning from an earlier one."""
         self._may_move = may_move
         self._late = self.last = None
         self._worker = LineWorker(make_session)
@@ -102,7 +102,7 @@ class SessionThread(QObject):
         self.started.emit()
 
     def submit(self, request: object) -> bool:
-        """Queue a request; return whether there is a session."""
+        """Queue a request and return whether there is a session."""
         if (worker := self._worker) is None:
             return False
         self._may_move = self._may_move or self.moves(request)
@@ -119,7 +119,7 @@ class SessionThread(QObject):
                 worker.submit(request)
 
     def request(self, make: Callable[[int], object], then: Callable[[Outcome], None]) -> bool:
-        """Queue the request that `make` returns for a number; `then` gets its outcome.
+        """Queue the request that `make` returns for a number. `then` gets its outcome.
 
         Return whether there is a session; without one, `then` is not called.
         """
@@ -133,11 +133,11 @@ class SessionThread(QObject):
         return self.submit(request)
 
     def close(self) -> None:
-        """Close the session without waiting; `closed` follows."""
+        """Close the session without waiting. `closed` follows."""
         self.submit(Close())
 
     def shut_down(self) -> bool:
-        """Close the session and wait at most a second; return whether it ended in time.
+        """Close the session within a second and return whether it ended in time.
 
         Waits up to three seconds for pending writes; an outcome that arrives in time is delivered
         before this returns. `last` says how the session ended; nothing else is reported. A thread

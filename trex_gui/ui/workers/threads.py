@@ -25,7 +25,7 @@ class WorkerThread(QThread):
         runtime().start(self, priority)
 
     def wait(self, milliseconds: int = FOREVER) -> bool:  # type: ignore[override]
-        """Wait for the end of the thread; return whether it ended in time.
+        """Wait for the end of the thread and return whether it ended in time.
 
         Takes no `QDeadlineTimer`, unlike Qt's, which would run on another clock.
         """
@@ -36,7 +36,7 @@ _orphans: list[WorkerThread] = []
 
 
 def adopt_orphan(thread: WorkerThread) -> None:
-    """Keep a thread until it has ended; its owner may be destroyed from now on.
+    """Keep a thread until it has ended. Its owner may be destroyed from now on.
 
     Call this in the thread in which the object lives.
     """
@@ -51,7 +51,7 @@ def release_orphan(thread: WorkerThread) -> None:
 
 
 def wait_for_orphans(timeout_ms: int = 0) -> bool:
-    """Wait for all orphaned threads together; return whether they ended in time."""
+    """Wait for all orphaned threads together and return whether they ended in time."""
     end = now() + timeout_ms / 1000
     _orphans[:] = [
         thread for thread in _orphans if not thread.wait(max(0, round((end - now()) * 1000)))
