@@ -172,9 +172,8 @@ class MainWindow(QMainWindow):
         preferences.setMenuRole(QAction.MenuRole.PreferencesRole)
         self._menus_shown[0].insertMenu(preferences, self.files.recent_menu)
         # Whatever window is in front; the others have their own keys.
-        self._actions["stop"].setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
-        self._actions["help"].setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
-        self._actions["search"].setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
+        for key in ("stop", "help", "search"):
+            self._actions[key].setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
         self._actions["stop"].setAutoRepeat(False)  # Esc that closed a menu may still be held
 
     def _connect(self) -> None:

@@ -118,10 +118,8 @@ class PreferencesDialog(ReusedDialog):
             default=False,
             on_click=self._reset,
         )
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close, self)
-        close = buttons.button(QDialogButtonBox.StandardButton.Close)
-        close.setObjectName("preferencesClose")
-        close.setDefault(True)
+        buttons = self.close_box("preferencesClose")
+        buttons.button(QDialogButtonBox.StandardButton.Close).setDefault(True)
         self._rows = ui.column(
             form,
             self._own_folder,
@@ -132,7 +130,6 @@ class PreferencesDialog(ReusedDialog):
             ui.row(reset, 1, buttons),
             into=self,
         )
-        buttons.rejected.connect(self.close)
         theme().changed.connect(self._show_choices)
         theme().changed.connect(self._fit)
         self._fit()

@@ -56,8 +56,7 @@ class ReportDialog(ReusedDialog):
         self._text.setPlaceholderText(tr("Collecting …"))
         files = ui.label(self, text=tr("&Files:"), buddy=self._list)
         content = ui.label(self, text=tr("Con&tent:"), buddy=self._text)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close, self)
-        buttons.button(QDialogButtonBox.StandardButton.Close).setObjectName("reportClose")
+        buttons = self.close_box("reportClose")
         self._save = ui.button(
             self, "reportSave", tr("&Save…"), icon="save", on_click=self._ask_and_save
         )
@@ -68,7 +67,6 @@ class ReportDialog(ReusedDialog):
         follow_theme(self, "font", lambda: self._text.setFont(fixed_font()))
         self._list.currentItemChanged.connect(self._show_current)
         self._list.itemChanged.connect(self._enable)
-        buttons.rejected.connect(self.close)
 
     def open_report(self, parts: Mapping[str, Callable[[], str]]) -> None:
         """Collect the files beside the window's thread. `parts` make them there."""

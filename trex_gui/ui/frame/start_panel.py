@@ -90,7 +90,8 @@ class StartPanel(QWidget):
         find = ui.button(silent, f"{prefix}startFind", tr("Find &my board…"))
         find.clicked.connect(partial(workspace.trigger, "find"))
         other = ui.Card(texts.none, self)
-        demo = ui.button(other, f"{prefix}startDemo", texts.demo, on_click=self._connect_to_demo)
+        demo = ui.button(other, f"{prefix}startDemo", texts.demo)
+        demo.clicked.connect(lambda: frame.connect_to(frame.ports.demo_of(self._device)))
         about = tr("A simulated board: nothing can be damaged")
         for card, text, button in ((silent, tip, find), (other, about, demo)):
             button.setToolTip(ui.plain(text))
@@ -169,9 +170,6 @@ class StartPanel(QWidget):
         port, ports = self._real_ports[at], self._frame.ports
         is_known = port.device != ports.plugins[0].key
         self._frame.connect_to(port if is_known else ports.lead_to(port, self._device))
-
-    def _connect_to_demo(self) -> None:
-        self._frame.connect_to(self._frame.ports.demo_of(self._device))
 
     def _on_file_clicked(self, at: int) -> None:
         self._frame.files.open_recent(self._frame.files.recent.entries[at])

@@ -18,7 +18,7 @@ from PySide6.QtGui import (
     QTextFrameFormat,
     QTextTable,
 )
-from PySide6.QtWidgets import QDialogButtonBox, QListWidget, QTextBrowser, QWidget
+from PySide6.QtWidgets import QListWidget, QTextBrowser, QWidget
 
 from trex_gui import __version__
 from trex_gui.core.resource_files import resource
@@ -74,9 +74,7 @@ class HelpDialog(ReusedDialog):
             button.setEnabled(False)
             available.connect(button.setEnabled)
             steps.append(button)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close, self)
-        buttons.button(QDialogButtonBox.StandardButton.Close).setObjectName("helpClose")
-        buttons.rejected.connect(self.close)
+        buttons = self.close_box("helpClose")
         splitter = ui.splitter(self, "", Qt.Orientation.Horizontal, (self._list, 0), (text, 1))
         splitter.setSizes([230, 950])
         ui.column((splitter, 1), ui.row(*steps, 1, buttons, margins=0), into=self)
@@ -201,9 +199,8 @@ def _link_pictures(block: QTextBlock) -> None:
         if run.format.isImageFormat():
             cursor = QTextCursor(block)
             cursor.setPosition(block.position() + run.start)
-            cursor.setPosition(
-                block.position() + run.start + run.length, QTextCursor.MoveMode.KeepAnchor
-            )
+            right, keep = QTextCursor.MoveOperation.Right, QTextCursor.MoveMode.KeepAnchor
+            cursor.movePosition(right, keep, run.length)
             link = QTextCharFormat()
             link.setAnchor(True)
             link.setAnchorHref(run.format.toImageFormat().name())

@@ -7,7 +7,7 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal, Slot
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QMoveEvent, QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QApplication, QFrame, QPushButton, QWidget
 
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import tr, tr_noop
 from trex_gui.ui.notifier import (
     Answer,
     AnyRemedy,
@@ -21,6 +21,19 @@ from trex_gui.ui.notifier import (
 from trex_gui.ui.theme.icons import set_sign
 from trex_gui.ui.theme.theme import follow_theme, set_look, set_style_property
 from trex_gui.ui.widgets import builders as ui
+
+_BUTTONS: dict[Remedy | type[ConnectWith | CopyCommand], tuple[str, str]] = {
+    Remedy.FIND: ("bannerFind", tr_noop("Find now")),
+    Remedy.RECONNECT: ("bannerReconnect", tr_noop("Reconnect")),
+    Remedy.PLUG_IN: ("bannerReconnect", tr_noop("Reconnect")),
+    Remedy.SET_UP_CRC: ("bannerSetUpCrc", tr_noop("Set up CRC…")),
+    Remedy.CHECK_BOARD: ("bannerCheckBoard", tr_noop("Check the board…")),
+    Remedy.REPORT: ("bannerReport", tr_noop("Save report…")),
+    Remedy.STOP_THEM: ("bannerStop", tr_noop("Stop them now")),
+    ConnectWith: ("bannerConnectWith", tr_noop("Connect with its settings")),
+    CopyCommand: ("bannerCopy", tr_noop("Copy command")),
+}
+"""Object names and texts of the buttons for remedies."""
 
 
 class _MessageRow(QFrame):
@@ -140,25 +153,11 @@ class Banner(_MessageRow):
             return
         self._offered = remedies
         for remedy in remedies:
-            match remedy:
-                case Remedy.FIND:
-                    name, text = "bannerFind", tr("Find now")
-                case Remedy.RECONNECT | Remedy.PLUG_IN:
-                    name, text = "bannerReconnect", tr("Reconnect")
-                case Remedy.SET_UP_CRC:
-                    name, text = "bannerSetUpCrc", tr("Set up CRC…")
-                case Remedy.CHECK_BOARD:
-                    name, text = "bannerCheckBoard", tr("Check the board…")
-                case Remedy.REPORT:
-                    name, text = "bannerReport", tr("Save report…")
-                case Remedy.STOP_THEM:
-                    name, text = "bannerStop", tr("Stop them now")
-                case ConnectWith():
-                    name, text = "bannerConnectWith", tr("Connect with its settings")
-                case CopyCommand():
-                    name, text = "bannerCopy", tr("Copy command")
-                case Answer():
-                    name, text = remedy.name, remedy.text
+            if isinstance(remedy, Answer):
+                name, text = remedy.name, remedy.text
+            else:
+                name, source = _BUTTONS[remedy if isinstance(remedy, Remedy) else type(remedy)]
+                text = tr(source)
             button = self._add_button(name, text, self._help)
             button.clicked.connect(partial(self._on_chosen, button, remedy))
 
