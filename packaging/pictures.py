@@ -3,20 +3,35 @@
 `digests.json` beside them says what each shows; `tests/test_app.py` compares it with the window.
 """
 
+import hashlib
 import json
 import re
 import sys
 import tempfile
+from collections.abc import Collection, Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QCoreApplication, QSize
+from PySide6.QtCore import QCoreApplication, QSize, Qt
 from PySide6.QtGui import QImage
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QApplication,
+    QDialog,
+    QDockWidget,
+    QGroupBox,
+    QHeaderView,
+    QLabel,
+    QStackedWidget,
+    QTabBar,
+    QWidget,
+)
 
 from trex_gui import composition
 from trex_gui.app import complete
-from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.frame.workspace import Workspace
+from trex_gui.ui.program import Program
+from trex_gui.ui.theme.theme import Scheme, theme
 from trex_gui.ui.tour import Tour
 from trex_gui.ui.translations import ENGLISH, install_translations
 from trex_gui.ui.workers.threads import GuiThreadCollector
@@ -25,6 +40,72 @@ HELP = Path(__file__).resolve().parent.parent / "resources" / "help"
 PICTURES = HELP / "pictures"
 SIZE = QSize(1060, 700)
 COLOURS = 256
+
+
+def fixed_texts(widget: QWidget) -> Iterator[str]:
+    """Yield what a widget shows at any time: names of its parts, texts of labels and buttons.
+
+    Measurements are left out: labels of pages with a name, numbers. Of pages in one place only the
+    current one counts, and neither docks nor dialogs in front do.
+    """
+    if widget.objectName() and not widget.objectName().startswith("qt_"):
+        yield f"{type(widget).__name__} {widget.objectName()}"
+    yield from filter(None, (re.sub(r"[^\w ]|\d", "", text).strip() for text in _texts(widget)))
+    # Not `children`: it ends the wrappers of actions.
+    direct = Qt.FindChildOption.FindDirectChildrenOnly
+    for child in widget.findChildren(QWidget, options=direct):
+        if child.isWindow() or isinstance(child, QDockWidget) or child.objectName() == "focusFrame":
+            continue
+        if isinstance(widget, QStackedWidget) and child is not widget.currentWidget():
+            continue
+        yield from fixed_texts(child)
+
+
+def _texts(widget: QWidget) -> Iterator[str]:
+    match widget:
+        case QLabel() if not widget.objectName() or isinstance(widget.window(), QDialog):
+            yield widget.text()
+        case QAbstractButton():
+            yield widget.text()
+        case QGroupBox():
+            yield widget.title()
+        case QTabBar():
+            yield from map(widget.tabText, range(widget.count()))
+        case QHeaderView() if (model := widget.model()) is not None:
+            for section in range(widget.count()):
+                if widget.orientation() is Qt.Orientation.Horizontal:
+                    yield str(model.headerData(section, widget.orientation()) or "")
+
+
+class HelpTour(Tour):
+    """Writes the wanted pictures without docks, or all pictures.
+
+    `digests` has one of what each picture shows, by the name of its file without the scheme.
+    """
+
+    def __init__(
+        self,
+        program: Program,
+        folder: Path,
+        schemes: Sequence[Scheme] = ("light", "dark"),
+        *,
+        size: QSize = SIZE,
+        wanted: Collection[str] | None = None,
+    ) -> None:
+        super().__init__(program, folder, schemes, size=size)
+        self.digests: dict[str, str] = {}
+        self._wanted = wanted
+
+    def show_page(self, workspace: Workspace, number: int) -> None:
+        super().show_page(workspace, number)
+        for dock in self._program.window.findChildren(QDockWidget):
+            dock.hide()
+
+    def write(self, widget: QWidget, name: str, scheme: Scheme) -> None:
+        if self._wanted is None or name in self._wanted:
+            text = "\n".join(sorted(fixed_texts(widget)))
+            self.digests[name] = hashlib.sha256(text.encode()).hexdigest()[:16]
+            super().write(widget, name, scheme)
 
 
 def wanted_pictures() -> set[str]:
@@ -68,7 +149,7 @@ def main() -> int:
     program.window.show()
     complete(program, collector)
     with tempfile.TemporaryDirectory() as folder:
-        tour = Tour(program, Path(folder), size=SIZE, wanted=names, shows_docks=False)
+        tour = HelpTour(program, Path(folder), wanted=names)
         tour.finished.connect(lambda ok: QCoreApplication.exit(0 if ok else 1))
         tour.start()
         if app.exec() != 0 or tour.digests.keys() != names:

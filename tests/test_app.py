@@ -12,6 +12,7 @@ from PySide6.QtCore import QSize
 from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.simulator.waiting import becomes
+from tests.support.scripts import load_script
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
 from trex_gui import __version__
@@ -22,6 +23,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.ui.program import Program
 from trex_gui.ui.tour import Tour
 
+HelpTour = load_script("pictures").HelpTour
 PICTURES = Path(__file__).parents[1] / "resources" / "help" / "pictures"
 
 
@@ -70,7 +72,7 @@ def test_tour_writes_every_page_and_the_wizard(
     program: Program, qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("trex_gui.ui.tour._STEP_MS", 20)
-    tour = Tour(program, tmp_path, schemes=("dark",), size=QSize(800, 600))
+    tour = HelpTour(program, tmp_path, schemes=("dark",), size=QSize(800, 600))
     tour.start()
     with qtbot.waitSignal(tour.finished, timeout=120_000) as finished:
         program.connect_to_demo("trex")

@@ -1,25 +1,13 @@
 """Screenshots of every page and dialog, light and dark, without a user."""
 
-import hashlib
-import re
 import sys
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QSize, Qt, Signal
+from PySide6.QtCore import QObject, QSize, Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import (
-    QAbstractButton,
-    QDialog,
-    QDockWidget,
-    QGroupBox,
-    QHeaderView,
-    QLabel,
-    QStackedWidget,
-    QTabBar,
-    QWidget,
-)
+from PySide6.QtWidgets import QAbstractButton, QWidget
 
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.frame.workspace import Workspace
@@ -39,11 +27,7 @@ Do = Callable[[], object]
 
 
 class Tour(QObject):
-    """Connects to each simulated device, runs the steps of its plugin, writes PNG files.
-
-    `folder` is made when it is missing. `digests` has one of what each picture shows, by the name
-    of its file without the scheme.
-    """
+    """Connects to each simulated device, runs the steps of its plugin, writes PNG files."""
 
     # Whether all pictures are written; else a device did not connect, or a step could not be done.
     finished = Signal(bool)
@@ -55,16 +39,10 @@ class Tour(QObject):
         schemes: Sequence[Scheme] = ("light", "dark"),
         *,
         size: QSize = _SIZE,
-        wanted: Collection[str] | None = None,
-        shows_docks: bool = True,
     ) -> None:
-        """`size` is that of the window, `wanted` the pictures without their schemes, if not all."""
         super().__init__()
-        self.digests: dict[str, str] = {}
         self._schemes = schemes
         self._size = size
-        self._wanted = wanted
-        self._shows_docks = shows_docks
         self._program = program
         self._folder = folder
         self._steps = self._make_steps()
@@ -119,22 +97,20 @@ class Tour(QObject):
             device = self._program.device_manager.current
             workspace = self._program.workspace(device.plugin.key)
             for index in range(1 if first_only else workspace.count):
-                yield partial(self._show_page, workspace, index)
+                yield partial(self.show_page, workspace, index)
                 page = workspace.page_at(index)
                 name = page.objectName().removesuffix("PageArea") if page else str(index)
-                yield partial(self._write, window, f"{name}{state}", scheme)
+                yield partial(self.write, window, f"{name}{state}", scheme)
 
-    def _show_page(self, workspace: Workspace, number: int) -> None:
+    def show_page(self, workspace: Workspace, number: int) -> None:
         workspace.show_number(number)
-        for dock in () if self._shows_docks else self._program.window.findChildren(QDockWidget):
-            dock.hide()
 
     def look_at(self, dialog: str, name: str) -> Iterator[Do]:
         widget = self._program.window.findChild(QWidget, dialog)
         for scheme in self._schemes:
             yield partial(theme().set_scheme, scheme)
             if widget is not None:
-                yield partial(self._write, widget, name, scheme)
+                yield partial(self.write, widget, name, scheme)
 
     def choose(self, action: str) -> bool:
         found = self._program.window.findChild(QAction, action)
@@ -154,48 +130,9 @@ class Tour(QObject):
         found = self._program.window.findChild(QWidget, widget)
         return found is not None and found.isVisible()
 
-    def _write(self, widget: QWidget, name: str, scheme: Scheme) -> None:
-        if self._wanted is not None and name not in self._wanted:
-            return
-        text = "\n".join(sorted(fixed_texts(widget)))
-        self.digests[name] = hashlib.sha256(text.encode()).hexdigest()[:16]
+    def write(self, widget: QWidget, name: str, scheme: Scheme) -> None:
         for leds in widget.findChildren(Leds):
             leds.show_moment(0.0)  # when those that blink are lit
         path = self._folder / f"{name}-{scheme}.png"
         if widget.grab().save(str(path)):
             sys.stdout.write(f"{path}\n")
-
-
-def fixed_texts(widget: QWidget) -> Iterator[str]:
-    """Yield what a widget shows at any time: names of its parts, texts of labels and buttons.
-
-    Measurements are left out: labels of pages with a name, numbers. Of pages in one place only the
-    current one counts, and neither docks nor dialogs in front do.
-    """
-    if widget.objectName() and not widget.objectName().startswith("qt_"):
-        yield f"{type(widget).__name__} {widget.objectName()}"
-    yield from filter(None, (re.sub(r"[^\w ]|\d", "", text).strip() for text in _texts(widget)))
-    # Not `children`: it ends the wrappers of actions.
-    direct = Qt.FindChildOption.FindDirectChildrenOnly
-    for child in widget.findChildren(QWidget, options=direct):
-        if child.isWindow() or isinstance(child, QDockWidget) or child.objectName() == "focusFrame":
-            continue
-        if isinstance(widget, QStackedWidget) and child is not widget.currentWidget():
-            continue
-        yield from fixed_texts(child)
-
-
-def _texts(widget: QWidget) -> Iterator[str]:
-    match widget:
-        case QLabel() if not widget.objectName() or isinstance(widget.window(), QDialog):
-            yield widget.text()
-        case QAbstractButton():
-            yield widget.text()
-        case QGroupBox():
-            yield widget.title()
-        case QTabBar():
-            yield from map(widget.tabText, range(widget.count()))
-        case QHeaderView() if (model := widget.model()) is not None:
-            for section in range(widget.count()):
-                if widget.orientation() is Qt.Orientation.Horizontal:
-                    yield str(model.headerData(section, widget.orientation()) or "")

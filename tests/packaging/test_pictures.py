@@ -12,8 +12,10 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
-from trex_gui.ui.tour import fixed_texts
+from tests.support.scripts import load_script
 from trex_gui.ui.widgets import builders as ui
+
+fixed_texts = load_script("pictures").fixed_texts
 
 
 class Sample(QWidget):
