@@ -14,9 +14,8 @@ from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.model.board_events import BoardEvents
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.ui.diagnostics.log_page import LogPage
-from trex_gui.ui.event_log import MOST_EVENTS, EventLog
 from trex_gui.ui.help.messages import MessageHelp
-from trex_gui.ui.log import MOST_ENTRIES, Log
+from trex_gui.ui.log import MOST_ENTRIES, MOST_EVENTS, EventLog, Log
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.widgets.view import copy_lines
 

@@ -1,24 +1,51 @@
-"""The log of a workspace: messages and events with their times."""
+"""The newest events of a device, and the log of a workspace with messages as well."""
 
 import logging
 import time
+from bisect import bisect_right
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import datetime
+from operator import attrgetter
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.core.events import Event
-from trex_gui.ui.event_log import EventLog
+from trex_gui.core.events import Event, EventKind
 from trex_gui.ui.runtime import now
 
 log = logging.getLogger(__name__)
 
+MOST_EVENTS = 10_000  # events kept; the oldest are dropped
 MOST_ENTRIES = 2000  # kept; the oldest are dropped
 _LONGEST = 2000  # characters of one entry
 _REPEATED = 1.0  # seconds in which the same text again is the same entry: event and message
 _SIGN = "⚠"
+
+
+class EventLog(QObject):
+    happened = Signal(object)  # the new `Event`
+
+    def __init__(self, parent: QObject | None = None, *, clock: Callable[[], float] = now) -> None:
+        super().__init__(parent)
+        self._clock = clock
+        self.all: list[Event] = []  # in the order of time
+
+    def add(
+        self, kind: EventKind, text: str, at: float | None = None, *, is_problem: bool = False
+    ) -> Event:
+        """Note an event, now or at a time of the session's clock, and return it."""
+        event = Event(self._clock() if at is None else at, kind, text, is_problem)
+        self.put(event)
+        return event
+
+    def put(self, event: Event) -> None:
+        self.all.insert(bisect_right(self.all, event.time, key=attrgetter("time")), event)
+        del self.all[:-MOST_EVENTS]
+        self.happened.emit(event)
+
+    def clear(self) -> None:
+        self.all.clear()
 
 
 @dataclass(frozen=True, slots=True)

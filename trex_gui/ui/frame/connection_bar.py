@@ -298,18 +298,14 @@ class ConnectionBar(QFrame):
         self._status.show_text((is_connected and self._board_name()) or status.removesuffix("."))
         self._status.setToolTip(ui.plain(status))
         self._lamp.setAccessibleName(status)
-        self._show_quality()
+        self._quality.show_text(device.quality.text)
+        set_text_color(self._quality, "warning" if device.quality.is_bad else "muted")
+        self._remedy.setVisible(device.quality.remedy is not None)
         self._progress.setVisible(opening)
         if opening:
             self._progress.setRange(0, 0)
         self._line.setEnabled(idle and device.has_line_settings)
         self._show_button()
-
-    def _show_quality(self) -> None:
-        quality = self._manager.current.quality
-        self._quality.show_text(quality.text)
-        set_text_color(self._quality, "warning" if quality.is_bad else "muted")
-        self._remedy.setVisible(quality.remedy is not None)
 
     def _show_button(self) -> None:
         connects = self.would_connect

@@ -150,7 +150,7 @@ class RecordingWindow(QMainWindow):
         )
         frame = QWidget(self)
         builders.column(
-            MessageRoom(frame, self.banner, lines=1),
+            MessageRoom(frame, self.banner),
             top,
             builders.row((self._progress, 1), self._cancel),
             (halves, 1),

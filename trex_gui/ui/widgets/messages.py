@@ -194,21 +194,19 @@ class Banner(_MessageRow):
 
 
 class MessageRoom(QWidget):
-    """Space for messages in a layout, with the height of one line or of none.
+    """Space for messages in a layout, with the height of one line.
 
     Messages that need more cover what is above, or below at the top of a window: nothing moves.
     """
 
-    def __init__(self, parent: QWidget, *messages: QWidget, lines: int = 0) -> None:
+    def __init__(self, parent: QWidget, *messages: QWidget) -> None:
         super().__init__(parent)
         self._cover = QWidget(parent)  # not in the layout
         self._cover.setAutoFillBackground(True)
         self._rows = ui.column(*messages, into=self._cover, margins=0)
         for each in (self._cover, *messages):
             each.installEventFilter(self)
-        follow_theme(
-            self, "height", lambda: self.setFixedHeight(lines * (self.fontMetrics().height() + 24))
-        )
+        follow_theme(self, "height", lambda: self.setFixedHeight(self.fontMetrics().height() + 24))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         del watched

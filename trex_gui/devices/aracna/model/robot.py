@@ -37,7 +37,7 @@ from trex_gui.devices.aracna.session.messages import (
 from trex_gui.devices.aracna.session.session import AracnaSession
 from trex_gui.devices.aracna.session.traffic_decoder import AracnaDecoder
 from trex_gui.ui.devices.connection import ConnectionState, DeviceConnection
-from trex_gui.ui.event_log import EventLog
+from trex_gui.ui.log import EventLog
 from trex_gui.ui.notifier import Notifier, remedies_of
 from trex_gui.ui.runtime import now
 from trex_gui.ui.translations import error_sentence, error_text

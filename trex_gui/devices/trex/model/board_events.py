@@ -6,7 +6,7 @@ from trex_gui.core.events import EventKind
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.model.motors import Motors
-from trex_gui.ui.event_log import EventLog
+from trex_gui.ui.log import EventLog
 
 _NAMED = 3  # written settings that an event names; the rest are counted
 

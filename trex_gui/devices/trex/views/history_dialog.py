@@ -84,7 +84,7 @@ class HistoryDialog(ReusedDialog):
         self._pages.addWidget(halves)
         self._pages.addWidget(nothing)
         ui.row(bar.stop, self._bound, 1, self._folder, close, into=bar)
-        messages = MessageRoom(self, self._banner, self._question, lines=1)
+        messages = MessageRoom(self, self._banner, self._question)
         ui.column(messages, (self._pages, 1), bar, into=self)
         halves.setSizes([560, 620])
         restore_geometry(self, "history", 1180, 640)

@@ -120,7 +120,7 @@ class ChangesDialog(ReusedDialog):
         self.rows.setSizePolicy(policy.Preferred, policy.Expanding)
         self._findings_area.setSizePolicy(policy.Preferred, policy.Maximum)
         self.question = named(Question(self), f"{prefix}Question")
-        room = MessageRoom(self, self.question, lines=1)
+        room = MessageRoom(self, self.question)
         bar = ActionBar(device, f"{prefix}StopButton", self)
         self._close = button(self, names.close, on_click=self.close)
         self.action = button(self, names.action, confirms=True, on_click=self._on_action_clicked)

@@ -77,7 +77,7 @@ class SettingsEditor(QMainWindow):
         bar = ActionBar(device, "editorStopButton", self)
         row(bar.stop, 1, into=bar)
         frame = QWidget(self)
-        messages = MessageRoom(frame, self._banner, lines=1)
+        messages = MessageRoom(frame, self._banner)
         column(messages, (self.tabs, 1), bar, into=frame)
         self.setCentralWidget(frame)
         self._actions = self._build_menus()
