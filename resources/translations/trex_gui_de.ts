@@ -171,8 +171,6 @@
         <translation>Aracna {0}</translation></message>
     <message><source>No probe for an Aracna was sent on {0}: its baud rate is set at the other end of the network, and a TReX at another rate could take the probe for a command. If you know that it is an Aracna, connect once with: trex-gui --device aracna --port {1}</source>
         <translation>An {0} wurde keine Anfrage an einen Aracna gesendet: Die Baudrate ist am anderen Ende des Netzwerks eingestellt, und ein TReX mit einer anderen Baudrate könnte die Anfrage für einen Befehl halten. Wenn Sie wissen, dass es ein Aracna ist, verbinden Sie einmal mit: trex-gui --device aracna --port {1}</translation></message>
-    <message><source>No Aracna responds on {0}: everything sent comes back, and nothing else. The adapter's TX and RX are joined; an Aracna never echoes.</source>
-        <translation>An {0} antwortet kein Aracna: Alles Gesendete kommt zurück, und sonst nichts. TX und RX des Adapters sind verbunden; ein Aracna sendet nie ein Echo.</translation></message>
     <message><source>No probe for an Aracna was sent: {0} cannot be set to {1}.</source>
         <translation>Es wurde keine Anfrage an einen Aracna gesendet: {0} lässt sich nicht auf {1} einstellen.</translation></message>
     <message><source>Rename {0}</source>
@@ -195,26 +193,6 @@
         <translation>Sequenz {0} ändern</translation></message>
     <message><source>Add sequence {0}</source>
         <translation>Sequenz {0} hinzufügen</translation></message>
-    <message><source>Uses the authors' poses, but was not made by them.</source>
-        <translation>Nutzt die Posen der Autoren, stammt aber nicht von ihnen.</translation></message>
-    <message><source>Step</source>
-        <translation>Schritt</translation></message>
-    <message><source>Pose</source>
-        <translation>Pose</translation></message>
-    <message><source>Time</source>
-        <translation>Zeit</translation></message>
-    <message><source>Remarks</source>
-        <translation>Bemerkungen</translation></message>
-    <message numerus="yes"><source>%n step(s), {0:g} s</source>
-        <translation><numerusform>%n Schritt, {0:g} s</numerusform><numerusform>%n Schritte, {0:g} s</numerusform></translation></message>
-    <message><source>Undefined poses: {0}</source>
-        <translation>Nicht definierte Posen: {0}</translation></message>
-    <message><source>{0} (built in)</source>
-        <translation>{0} (eingebaut)</translation></message>
-    <message><source>Not renamed: {0}.</source>
-        <translation>Nicht umbenannt: {0}.</translation></message>
-    <message><source>{0} ms</source>
-        <translation>{0} ms</translation></message>
     <message><source>Motor {0}</source>
         <translation>Motor {0}</translation></message>
     <message><source>The recording ends here.</source>
@@ -251,8 +229,6 @@
         <translation>Das Board wurde neu gestartet; es ist in einer Sekunde wieder bereit …</translation></message>
     <message><source>The robot is not responding. Is its power on? Waiting for it …</source>
         <translation>Der Roboter antwortet nicht. Ist er eingeschaltet? Es wird auf ihn gewartet …</translation></message>
-    <message><source>There is nothing to play: the sequence has no steps.</source>
-        <translation>Es gibt nichts abzuspielen: Die Sequenz hat keine Schritte.</translation></message>
     <message numerus="yes"><source>Cropped to the limits of the joints: %n step(s).</source>
         <translation><numerusform>Auf die Gelenkgrenzen begrenzt: %n Schritt.</numerusform><numerusform>Auf die Gelenkgrenzen begrenzt: %n Schritte.</numerusform></translation></message>
     <message><source>Speeds not set: {0}</source>
@@ -271,16 +247,22 @@
         <translation>Die laufende Bewegung endet in etwa {0:.1f} s von selbst.</translation></message>
     <message><source>{0}. Nothing more is sent to the robot.</source>
         <translation>{0}. Es wird nichts mehr an den Roboter gesendet.</translation></message>
-    <message><source>{0} speeds of 0 to {1}, not {2}</source>
-        <translation>{0} Geschwindigkeiten von 0 bis {1}, nicht {2}</translation></message>
     <message><source>Which leg is which is assumed; even motors are inner joints, odd ones outer.</source>
         <translation>Welches Bein welches ist, ist angenommen; Motoren mit gerader Nummer sind innere Gelenke, solche mit ungerader äußere.</translation></message>
     <message><source>Motor {0} is at {1}, {2} from its goal {3}.</source>
         <translation>Motor {0} steht auf {1}, {2} von seinem Ziel {3} entfernt.</translation></message>
+    <message><source>Playing step {0} of {1} “{2}”, round {3} of {4}.</source>
+        <translation>Schritt {0} von {1} „{2}“ läuft, Durchlauf {3} von {4}.</translation></message>
     <message><source>unlimited</source>
         <translation>unbegrenzt</translation></message>
     <message><source>The reply was lost (or no motor responds): positions are not known.</source>
         <translation>Die Antwort ging verloren (oder kein Motor reagiert): Die Positionen sind nicht bekannt.</translation></message>
+    <message><source>Stuck: the robot is waiting for motor {0} and reads nothing.</source>
+        <translation>Hängt: Der Roboter wartet auf Motor {0} und liest nichts.</translation></message>
+    <message><source>Unknown: an earlier motion may continue for about {0:.0f} s.</source>
+        <translation>Unbekannt: Eine frühere Bewegung kann noch etwa {0:.0f} s weitergehen.</translation></message>
+    <message><source>Nothing is sent. Whether it is moving is not known before its first move.</source>
+        <translation>Es wird nichts gesendet. Ob er sich bewegt, ist bis zu seiner ersten Bewegung unbekannt.</translation></message>
     <message><source>The robot does not respond at all. Check its power and the cable.</source>
         <translation>Der Roboter antwortet überhaupt nicht. Prüfen Sie seine Stromversorgung und das Kabel.</translation></message>
     <message><source>Motor {0}, {1} leg</source>
@@ -289,24 +271,42 @@
         <translation>hängt hier</translation></message>
     <message><source>no reply (−1)</source>
         <translation>keine Antwort (−1)</translation></message>
+    <message><source>At rest: nothing is sent.</source>
+        <translation>In Ruhe: Es wird nichts gesendet.</translation></message>
+    <message><source>Unknown: the last motion may continue for about {0:.0f} s.</source>
+        <translation>Unbekannt: Die letzte Bewegung kann noch etwa {0:.0f} s weitergehen.</translation></message>
+    <message><source>Unknown: the last motion may still be running.</source>
+        <translation>Unbekannt: Die letzte Bewegung läuft vielleicht noch.</translation></message>
+    <message><source>The sequence begins.</source>
+        <translation>Die Sequenz beginnt.</translation></message>
+    <message><source>Playing blend-in.</source>
+        <translation>Einblendung läuft.</translation></message>
+    <message><source>Playing blend-out.</source>
+        <translation>Ausblendung läuft.</translation></message>
     <message><source>The robot is waiting for motor {0} and reads nothing until it responds. Check the servo power, the board's power, the cable of this servo, and whether it is blocked. A reset of the board ends the wait; it does not stop the servos.</source>
         <translation>Der Roboter wartet auf Motor {0} und liest nichts, bis dieser reagiert. Prüfen Sie die Servoversorgung, die Versorgung des Boards, das Kabel dieses Servos und ob es blockiert ist. Ein Reset des Boards beendet das Warten; die Servos stoppt er nicht.</translation></message>
     <message><source>Cropped to the limits of the joints: {0}.</source>
         <translation>Auf die Gelenkgrenzen begrenzt: {0}.</translation></message>
     <message><source>The board has restarted. Its servos continue to their goals.</source>
         <translation>Das Board wurde neu gestartet. Seine Servos bewegen sich weiter zu ihren Zielen.</translation></message>
-    <message><source>inner</source>
-        <translation>innen</translation></message>
     <message><source>outer</source>
         <translation>außen</translation></message>
+    <message><source>inner</source>
+        <translation>innen</translation></message>
     <message><source>Motor {0} did not report its position (−1).</source>
         <translation>Motor {0} hat seine Position nicht gemeldet (−1).</translation></message>
     <message><source>moving …</source>
         <translation>bewegt sich …</translation></message>
+    <message><source>Playing step {0}, round {1}.</source>
+        <translation>Schritt {0} läuft, Durchlauf {1}.</translation></message>
     <message><source>motor {0} to {1} instead of {2}</source>
         <translation>Motor {0} auf {1} statt {2}</translation></message>
     <message><source>{0} missed</source>
         <translation>{0} verfehlt</translation></message>
+    <message><source>The motion ends by itself in about {0:.1f} s.</source>
+        <translation>Die Bewegung endet in etwa {0:.1f} s von selbst.</translation></message>
+    <message><source>Waiting for motor {0} to arrive …</source>
+        <translation>Warten, bis Motor {0} ankommt …</translation></message>
     <message><source>All motors together, 100 units about the centre.</source>
         <translation>Alle Motoren gemeinsam, 100 Einheiten um die Mitte.</translation></message>
     <message><source>Lies down flat in 3 s and stands up in 3 s, from any position.</source>
@@ -323,12 +323,12 @@
         <translation>Die Posen sind für {0} Motoren, der Roboter hat {1}: Die letzten Positionen werden weggelassen.</translation></message>
     <message><source>The poses are for {0} motors, the robot has {1}: its last motors go to {2}.</source>
         <translation>Die Posen sind für {0} Motoren, der Roboter hat {1}: Seine letzten Motoren gehen auf {2}.</translation></message>
-    <message><source>a time scale is more than 0, not {0}</source>
-        <translation>ein Zeitfaktor ist größer als 0, nicht {0}</translation></message>
     <message><source>{0} uses poses that are not defined: {1}</source>
         <translation>{0} verwendet nicht definierte Posen: {1}</translation></message>
     <message><source>{0} has no steps</source>
         <translation>{0} hat keine Schritte</translation></message>
+    <message><source>the first line should name the robot and its servos; assuming 8 servos</source>
+        <translation>die erste Zeile sollte den Roboter und seine Servos nennen; angenommen werden 8 Servos</translation></message>
     <message><source>poses</source>
         <translation>Posen</translation></message>
     <message><source>neither a pose nor a sequence: it has no colon</source>
@@ -339,42 +339,24 @@
         <translation>dies ist kein UTF-8-Text; er wird als westeuropäisch gelesen, und „Speichern“ schreibt UTF-8</translation></message>
     <message><source>this is a binary file; poses are text</source>
         <translation>dies ist eine Binärdatei; Posen sind Text</translation></message>
-    <message><source>the first line should name the robot and its servos; assuming 8 servos</source>
-        <translation>die erste Zeile sollte den Roboter und seine Servos nennen; angenommen werden 8 Servos</translation></message>
+    <message><source>{0} resolutions are expected; assuming {1} for every servo</source>
+        <translation>{0} Auflösungen werden erwartet; angenommen wird {1} für jedes Servo</translation></message>
+    <message><source>pose {0} has {1} positions of {2}; missing ones become {3}</source>
+        <translation>Pose {0} hat {1} von {2} Positionen; fehlende werden zu {3}</translation></message>
+    <message><source>pose {0}: positions are numbers from 0 to {1}, not {2!r} (motor {3})</source>
+        <translation>Pose {0}: Positionen sind Zahlen von 0 bis {1}, nicht {2!r} (Motor {3})</translation></message>
+    <message><source>sequence {0}: a step is a pose, a bar and {1} to {2} ms, not {3!r}</source>
+        <translation>Sequenz {0}: Ein Schritt ist eine Pose, ein senkrechter Strich und {1} bis {2} ms, nicht {3!r}</translation></message>
+    <message><source>pose {0} has {1} positions for {2} servos; the last ones are kept, but not used</source>
+        <translation>Pose {0} hat {1} Positionen für {2} Servos; die letzten bleiben erhalten, werden aber nicht verwendet</translation></message>
     <message><source>sequence {0} uses the pose {1}, which is not in the file</source>
         <translation>Sequenz {0} verwendet die Pose {1}, die nicht in der Datei steht</translation></message>
-    <message><source>the number of servos is 1 to {0}{1}; assuming {2}</source>
-        <translation>die Anzahl der Servos ist 1 bis {0}{1}; angenommen werden {2}</translation></message>
-    <message><source>{0} resolutions are expected and {1} found</source>
-        <translation>{0} Auflösungen werden erwartet, {1} gefunden</translation></message>
-    <message><source>pose {0} has {1} positions of {2}</source>
-        <translation>Pose {0} hat {1} von {2} Positionen</translation></message>
-    <message><source>pose {0}: positions are numbers from 0 to {1}</source>
-        <translation>Pose {0}: Positionen sind Zahlen von 0 bis {1}</translation></message>
-    <message><source>{0} to {1} ms</source>
-        <translation>{0} bis {1} ms</translation></message>
-    <message><source>sequence {0}: a step is a pose, a bar and {1}</source>
-        <translation>Sequenz {0}: Ein Schritt ist eine Pose, ein senkrechter Strich und {1}</translation></message>
     <message><source>a {0} has a name before its colon</source>
         <translation>vor dem Doppelpunkt fehlt der Name ({0})</translation></message>
-    <message><source>, not {0!r}</source>
-        <translation>, nicht {0!r}</translation></message>
-    <message><source>{0}; assuming {1} for every servo</source>
-        <translation>{0}; angenommen wird {1} für jedes Servo</translation></message>
-    <message><source>{0}; missing ones become {1}</source>
-        <translation>{0}; fehlende werden zu {1}</translation></message>
-    <message><source>pose {0} has {1} positions for {2} servos</source>
-        <translation>Pose {0} hat {1} Positionen für {2} Servos</translation></message>
     <message><source>the {0} {1} is repeated in line {2}</source>
         <translation>{1} ({0}) kommt in Zeile {2} noch einmal vor</translation></message>
-    <message><source>{0}, not {1!r} (motor {2})</source>
-        <translation>{0}, nicht {1!r} (Motor {2})</translation></message>
-    <message><source>{0}, not {1!r}</source>
-        <translation>{0}, nicht {1!r}</translation></message>
     <message><source>{0}; the line is kept, but not used</source>
         <translation>{0}; die Zeile bleibt erhalten, wird aber nicht verwendet</translation></message>
-    <message><source>{0}; the last ones are kept, but not used</source>
-        <translation>{0}; die letzten bleiben erhalten, werden aber nicht verwendet</translation></message>
     <message><source>apart from blanks around its name, {0}</source>
         <translation>abgesehen von Leerzeichen um den Namen: {0}</translation></message>
     <message><source>{0}, which counts; this one is called {1} now</source>
@@ -383,20 +365,12 @@
         <translation>ein Name hat mindestens ein Zeichen</translation></message>
     <message><source>a name has no control characters</source>
         <translation>ein Name enthält keine Steuerzeichen</translation></message>
-    <message><source>a {0}'s name has no colon and no line end, unlike {1!r}</source>
-        <translation>ein Name ({0}) enthält keinen Doppelpunkt und kein Zeilenende, anders als {1!r}</translation></message>
     <message><source>a name has at most {0} characters, not {1}</source>
         <translation>ein Name hat höchstens {0} Zeichen, nicht {1}</translation></message>
     <message><source>a name has no colon, comma or bar, which separate values: {0}</source>
         <translation>ein Name enthält weder Doppelpunkt noch Komma noch senkrechten Strich, die Werte trennen: {0}</translation></message>
     <message><source>the name {0} is taken</source>
         <translation>der Name {0} ist schon vergeben</translation></message>
-    <message><source>a step names a pose without comma, bar or line end, unlike {0!r}</source>
-        <translation>ein Schritt nennt eine Pose ohne Komma, senkrechten Strich und Zeilenende, anders als {0!r}</translation></message>
-    <message><source>a step takes {0} to {1} ms, not {2}</source>
-        <translation>ein Schritt dauert {0} bis {1} ms, nicht {2}</translation></message>
-    <message><source>positions are 0 to {0}, not {1} (motor {2} of {3})</source>
-        <translation>Positionen sind 0 bis {0}, nicht {1} (Motor {2} von {3})</translation></message>
     <message><source>the speed of motor {0} is 0 to {1}, not {2}</source>
         <translation>die Geschwindigkeit von Motor {0} ist 0 bis {1}, nicht {2}</translation></message>
     <message><source>the position of motor {0} is 0 to {1}, not {2}</source>
@@ -415,8 +389,8 @@
         <translation>Grenzen sind 0 bis {0} in aufsteigender Reihenfolge, nicht {1} bis {2}</translation></message>
     <message><source>No Aracna responds on {0}. It does not listen while it moves: if it is moving, wait until it stops. Check that the robot's board has power, that the adapter's TX goes to its RX and its RX to its TX (or that both radios are on the same channel), and that ground is connected.</source>
         <translation>An {0} antwortet kein Aracna. Während einer Bewegung hört er nicht zu: Falls er sich bewegt, warten Sie, bis er stillsteht. Prüfen Sie, ob das Board des Roboters Strom hat, ob TX des Adapters mit dessen RX und RX mit dessen TX verbunden ist (oder ob beide Funkmodule auf demselben Kanal sind) und ob Masse verbunden ist.</translation></message>
-    <message><source>Everything sent on {0} comes back, and nothing else: the adapter's TX and RX are joined.</source>
-        <translation>Alles, was an {0} gesendet wird, kommt zurück, und sonst nichts: TX und RX des Adapters sind verbunden.</translation></message>
+    <message><source>No Aracna responds on {0}: everything sent comes back, and nothing else. The adapter's TX and RX are joined; an Aracna never echoes.</source>
+        <translation>An {0} antwortet kein Aracna: Alles Gesendete kommt zurück, und sonst nichts. TX und RX des Adapters sind verbunden; ein Aracna sendet nie ein Echo.</translation></message>
     <message><source>An Aracna on {0} reports that it starts, but does not respond afterwards. It may be restarting repeatedly: check its power supply.</source>
         <translation>Ein Aracna an {0} meldet, dass er startet, antwortet danach aber nicht. Vielleicht startet er immer wieder neu: Prüfen Sie seine Stromversorgung.</translation></message>
     <message><source>Something responds on {0}, but not like an Aracna: {1}. Another device, perhaps a TReX at another baud rate, or interference on the line.</source>
@@ -477,20 +451,8 @@
         <translation>Die Sequenz wurde abgebrochen: Ein Motor war weit von seinem Ziel entfernt.</translation></message>
     <message><source>The sequence was aborted: the robot does not respond.</source>
         <translation>Die Sequenz wurde abgebrochen: Der Roboter antwortet nicht.</translation></message>
-    <message><source>There is no step to play.</source>
-        <translation>Es gibt keinen Schritt zum Abspielen.</translation></message>
-    <message><source>Cannot play endlessly: there is no step.</source>
-        <translation>Endlos abspielen nicht möglich: Es gibt keinen Schritt.</translation></message>
-    <message><source>The number of rounds is 0 (endless) or more, not {0}.</source>
-        <translation>Die Anzahl der Durchläufe ist 0 (endlos) oder größer, nicht {0}.</translation></message>
-    <message><source>The time scale is {0:g} to {1:g}, not {2:g}.</source>
-        <translation>Der Zeitfaktor ist {0:g} bis {1:g}, nicht {2:g}.</translation></message>
-    <message><source>A step{0} has {1} positions; the robot has {2} motors.</source>
-        <translation>Ein Schritt{0} hat {1} Positionen; der Roboter hat {2} Motoren.</translation></message>
-    <message><source>The positions of a step{0} are 0 to {1}: {2}.</source>
-        <translation>Die Positionen eines Schrittes{0} sind 0 bis {1}: {2}.</translation></message>
-    <message><source>A step{0} takes more than 0 s, not {1:g} s.</source>
-        <translation>Ein Schritt{0} dauert länger als 0 s, nicht {1:g} s.</translation></message>
+    <message><source>A robot with {0} motors cannot play this.</source>
+        <translation>Ein Roboter mit {0} Motoren kann das nicht abspielen.</translation></message>
     <message><source>query version and motors</source>
         <translation>Version und Motoren abfragen</translation></message>
     <message><source>switch the debug LED on</source>
@@ -657,8 +619,6 @@
         <translation>bewegt sich nach {0}</translation></message>
     <message><source>This link has no stop: a running motion ends only by itself, or by cutting the servo power.</source>
         <translation>Diese Verbindung kennt keinen Stopp: Eine laufende Bewegung endet nur von selbst oder durch Trennen der Servoversorgung.</translation></message>
-    <message><source>Playing step {0} of {1}.</source>
-        <translation>Schritt {0} von {1} läuft.</translation></message>
     <message><source>Stop sequence</source>
         <translation>Sequenz stoppen</translation></message>
     <message><source>End the sequence, send nothing more, stay where the robot is (Esc, anywhere)</source>
@@ -667,58 +627,14 @@
         <translation>Nach diesem Schritt &amp;beenden</translation></message>
     <message><source>The motion continues by itself for about {0:.0f} s.</source>
         <translation>Die Bewegung geht noch etwa {0:.0f} s von selbst weiter.</translation></message>
-    <message><source>Stuck: the robot is waiting for motor {0} and reads nothing.</source>
-        <translation>Hängt: Der Roboter wartet auf Motor {0} und liest nichts.</translation></message>
-    <message><source>At rest: nothing is sent.</source>
-        <translation>In Ruhe: Es wird nichts gesendet.</translation></message>
-    <message><source>Unknown: the last motion may continue for about {0:.0f} s.</source>
-        <translation>Unbekannt: Die letzte Bewegung kann noch etwa {0:.0f} s weitergehen.</translation></message>
-    <message><source>The sequence begins.</source>
-        <translation>Die Sequenz beginnt.</translation></message>
-    <message><source>Playing step {0} of {1} “{2}”.</source>
-        <translation>Schritt {0} von {1} „{2}“ läuft.</translation></message>
-    <message><source>Playing step {0} of {1}, round {3} of {4}.</source>
-        <translation>Schritt {0} von {1} läuft, Durchlauf {3} von {4}.</translation></message>
     <message><source>Let the step finish, then blend out</source>
         <translation>Den Schritt zu Ende führen, dann ausblenden</translation></message>
-    <message><source>Unknown: an earlier motion may continue for about {0:.0f} s.</source>
-        <translation>Unbekannt: Eine frühere Bewegung kann noch etwa {0:.0f} s weitergehen.</translation></message>
-    <message><source>Waiting for motor {0} to arrive …</source>
-        <translation>Warten, bis Motor {0} ankommt …</translation></message>
-    <message><source>Playing blend-in.</source>
-        <translation>Einblendung läuft.</translation></message>
-    <message><source>Playing blend-out.</source>
-        <translation>Ausblendung läuft.</translation></message>
-    <message><source>Playing step {0} of {1} “{2}”, round {3} of {4}.</source>
-        <translation>Schritt {0} von {1} „{2}“ läuft, Durchlauf {3} von {4}.</translation></message>
-    <message><source>Unknown: the last motion may still be running.</source>
-        <translation>Unbekannt: Die letzte Bewegung läuft vielleicht noch.</translation></message>
-    <message><source>Nothing is sent. Whether it is moving is not known before its first move.</source>
-        <translation>Es wird nichts gesendet. Ob er sich bewegt, ist bis zu seiner ersten Bewegung unbekannt.</translation></message>
-    <message><source>The motion ends by itself in about {0:.1f} s.</source>
-        <translation>Die Bewegung endet in etwa {0:.1f} s von selbst.</translation></message>
     <message><source>Plot of the motors' positions against time</source>
         <translation>Diagramm der Motorpositionen über der Zeit</translation></message>
     <message numerus="yes"><source>Aracna, firmware {0}, %n motor(s)</source>
         <translation><numerusform>Aracna, Firmware {0}, %n Motor</numerusform><numerusform>Aracna, Firmware {0}, %n Motoren</numerusform></translation></message>
-    <message><source>Stuck: the robot waited for motor {0} and accepted no command.</source>
-        <translation>Hing: Der Roboter wartete auf Motor {0} und nahm keinen Befehl an.</translation></message>
-    <message><source>blend-in</source>
-        <translation>Einblendung</translation></message>
-    <message><source>blend-out</source>
-        <translation>Ausblendung</translation></message>
     <message><source>Curve</source>
         <translation>Kurve</translation></message>
-    <message><source>Positions are unknown; the last motion may still be running.</source>
-        <translation>Die Positionen sind unbekannt; die letzte Bewegung läuft vielleicht noch.</translation></message>
-    <message><source>The reply was lost, or no motor responded: positions are unknown.</source>
-        <translation>Die Antwort ging verloren, oder kein Motor hat reagiert: Die Positionen sind unbekannt.</translation></message>
-    <message><source>Positions are not known yet.</source>
-        <translation>Die Positionen sind noch nicht bekannt.</translation></message>
-    <message><source>At rest.</source>
-        <translation>In Ruhe.</translation></message>
-    <message><source>{0} Playing: {1}.</source>
-        <translation>{0} Wiedergabe: {1}.</translation></message>
     <message><source>Full lines: as last reported; dashed: goal.</source>
         <translation>Durchgezogene Linien: zuletzt gemeldet; gestrichelt: Ziel.</translation></message>
     <message><source>Present</source>
@@ -739,12 +655,6 @@
         <translation>Geschwindigkeit</translation></message>
     <message><source>Draw the position of this motor in the plot</source>
         <translation>Die Position dieses Motors im Diagramm zeichnen</translation></message>
-    <message><source>The robot did not respond.</source>
-        <translation>Der Roboter hat nicht geantwortet.</translation></message>
-    <message><source>Moving for {0:.1f} s of about {1:.1f} s; motor {2} is waited for.</source>
-        <translation>Seit {0:.1f} s von etwa {1:.1f} s in Bewegung; gewartet wird auf Motor {2}.</translation></message>
-    <message><source>step {0}, round {1}</source>
-        <translation>Schritt {0}, Durchlauf {1}</translation></message>
     <message><source>{0}: draw its curve</source>
         <translation>{0}: Kurve zeichnen</translation></message>
     <message><source>Save pose file</source>
@@ -783,6 +693,8 @@
         <translation>Schritte</translation></message>
     <message><source>Choose a sequence or a gait to see its steps.</source>
         <translation>Wählen Sie eine Sequenz oder eine Gangart, um ihre Schritte zu sehen.</translation></message>
+    <message><source>{0} ms</source>
+        <translation>{0} ms</translation></message>
     <message><source>&amp;New</source>
         <translation>&amp;Neu</translation></message>
     <message><source>Add s&amp;tep</source>
@@ -791,6 +703,14 @@
         <translation>Einen Schritt zu „{0}“ nach dem aktuellen hinzufügen</translation></message>
     <message><source> ms</source>
         <translation> ms</translation></message>
+    <message><source>Step</source>
+        <translation>Schritt</translation></message>
+    <message><source>Pose</source>
+        <translation>Pose</translation></message>
+    <message><source>Time</source>
+        <translation>Zeit</translation></message>
+    <message><source>Remarks</source>
+        <translation>Bemerkungen</translation></message>
     <message><source>No steps yet. Add one: it uses the current pose.</source>
         <translation>Noch keine Schritte. Fügen Sie einen hinzu: Er verwendet die aktuelle Pose.</translation></message>
     <message><source>Milliseconds of step {0}</source>
@@ -807,6 +727,16 @@
         <translation>Nach oben</translation></message>
     <message><source>Move down</source>
         <translation>Nach unten</translation></message>
+    <message><source>Uses the authors' poses, but was not made by them.</source>
+        <translation>Nutzt die Posen der Autoren, stammt aber nicht von ihnen.</translation></message>
+    <message numerus="yes"><source>%n step(s), {0:g} s</source>
+        <translation><numerusform>%n Schritt, {0:g} s</numerusform><numerusform>%n Schritte, {0:g} s</numerusform></translation></message>
+    <message><source>Undefined poses: {0}</source>
+        <translation>Nicht definierte Posen: {0}</translation></message>
+    <message><source>{0} (built in)</source>
+        <translation>{0} (eingebaut)</translation></message>
+    <message><source>Not renamed: {0}.</source>
+        <translation>Nicht umbenannt: {0}.</translation></message>
     <message><source>Poses</source>
         <translation>Posen</translation></message>
     <message><source>{0}, changed</source>
@@ -829,10 +759,6 @@
         <translation>Abs&amp;pielen</translation></message>
     <message><source>Play the current sequence or gait.</source>
         <translation>Die aktuelle Sequenz oder Gangart abspielen.</translation></message>
-    <message><source>Positions outside the limits are cropped.</source>
-        <translation>Positionen außerhalb der Grenzen werden begrenzt.</translation></message>
-    <message><source>Some motors are too slow.</source>
-        <translation>Einige Motoren sind zu langsam.</translation></message>
     <message><source>{0}, {1} per round, {2} in total.</source>
         <translation>{0}, {1} pro Durchlauf, {2} insgesamt.</translation></message>
     <message><source>{0} min {1:02d} s</source>
@@ -849,6 +775,10 @@
         <translation>Am Ende langsam, in 3 s, in die Pose „stand“ gehen.</translation></message>
     <message><source>Choose a sequence or a gait to play it.</source>
         <translation>Wählen Sie eine Sequenz oder eine Gangart, um sie abzuspielen.</translation></message>
+    <message><source>Positions outside the limits are cropped.</source>
+        <translation>Positionen außerhalb der Grenzen werden begrenzt.</translation></message>
+    <message><source>Some motors are too slow.</source>
+        <translation>Einige Motoren sind zu langsam.</translation></message>
     <message><source>{0}, {1}.</source>
         <translation>{0}, {1}.</translation></message>
     <message><source>{0}, {1} per round, until stopped.</source>
@@ -2033,32 +1963,22 @@
         <translation>Änderungen wiederherstellen</translation></message>
     <message><source>Edits of this board</source>
         <translation>Änderungen an diesem Board</translation></message>
-    <message><source>What the board accepted was not remembered. {0}</source>
-        <translation>Was das Board akzeptiert hat, wurde nicht vermerkt. {0}</translation></message>
     <message><source>What was applied to this board cannot be remembered. {0}</source>
         <translation>Was auf dieses Board angewendet wurde, lässt sich nicht merken. {0}</translation></message>
+    <message><source>What the board accepted was not remembered. {0}</source>
+        <translation>Was das Board akzeptiert hat, wurde nicht vermerkt. {0}</translation></message>
     <message><source>Note on {0}</source>
         <translation>Notiz zu {0}</translation></message>
-    <message><source>damaged</source>
-        <translation>beschädigt</translation></message>
     <message numerus="yes"><source>And %n more problem(s).</source>
         <translation><numerusform>Und %n weiteres Problem.</numerusform><numerusform>Und %n weitere Probleme.</numerusform></translation></message>
-    <message><source>When the settings of the board were saved</source>
-        <translation>Wann die Einstellungen des Boards gesichert wurden</translation></message>
     <message><source>Before</source>
         <translation>Vor</translation></message>
-    <message><source>The operation that followed</source>
-        <translation>Der Vorgang, der darauf folgte</translation></message>
     <message><source>Board</source>
         <translation>Board</translation></message>
-    <message><source>Model and firmware</source>
-        <translation>Modell und Firmware</translation></message>
     <message><source>No.</source>
         <translation>Nr.</translation></message>
-    <message><source>Device number</source>
-        <translation>Gerätenummer</translation></message>
-    <message><source>The port that the board was connected to</source>
-        <translation>Der Port, mit dem das Board verbunden war</translation></message>
+    <message><source>damaged</source>
+        <translation>beschädigt</translation></message>
     <message><source>today {0}</source>
         <translation>heute {0}</translation></message>
     <message><source>yesterday {0}</source>
@@ -2751,6 +2671,8 @@
         <translation>Gespeicherten Prüflauf öffnen</translation></message>
     <message><source>Save this test to compare with later, or a picture of it</source>
         <translation>Diesen Prüflauf für spätere Vergleiche oder als Bild speichern</translation></message>
+    <message><source>Bench tests (*.csv);;All files (*)</source>
+        <translation>Prüfläufe (*.csv);;Alle Dateien (*)</translation></message>
     <message><source>Bench test of motor {0}: {1}, {2:%Y-%m-%d %H:%M}</source>
         <translation>Prüflauf von Motor {0}: {1}, {2:%Y-%m-%d %H:%M}</translation></message>
     <message><source>{0:%H:%M:%S}, motor {1}: {2}</source>
@@ -2765,6 +2687,14 @@
         <translation>Sc&amp;hließen</translation></message>
     <message><source>The window of the bench test was closed.</source>
         <translation>Das Fenster des Prüflaufs wurde geschlossen.</translation></message>
+    <message><source>Save bench test</source>
+        <translation>Prüflauf speichern</translation></message>
+    <message><source>Bench tests (*.csv);;Pictures (*.png)</source>
+        <translation>Prüfläufe (*.csv);;Bilder (*.png)</translation></message>
+    <message><source>{0} was not saved: {1}.</source>
+        <translation>{0} wurde nicht gespeichert: {1}.</translation></message>
+    <message><source>{0} was not opened: {1}.</source>
+        <translation>{0} wurde nicht geöffnet: {1}.</translation></message>
     <message><source>Release to stop</source>
         <translation>Loslassen: Motor stoppt</translation></message>
     <message><source>Hold to run</source>
@@ -2777,6 +2707,10 @@
         <translation>&amp;Vergleichen mit</translation></message>
     <message><source>Settled &amp;within</source>
         <translation>Eingesch&amp;wungen innerhalb</translation></message>
+    <message><source>Open bench test</source>
+        <translation>Prüflauf öffnen</translation></message>
+    <message><source>Saved as {0}.</source>
+        <translation>Gespeichert als {0}.</translation></message>
     <message><source>Aborted after {0:.2f} s: {1}</source>
         <translation>Abgebrochen nach {0:.2f} s: {1}</translation></message>
     <message><source>Released after {0:.2f} s.</source>
@@ -2795,24 +2729,6 @@
         <translation>Verbinden Sie ein Board, um seine Einstellungen zu sehen.</translation></message>
     <message><source>Test</source>
         <translation>Prüflauf</translation></message>
-    <message><source>Motor to test</source>
-        <translation>Zu prüfender Motor</translation></message>
-    <message><source>Speed profile</source>
-        <translation>Geschwindigkeitsprofil</translation></message>
-    <message><source>First direction</source>
-        <translation>Erste Richtung</translation></message>
-    <message><source>Highest speed of the test</source>
-        <translation>Höchste Geschwindigkeit des Prüflaufs</translation></message>
-    <message><source>Duration of the test</source>
-        <translation>Dauer des Prüflaufs</translation></message>
-    <message><source>Period of the test</source>
-        <translation>Periode des Prüflaufs</translation></message>
-    <message><source>How setpoints are sent</source>
-        <translation>Wie Sollwerte gesendet werden</translation></message>
-    <message><source>Abort current</source>
-        <translation>Abbruchstrom</translation></message>
-    <message><source>Abort at the board's &amp;limit, too</source>
-        <translation>Auch an der Stromgrenze des &amp;Boards abbrechen</translation></message>
     <message><source>&amp;Motor</source>
         <translation>&amp;Motor</translation></message>
     <message><source>Pro&amp;file</source>
@@ -2825,8 +2741,14 @@
         <translation>&amp;Gesendet als</translation></message>
     <message><source>Abort &amp;above</source>
         <translation>Abbr&amp;uch über</translation></message>
+    <message><source>Abort at the board's &amp;limit, too</source>
+        <translation>Auch an der Stromgrenze des &amp;Boards abbrechen</translation></message>
     <message><source>1 to {0}, the speed ceiling of the Motors page</source>
         <translation>1 bis {0}, die Höchstgeschwindigkeit der Seite „Motoren“</translation></message>
+    <message><source>R&amp;ises in</source>
+        <translation>Ans&amp;tieg in</translation></message>
+    <message><source>&amp;Period</source>
+        <translation>&amp;Periode</translation></message>
     <message><source>A step has no period.</source>
         <translation>Ein Sprung hat keine Periode.</translation></message>
     <message><source>How long the speed rises before it is constant.</source>
@@ -2859,10 +2781,6 @@
         <translation> A</translation></message>
     <message><source>Stop when the board reports that its own current limit was exceeded.</source>
         <translation>Stoppt, wenn das Board meldet, dass seine eigene Stromgrenze überschritten wurde.</translation></message>
-    <message><source>R&amp;ises in</source>
-        <translation>Ans&amp;tieg in</translation></message>
-    <message><source>&amp;Period</source>
-        <translation>&amp;Periode</translation></message>
     <message><source>Review and write all pending edits, these included</source>
         <translation>Alle ausstehenden Änderungen prüfen und schreiben, auch diese</translation></message>
     <message><source>Limit P</source>
@@ -2917,24 +2835,10 @@
         <translation>Bis der Strom innerhalb dieses Anteils am stationären Strom blieb, oder innerhalb von zwei Counts um ihn.</translation></message>
     <message><source>Figures of the test</source>
         <translation>Kennwerte des Prüflaufs</translation></message>
-    <message><source>Save bench test</source>
-        <translation>Prüflauf speichern</translation></message>
-    <message><source>Bench tests (*.csv);;Pictures (*.png)</source>
-        <translation>Prüfläufe (*.csv);;Bilder (*.png)</translation></message>
-    <message><source>Open bench test</source>
-        <translation>Prüflauf öffnen</translation></message>
-    <message><source>Bench tests (*.csv);;All files (*)</source>
-        <translation>Prüfläufe (*.csv);;Alle Dateien (*)</translation></message>
-    <message><source>{0} was not saved: {1}.</source>
-        <translation>{0} wurde nicht gespeichert: {1}.</translation></message>
-    <message><source>{0} was not opened: {1}.</source>
-        <translation>{0} wurde nicht geöffnet: {1}.</translation></message>
     <message><source>This test</source>
         <translation>Dieser Prüflauf</translation></message>
     <message><source>Change</source>
         <translation>Änderung</translation></message>
-    <message><source>Saved as {0}.</source>
-        <translation>Gespeichert als {0}.</translation></message>
     <message><source>Settled within {0:.0f} % after</source>
         <translation>Auf {0:.0f} % eingeschwungen nach</translation></message>
     <message><source>Mode: off</source>
@@ -3089,10 +2993,6 @@
         <translation>Neue Gerätenummer</translation></message>
     <message><source>&amp;Write number</source>
         <translation>Nummer &amp;schreiben</translation></message>
-    <message><source>Board:</source>
-        <translation>Board:</translation></message>
-    <message><source>&amp;New number:</source>
-        <translation>&amp;Neue Nummer:</translation></message>
     <message><source>The board has this number already.</source>
         <translation>Das Board hat diese Nummer schon.</translation></message>
     <message><source>being left …</source>
@@ -3111,6 +3011,8 @@
         <translation>Antwort unlesbar</translation></message>
     <message><source>not asked yet</source>
         <translation>noch nicht abgefragt</translation></message>
+    <message><source>&amp;New number:</source>
+        <translation>&amp;Neue Nummer:</translation></message>
     <message><source>Number {0} of {1} …</source>
         <translation>Nummer {0} von {1} …</translation></message>
     <message><source>Taken: {0}.</source>
@@ -3167,14 +3069,14 @@
         <translation>{0}: jenseits einer Grenze, die kein Dokument bestätigt (erschlossen). Das Board entscheidet: Es lehnt den Wert vielleicht ab oder speichert einen anderen.</translation></message>
     <message><source>Write an&amp;yway</source>
         <translation>&amp;Trotzdem schreiben</translation></message>
-    <message><source>&amp;Edit the file instead</source>
-        <translation>Stattdessen die Datei &amp;bearbeiten</translation></message>
     <message><source>For a {0}: {1} carried over, {2} changed, {3} left out.</source>
         <translation>Für einen {0}: {1} übernommen, {2} geändert, {3} ausgelassen.</translation></message>
     <message><source>For a {0}; the board is a {1}. Checked changes become edits.</source>
         <translation>Für einen {0}; das Board ist ein {1}. Werte mit Häkchen werden als Änderungen übernommen.</translation></message>
     <message numerus="yes"><source>{0}: %n change(s) pending: review them to write them.</source>
         <translation><numerusform>{0}: %n Änderung steht an; prüfen Sie sie, um sie zu schreiben.</numerusform><numerusform>{0}: %n Änderungen stehen an; prüfen Sie sie, um sie zu schreiben.</numerusform></translation></message>
+    <message><source>&amp;Edit the file instead</source>
+        <translation>Stattdessen die Datei &amp;bearbeiten</translation></message>
     <message numerus="yes"><source>%n setting(s) differ, {0} match.</source>
         <translation><numerusform>%n Einstellung weicht ab, {0} gleich.</numerusform><numerusform>%n Einstellungen weichen ab, {0} gleich.</numerusform></translation></message>
     <message><source>{0}, firmware {1}</source>
@@ -3541,6 +3443,8 @@
         <translation>Übernehmen</translation></message>
     <message><source>Show line {0}</source>
         <translation>Zeile {0} zeigen</translation></message>
+    <message><source>Search times, boards, adapters (Ctrl+F)</source>
+        <translation>Zeiten, Boards, Adapter suchen (Strg+F)</translation></message>
     <message><source>Save a copy as a settings file</source>
         <translation>Eine Kopie als Einstellungsdatei speichern</translation></message>
     <message><source>There are no snapshots yet.
@@ -3551,28 +3455,26 @@ Before settings are applied or defaults restored, in this window or with trexcmd
 Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in diesem Fenster oder mit trexcmd, wird hier alles gesichert, was das Board speichert. Sie können eine Sicherungskopie mit dem Board vergleichen und ganz oder teilweise wiederherstellen.</translation></message>
     <message numerus="yes"><source>Permanently delete %n snapshot(s), the newest of {0}?</source>
         <translation><numerusform>%n Sicherungskopie von {0} endgültig löschen?</numerusform><numerusform>%n Sicherungskopien endgültig löschen, die neueste von {0}?</numerusform></translation></message>
-    <message><source>Search times, boards, adapters (Ctrl+F)</source>
-        <translation>Zeiten, Boards, Adapter suchen (Strg+F)</translation></message>
     <message><source>How many snapshots are kept</source>
         <translation>Wie viele Sicherungskopien behalten werden</translation></message>
     <message numerus="yes"><source>Permanently remove the oldest %n of {0} snapshots?</source>
         <translation><numerusform>Die älteste Sicherungskopie (%n von {0}) endgültig entfernen?</numerusform><numerusform>Die ältesten %n von {0} Sicherungskopien endgültig entfernen?</numerusform></translation></message>
     <message><source>History</source>
         <translation>Verlauf</translation></message>
+    <message><source>Search snapshots</source>
+        <translation>Sicherungskopien durchsuchen</translation></message>
+    <message><source>No snapshot matches the search.</source>
+        <translation>Keine Sicherungskopie passt zur Suche.</translation></message>
     <message><source>Save &amp;as…</source>
         <translation>Speichern un&amp;ter…</translation></message>
     <message><source>&amp;Delete…</source>
         <translation>&amp;Löschen…</translation></message>
     <message><source>&amp;Open folder</source>
         <translation>&amp;Ordner öffnen</translation></message>
-    <message><source>Save a copy of the snapshot</source>
-        <translation>Sicherungskopie als Datei speichern</translation></message>
-    <message><source>Search snapshots</source>
-        <translation>Sicherungskopien durchsuchen</translation></message>
     <message><source>Snapshots</source>
         <translation>Sicherungskopien</translation></message>
-    <message><source>No snapshot matches the search.</source>
-        <translation>Keine Sicherungskopie passt zur Suche.</translation></message>
+    <message><source>Save a copy of the snapshot</source>
+        <translation>Sicherungskopie als Datei speichern</translation></message>
     <message><source>all</source>
         <translation>alle</translation></message>
     <message><source>&amp;Set</source>
@@ -3769,8 +3671,6 @@ bisher {1}</translation></message>
         <translation>Serielles Timeout schreiben</translation></message>
     <message><source>Writes Serial Timeout and UART-Error Shutdown now: the board should stop its motors {0} s after the last byte. Other changes stay pending.</source>
         <translation>Schreibt jetzt „Serielles Timeout“ und „Abschaltung bei UART-Fehlern“: Das Board sollte seine Motoren {0} s nach dem letzten Byte stoppen. Andere Änderungen bleiben ausstehend.</translation></message>
-    <message><source>Stop both motors and the auxiliary now (Esc, anywhere)</source>
-        <translation>Beide Motoren und den Hilfsmotor sofort stoppen (Esc, überall)</translation></message>
     <message><source>Stops the motors, and sends nothing until they are armed again</source>
         <translation>Stoppt die Motoren und sendet nichts, bis sie wieder freigegeben sind</translation></message>
     <message numerus="yes"><source>Review %n ch&amp;ange(s)…</source>
@@ -3785,6 +3685,8 @@ bisher {1}</translation></message>
         <translation>Schreiben läuft …</translation></message>
     <message><source>Stop motors</source>
         <translation>Motoren stoppen</translation></message>
+    <message><source>Stop both motors and the auxiliary now (Esc, anywhere)</source>
+        <translation>Beide Motoren und den Hilfsmotor sofort stoppen (Esc, überall)</translation></message>
     <message><source>Disa&amp;rm</source>
         <translation>Freigabe a&amp;ufheben</translation></message>
     <message><source>A&amp;rm motors</source>
@@ -3845,18 +3747,16 @@ bisher {1}</translation></message>
         <translation>{0} konnte nicht geladen werden: {1}</translation></message>
     <message><source>Calibrations loaded from {0} as edits: {1}.</source>
         <translation>Kalibrierungen aus {0} als Änderungen geladen: {1}.</translation></message>
-    <message><source>{0} could not be saved: {1}</source>
-        <translation>{0} konnte nicht gespeichert werden: {1}</translation></message>
     <message><source>Copy of the calibration of channel {0}</source>
         <translation>Kopie der Kalibrierung von Kanal {0}</translation></message>
     <message><source>{0} has the same calibrations.</source>
         <translation>{0} enthält dieselben Kalibrierungen.</translation></message>
+    <message><source>The calibrations shown were saved in {0}.</source>
+        <translation>Die gezeigten Kalibrierungen wurden in {0} gespeichert.</translation></message>
     <message><source>Channel {0} ({1})</source>
         <translation>Kanal {0} ({1})</translation></message>
     <message><source>Calibrations of {0}</source>
         <translation>Kalibrierungen aus {0}</translation></message>
-    <message><source>The calibrations shown were saved in {0}.</source>
-        <translation>Die gezeigten Kalibrierungen wurden in {0} gespeichert.</translation></message>
     <message><source>Re&amp;versed</source>
         <translation>&amp;Umgekehrt</translation></message>
     <message><source>The output changes its sign: forward and reverse are swapped</source>
@@ -4003,6 +3903,8 @@ bisher {1}</translation></message>
         <translation>Halten Sie eine Pfeiltaste, um zu fahren, solange das Fahrfeld den Fokus hat.</translation></message>
     <message><source>Hold Up or Down to drive; the motors cannot turn separately.</source>
         <translation>Halten Sie „Pfeil auf“ oder „Pfeil ab“, um zu fahren; die Motoren können nicht getrennt drehen.</translation></message>
+    <message><source>At rest.</source>
+        <translation>In Ruhe.</translation></message>
     <message><source>Drive pad</source>
         <translation>Fahrfeld</translation></message>
     <message><source>back</source>
@@ -4027,6 +3929,10 @@ bisher {1}</translation></message>
         <translation>Drücken Sie den Knüppel zum Lenken ganz nach rechts.</translation></message>
     <message><source>The gamepad cannot drive while this window is open, but its stop button works.</source>
         <translation>Mit dem Gamepad kann nicht gefahren werden, solange dieses Fenster offen ist, aber seine Stopptaste wirkt.</translation></message>
+    <message><source>Move it…</source>
+        <translation>Bewegen…</translation></message>
+    <message><source>Press it…</source>
+        <translation>Drücken…</translation></message>
     <message><source>Invert</source>
         <translation>Umkehren</translation></message>
     <message><source>Set up the gamepad</source>
@@ -4039,14 +3945,6 @@ bisher {1}</translation></message>
         <translation>Eine Achse für jeden Motor</translation></message>
     <message><source>How two axes drive two motors</source>
         <translation>Wie zwei Achsen zwei Motoren steuern</translation></message>
-    <message><source>Move it…</source>
-        <translation>Bewegen…</translation></message>
-    <message><source>Press it…</source>
-        <translation>Drücken…</translation></message>
-    <message><source>&amp;Forward</source>
-        <translation>&amp;Vorwärts</translation></message>
-    <message><source>&amp;Turn</source>
-        <translation>&amp;Lenken</translation></message>
     <message><source>&amp;Hold to drive</source>
         <translation>Zum &amp;Fahren halten</translation></message>
     <message><source>&amp;Stop everything</source>
@@ -4077,8 +3975,12 @@ bisher {1}</translation></message>
         <translation>0 %: linear. 100 %: kubisch, am feinsten um die Mitte</translation></message>
     <message><source>&amp;Left motor</source>
         <translation>&amp;Linker Motor</translation></message>
+    <message><source>&amp;Forward</source>
+        <translation>&amp;Vorwärts</translation></message>
     <message><source>Right &amp;motor</source>
         <translation>&amp;Rechter Motor</translation></message>
+    <message><source>&amp;Turn</source>
+        <translation>&amp;Lenken</translation></message>
     <message><source>pressed</source>
         <translation>gedrückt</translation></message>
     <message><source>{0}: detect</source>
@@ -4145,12 +4047,12 @@ bisher {1}</translation></message>
         <translation>E&amp;xtras</translation></message>
     <message><source>Options</source>
         <translation>Optionen</translation></message>
-    <message><source>Se&amp;t at once</source>
-        <translation>Sofort set&amp;zen</translation></message>
     <message><source>coast (0 %)</source>
         <translation>auslaufen (0 %)</translation></message>
     <message><source>none (0 s)</source>
         <translation>keine (0 s)</translation></message>
+    <message><source>Se&amp;t at once</source>
+        <translation>Sofort set&amp;zen</translation></message>
     <message><source>How long arming stays locked after Stop or Esc, so that a slider or key that is still held cannot restart a motor (0 to {0:g} s)</source>
         <translation>Wie lange die Freigabe nach einem Stopp oder Esc gesperrt bleibt, damit ein noch gehaltener Schieberegler oder eine gehaltene Taste keinen Motor wieder startet (0 bis {0:g} s)</translation></message>
     <message><source>stop after {0}</source>
@@ -4217,20 +4119,10 @@ bisher {1}</translation></message>
         <translation>unbekannt ({0})</translation></message>
     <message><source>{0}: channel {1}</source>
         <translation>{0}: Kanal {1}</translation></message>
-    <message><source>Search parameters</source>
-        <translation>Parameter suchen</translation></message>
-    <message><source>All</source>
-        <translation>Alle</translation></message>
-    <message><source>Changed {0}</source>
-        <translation>Geändert {0}</translation></message>
-    <message><source>Not default {0}</source>
-        <translation>Abweichend {0}</translation></message>
-    <message><source>Findings {0}</source>
-        <translation>Befunde {0}</translation></message>
-    <message><source>Parameters</source>
-        <translation>Parameter</translation></message>
     <message><source>Edit, then review. Nothing is written before that.</source>
         <translation>Ändern, dann prüfen. Vorher wird nichts geschrieben.</translation></message>
+    <message><source>Parameters</source>
+        <translation>Parameter</translation></message>
     <message><source>Connect to a board to see its parameters.</source>
         <translation>Verbinden Sie ein Board, um seine Parameter zu sehen.</translation></message>
     <message><source>No board is responding. Edits are kept until the same kind of board is connected.</source>
@@ -4255,8 +4147,18 @@ bisher {1}</translation></message>
         <translation>{0}: Die Motoren laufen weiter.</translation></message>
     <message><source>Speed over the stick, brake in the deadband: {0}</source>
         <translation>Geschwindigkeit über dem Knüppelweg, Bremse im Totbereich: {0}</translation></message>
+    <message><source>Search parameters</source>
+        <translation>Parameter suchen</translation></message>
     <message><source>&amp;Show all parameters</source>
         <translation>&amp;Alle Parameter anzeigen</translation></message>
+    <message><source>All</source>
+        <translation>Alle</translation></message>
+    <message><source>Changed {0}</source>
+        <translation>Geändert {0}</translation></message>
+    <message><source>Not default {0}</source>
+        <translation>Abweichend {0}</translation></message>
+    <message><source>Findings {0}</source>
+        <translation>Befunde {0}</translation></message>
     <message><source>No parameter matches.</source>
         <translation>Kein Parameter passt.</translation></message>
     <message><source>Try another &amp;wire value…</source>
@@ -4285,12 +4187,6 @@ bisher {1}</translation></message>
         <translation>Die Einstellungen öffnen, die das Board zu dieser Zeit gespeichert hatte</translation></message>
     <message><source>{0}; the channels control the motors.</source>
         <translation>{0}; die Kanäle steuern die Motoren.</translation></message>
-    <message><source>Signal</source>
-        <translation>Signal</translation></message>
-    <message><source>Counts</source>
-        <translation>Counts</translation></message>
-    <message><source>Remapped</source>
-        <translation>Umgerechnet</translation></message>
     <message><source>Serial mode with {0} inputs</source>
         <translation>Serieller Modus, Eingänge: {0}</translation></message>
     <message><source>{0} mode</source>
@@ -4299,6 +4195,8 @@ bisher {1}</translation></message>
         <translation>{0}.</translation></message>
     <message><source>{0}; serial commands reach the motors.</source>
         <translation>{0}; serielle Befehle erreichen die Motoren.</translation></message>
+    <message><source>{0}, setpoint {1}</source>
+        <translation>{0}, Sollwert {1}</translation></message>
     <message><source>brake {0}</source>
         <translation>Bremse {0}</translation></message>
     <message numerus="yes"><source>Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending edits?</source>
@@ -4383,12 +4281,10 @@ bisher {1}</translation></message>
         <translation>Rechtes Rad, rückwärts</translation></message>
     <message><source>front</source>
         <translation>vorn</translation></message>
-    <message><source>{0} is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use it, too.</source>
-        <translation>{0} gehört jetzt zu den ausstehenden Änderungen. Die Einstellung gilt, nachdem das Board aus- und eingeschaltet wurde; dieses Fenster folgt dann. Andere Programme an dieser Leitung müssen sie auch verwenden.</translation></message>
-    <message><source>CRC-7 is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use CRC-7, too.</source>
-        <translation>CRC-7 gehört jetzt zu den ausstehenden Änderungen. Die Einstellung gilt, nachdem das Board aus- und eingeschaltet wurde; dieses Fenster folgt dann. Andere Programme an dieser Leitung müssen CRC-7 auch verwenden.</translation></message>
     <message><source>Read the settings from the board and discard the edits made here?</source>
         <translation>Die Einstellungen vom Board lesen und die hier gemachten Änderungen verwerfen?</translation></message>
+    <message><source>{0} is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use it, too.</source>
+        <translation>{0} gehört jetzt zu den ausstehenden Änderungen. Die Einstellung gilt, nachdem das Board aus- und eingeschaltet wurde; dieses Fenster folgt dann. Andere Programme an dieser Leitung müssen sie auch verwenden.</translation></message>
     <message><source>Discard and reload</source>
         <translation>Verwerfen und neu laden</translation></message>
     <message><source>&amp;Add to the file</source>
@@ -4415,8 +4311,6 @@ bisher {1}</translation></message>
         <translation>Die Druckfunktion von Qt ist hier nicht installiert ({0}); speichern Sie stattdessen eine PDF-Datei.</translation></message>
     <message><source>Findings</source>
         <translation>Befunde</translation></message>
-    <message><source>{0}, page {1} of {2}</source>
-        <translation>{0}, Seite {1} von {2}</translation></message>
     <message><source>Calibrations</source>
         <translation>Kalibrierungen</translation></message>
     <message><source>None are given.</source>
@@ -5069,6 +4963,8 @@ bisher {1}</translation></message>
         <translation>Bilder brauchen eine Dateiendung wie .png</translation></message>
     <message><source>pictures cannot be written as {0}</source>
         <translation>Bilder lassen sich nicht als {0} schreiben</translation></message>
+    <message><source>It was not written: {0}.</source>
+        <translation>Sie wurde nicht geschrieben: {0}.</translation></message>
     <message><source>F&amp;ind…</source>
         <translation>Su&amp;chen…</translation></message>
     <message><source>Set up CRC…</source>
@@ -5375,16 +5271,14 @@ bisher {1}</translation></message>
         <translation>Der Export als MCAP braucht ein optionales Paket: {0}</translation></message>
     <message><source>The curves show its last {0} of {1} samples; exports contain all of them.</source>
         <translation>Die Kurven zeigen die letzten {0} von {1} Messwerten; Exporte enthalten alle.</translation></message>
-    <message><source>now</source>
-        <translation>jetzt</translation></message>
     <message><source>{n} h</source>
         <translation>{n} h</translation></message>
-    <message><source>{n} min</source>
-        <translation>{n} min</translation></message>
     <message><source>{n} s</source>
         <translation>{n} s</translation></message>
-    <message numerus="yes"><source>{0} sample(s) written to {1}.</source>
-        <translation><numerusform>{0} Messwert in {1} geschrieben.</numerusform><numerusform>{0} Messwerte in {1} geschrieben.</numerusform></translation></message>
+    <message><source>{n} min</source>
+        <translation>{n} min</translation></message>
+    <message><source>now</source>
+        <translation>jetzt</translation></message>
     <message><source>Picture as &amp;PNG…</source>
         <translation>Bild als &amp;PNG…</translation></message>
     <message><source>Picture as &amp;SVG…</source>
@@ -5397,6 +5291,8 @@ bisher {1}</translation></message>
         <translation>Bilder (*.{0})</translation></message>
     <message><source>Export</source>
         <translation>Export</translation></message>
+    <message numerus="yes"><source>{0} sample(s) written to {1}.</source>
+        <translation><numerusform>{0} Messwert in {1} geschrieben.</numerusform><numerusform>{0} Messwerte in {1} geschrieben.</numerusform></translation></message>
     <message><source>E&amp;xport</source>
         <translation>&amp;Export</translation></message>
     <message><source>Pictu&amp;re</source>
@@ -5475,30 +5371,12 @@ bisher {1}</translation></message>
         <translation>{0}, {1}: {2}, über der Grenze</translation></message>
     <message><source>No events</source>
         <translation>Keine Ereignisse</translation></message>
-    <message><source>Blue</source>
-        <translation>Blau</translation></message>
-    <message><source>Orange</source>
-        <translation>Orange</translation></message>
-    <message><source>Yellow</source>
-        <translation>Gelb</translation></message>
-    <message><source>Purple</source>
-        <translation>Violett</translation></message>
-    <message><source>Teal</source>
-        <translation>Türkis</translation></message>
-    <message><source>Pink</source>
-        <translation>Rosa</translation></message>
-    <message><source>Grey</source>
-        <translation>Grau</translation></message>
-    <message><source>As text</source>
-        <translation>Wie Text</translation></message>
     <message><source>La&amp;yout</source>
         <translation>La&amp;yout</translation></message>
     <message><source>Layout</source>
         <translation>Layout</translation></message>
     <message><source>Colours of the curves; save and open how the plot is shown</source>
         <translation>Farben der Kurven; speichern und öffnen, wie das Diagramm gezeigt wird</translation></message>
-    <message><source>Show in a &amp;window of its own</source>
-        <translation>In eigenem &amp;Fenster zeigen</translation></message>
     <message><source>&amp;Colours</source>
         <translation>Fa&amp;rben</translation></message>
     <message><source>Open layout</source>
@@ -5519,24 +5397,40 @@ bisher {1}</translation></message>
         <translation>Diagrammlayouts</translation></message>
     <message><source>The layout of {0} is shown.</source>
         <translation>Das Layout aus {0} wird gezeigt.</translation></message>
-    <message><source>is not a table of curves</source>
-        <translation>ist keine Tabelle von Kurven</translation></message>
-    <message><source>is not known in a plot layout</source>
-        <translation>ist in einem Diagrammlayout unbekannt</translation></message>
-    <message><source>is {0}, not a number from {1} to {2}</source>
-        <translation>ist {0}, keine Zahl von {1} bis {2}</translation></message>
+    <message><source>Blue</source>
+        <translation>Blau</translation></message>
+    <message><source>Orange</source>
+        <translation>Orange</translation></message>
+    <message><source>Yellow</source>
+        <translation>Gelb</translation></message>
+    <message><source>Purple</source>
+        <translation>Violett</translation></message>
+    <message><source>Teal</source>
+        <translation>Türkis</translation></message>
+    <message><source>Pink</source>
+        <translation>Rosa</translation></message>
+    <message><source>Grey</source>
+        <translation>Grau</translation></message>
+    <message><source>As text</source>
+        <translation>Wie Text</translation></message>
+    <message><source>is no curve of this plot, which has {0}</source>
+        <translation>ist keine Kurve dieses Diagramms; es hat {0}</translation></message>
     <message><source>it is nested too deeply</source>
         <translation>es ist zu tief verschachtelt</translation></message>
     <message><source>has no version; this program reads layouts of version {0}</source>
         <translation>hat keine Version; dieses Programm liest Layouts der Version {0}</translation></message>
-    <message><source>has the version {0}; this program reads layouts of version {1}</source>
-        <translation>hat die Version {0}; dieses Programm liest Layouts der Version {1}</translation></message>
-    <message><source>this is not a plot layout: {0}</source>
-        <translation>das ist kein Diagrammlayout: {0}</translation></message>
-    <message><source>is no curve of this plot, which has {0}</source>
-        <translation>ist keine Kurve dieses Diagramms; es hat {0}</translation></message>
     <message><source>has the colour {0}, which is none of {1}</source>
         <translation>hat die Farbe {0}, die nicht zu {1} gehört</translation></message>
+    <message><source>has the version {0}; this program reads layouts of version {1}</source>
+        <translation>hat die Version {0}; dieses Programm liest Layouts der Version {1}</translation></message>
+    <message><source>is {0}, not a number from {1} to {2}</source>
+        <translation>ist {0}, keine Zahl von {1} bis {2}</translation></message>
+    <message><source>is not known in a plot layout</source>
+        <translation>ist in einem Diagrammlayout unbekannt</translation></message>
+    <message><source>this is not a plot layout: {0}</source>
+        <translation>das ist kein Diagrammlayout: {0}</translation></message>
+    <message><source>is not a table of curves</source>
+        <translation>ist keine Tabelle von Kurven</translation></message>
     <message><source>Apply</source>
         <translation>Anwenden</translation></message>
     <message><source>Timeout</source>
@@ -5581,16 +5475,14 @@ bisher {1}</translation></message>
         <translation>&amp;Nur Fehler</translation></message>
     <message><source>C&amp;lear</source>
         <translation>&amp;Leeren</translation></message>
-    <message><source>&amp;Copy</source>
-        <translation>&amp;Kopieren</translation></message>
-    <message><source>Sa&amp;ve as text…</source>
-        <translation>Als Te&amp;xt speichern…</translation></message>
     <message><source>No row matches the search.</source>
         <translation>Keine Zeile passt zur Suche.</translation></message>
     <message><source>No faults so far.</source>
         <translation>Bisher keine Fehler.</translation></message>
     <message><source>Save the traffic log</source>
         <translation>Datenverkehrsprotokoll speichern</translation></message>
+    <message numerus="yes"><source>{0} row(s) written to {1}.</source>
+        <translation><numerusform>{0} Zeile in {1} geschrieben.</numerusform><numerusform>{0} Zeilen in {1} geschrieben.</numerusform></translation></message>
     <message><source>Also show the requests that the program repeats many times a second</source>
         <translation>Auch die Anfragen anzeigen, die das Programm viele Male pro Sekunde wiederholt</translation></message>
     <message><source>Show only failed transactions and line errors</source>
@@ -5599,12 +5491,16 @@ bisher {1}</translation></message>
         <translation>Vorerst keine Zeilen hinzufügen; der Datenverkehr wird weiter protokolliert</translation></message>
     <message><source>Remove every row</source>
         <translation>Alle Zeilen entfernen</translation></message>
+    <message><source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation></message>
     <message><source>Copy as &amp;Python</source>
         <translation>Als &amp;Python kopieren</translation></message>
     <message><source>Copy as C (&amp;POSIX)</source>
         <translation>Als &amp;C (POSIX) kopieren</translation></message>
     <message><source>Copy as &amp;Arduino sketch</source>
         <translation>Als &amp;Arduino-Sketch kopieren</translation></message>
+    <message><source>Sa&amp;ve as text…</source>
+        <translation>Als Te&amp;xt speichern…</translation></message>
     <message><source>polling is hidden</source>
         <translation>Abfrage ist ausgeblendet</translation></message>
     <message><source>paused</source>
@@ -5619,8 +5515,6 @@ bisher {1}</translation></message>
         <translation>Transaktionen: {0}</translation></message>
     <message><source>faults: {0}</source>
         <translation>Fehler: {0}</translation></message>
-    <message numerus="yes"><source>{0} row(s) written to {1}.</source>
-        <translation><numerusform>{0} Zeile in {1} geschrieben.</numerusform><numerusform>{0} Zeilen in {1} geschrieben.</numerusform></translation></message>
     <message><source>events lost: {0}</source>
         <translation>verlorene Ereignisse: {0}</translation></message>
     <message><source>Send &amp;bytes</source>
@@ -5701,12 +5595,6 @@ Soll die Datei aus den Einstellungen neu geschrieben werden? Ihre Kommentare geh
         <translation>Warnung</translation></message>
     <message><source>{0} LED: {1}</source>
         <translation>LED {0}: {1}</translation></message>
-    <message><source>Dismiss</source>
-        <translation>Ausblenden</translation></message>
-    <message><source>Copied</source>
-        <translation>Kopiert</translation></message>
-    <message><source>No message</source>
-        <translation>Keine Meldung</translation></message>
     <message><source>Find now</source>
         <translation>Jetzt suchen</translation></message>
     <message><source>Reconnect</source>
@@ -5719,6 +5607,12 @@ Soll die Datei aus den Einstellungen neu geschrieben werden? Ihre Kommentare geh
         <translation>Jetzt stoppen</translation></message>
     <message><source>Connect with its settings</source>
         <translation>Mit seinen Einstellungen verbinden</translation></message>
+    <message><source>Dismiss</source>
+        <translation>Ausblenden</translation></message>
+    <message><source>Copied</source>
+        <translation>Kopiert</translation></message>
+    <message><source>No message</source>
+        <translation>Keine Meldung</translation></message>
     <message><source>All steps are done.</source>
         <translation>Alle Schritte sind erledigt.</translation></message>
     <message><source>Step {0} of {1}: {2}.</source>
@@ -5729,14 +5623,6 @@ Soll die Datei aus den Einstellungen neu geschrieben werden? Ihre Kommentare geh
         <translation><numerusform>%n Zeile kopiert.</numerusform><numerusform>%n Zeilen kopiert.</numerusform></translation></message>
     <message><source>Internal error while processing this file ({0}).</source>
         <translation>Interner Fehler bei der Verarbeitung dieser Datei ({0}).</translation></message>
-    <message><source>Another file is still being written.</source>
-        <translation>Eine andere Datei wird noch geschrieben.</translation></message>
-    <message><source>{0} was not written. {1}</source>
-        <translation>{0} wurde nicht geschrieben. {1}</translation></message>
-    <message><source>It was not written: {0}.</source>
-        <translation>Sie wurde nicht geschrieben: {0}.</translation></message>
-    <message><source>{0} was not written.</source>
-        <translation>{0} wurde nicht geschrieben.</translation></message>
     <message><source>Internal error while recording ({0}). The recording has ended.</source>
         <translation>Interner Fehler beim Aufzeichnen ({0}). Die Aufzeichnung wurde beendet.</translation></message>
     <message><source>Internal error: the connection was closed.</source>

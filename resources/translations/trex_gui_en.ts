@@ -3,8 +3,6 @@
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
     <name>trex_gui</name>
-    <message numerus="yes"><source>%n step(s), {0:g} s</source>
-        <translation><numerusform>%n step, {0:g} s</numerusform><numerusform>%n steps, {0:g} s</numerusform></translation></message>
     <message numerus="yes"><source>%n time(s)</source>
         <translation><numerusform>once</numerusform><numerusform>%n times</numerusform></translation></message>
     <message numerus="yes"><source>Connected to Aracna: firmware {0}, %n motor(s).</source>
@@ -15,6 +13,8 @@
         <translation><numerusform>Playing %n step, {0}.</numerusform><numerusform>Playing %n steps, {0}.</numerusform></translation></message>
     <message numerus="yes"><source>Aracna, firmware {0}, %n motor(s)</source>
         <translation><numerusform>Aracna, firmware {0}, %n motor</numerusform><numerusform>Aracna, firmware {0}, %n motors</numerusform></translation></message>
+    <message numerus="yes"><source>%n step(s), {0:g} s</source>
+        <translation><numerusform>%n step, {0:g} s</numerusform><numerusform>%n steps, {0:g} s</numerusform></translation></message>
     <message numerus="yes"><source>%n step(s)</source>
         <translation><numerusform>%n step</numerusform><numerusform>%n steps</numerusform></translation></message>
     <message numerus="yes"><source>%n board(s) on this line.</source>

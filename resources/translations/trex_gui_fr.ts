@@ -171,8 +171,6 @@
         <translation>Aracna {0}</translation></message>
     <message><source>No probe for an Aracna was sent on {0}: its baud rate is set at the other end of the network, and a TReX at another rate could take the probe for a command. If you know that it is an Aracna, connect once with: trex-gui --device aracna --port {1}</source>
         <translation>Aucune requête de détection d'un Aracna n'a été envoyée sur {0} : le débit est réglé à l'autre bout du réseau, et un TReX à un autre débit pourrait prendre cette requête pour une commande. Si vous savez que c'est un Aracna, connectez-le une fois avec : trex-gui --device aracna --port {1}</translation></message>
-    <message><source>No Aracna responds on {0}: everything sent comes back, and nothing else. The adapter's TX and RX are joined; an Aracna never echoes.</source>
-        <translation>Aucun Aracna ne répond sur {0} : tout ce qui est envoyé revient, et rien d'autre. Les broches TX et RX de l'adaptateur sont reliées ; un Aracna ne renvoie jamais d'écho.</translation></message>
     <message><source>No probe for an Aracna was sent: {0} cannot be set to {1}.</source>
         <translation>Aucune requête de détection d'un Aracna n'a été envoyée : {0} ne peut pas être réglé sur {1}.</translation></message>
     <message><source>Rename {0}</source>
@@ -195,26 +193,6 @@
         <translation>Modifier la séquence {0}</translation></message>
     <message><source>Add sequence {0}</source>
         <translation>Ajouter la séquence {0}</translation></message>
-    <message><source>Uses the authors' poses, but was not made by them.</source>
-        <translation>Utilise les poses des auteurs du robot, mais n'a pas été faite par eux.</translation></message>
-    <message><source>Step</source>
-        <translation>Étape</translation></message>
-    <message><source>Pose</source>
-        <translation>Pose</translation></message>
-    <message><source>Time</source>
-        <translation>Temps</translation></message>
-    <message><source>Remarks</source>
-        <translation>Remarques</translation></message>
-    <message numerus="yes"><source>%n step(s), {0:g} s</source>
-        <translation><numerusform>%n étape, {0:g} s</numerusform><numerusform>%n étapes, {0:g} s</numerusform></translation></message>
-    <message><source>Undefined poses: {0}</source>
-        <translation>Poses non définies : {0}</translation></message>
-    <message><source>{0} (built in)</source>
-        <translation>{0} (intégrée)</translation></message>
-    <message><source>Not renamed: {0}.</source>
-        <translation>Non renommé : {0}.</translation></message>
-    <message><source>{0} ms</source>
-        <translation>{0} ms</translation></message>
     <message><source>Motor {0}</source>
         <translation>Moteur {0}</translation></message>
     <message><source>The recording ends here.</source>
@@ -251,8 +229,6 @@
         <translation>La carte a redémarré ; elle sera prête dans une seconde …</translation></message>
     <message><source>The robot is not responding. Is its power on? Waiting for it …</source>
         <translation>Le robot ne répond pas. Est-il sous tension ? Attente …</translation></message>
-    <message><source>There is nothing to play: the sequence has no steps.</source>
-        <translation>Il n'y a rien à jouer : la séquence n'a aucune étape.</translation></message>
     <message numerus="yes"><source>Cropped to the limits of the joints: %n step(s).</source>
         <translation><numerusform>Ramenée aux limites des articulations : %n étape.</numerusform><numerusform>Ramenées aux limites des articulations : %n étapes.</numerusform></translation></message>
     <message><source>Speeds not set: {0}</source>
@@ -271,16 +247,22 @@
         <translation>Le mouvement en cours se termine de lui-même dans {0:.1f} s environ.</translation></message>
     <message><source>{0}. Nothing more is sent to the robot.</source>
         <translation>{0}. Plus rien n'est envoyé au robot.</translation></message>
-    <message><source>{0} speeds of 0 to {1}, not {2}</source>
-        <translation>{0} vitesses de 0 à {1}, et non {2}</translation></message>
     <message><source>Which leg is which is assumed; even motors are inner joints, odd ones outer.</source>
         <translation>L'attribution des pattes est supposée ; les moteurs pairs sont les articulations intérieures, les impairs les extérieures.</translation></message>
     <message><source>Motor {0} is at {1}, {2} from its goal {3}.</source>
         <translation>Le moteur {0} est à {1}, soit {2} par rapport à sa cible {3}.</translation></message>
+    <message><source>Playing step {0} of {1} “{2}”, round {3} of {4}.</source>
+        <translation>Étape {0} sur {1} « {2} » en cours, cycle {3} sur {4}.</translation></message>
     <message><source>unlimited</source>
         <translation>illimitée</translation></message>
     <message><source>The reply was lost (or no motor responds): positions are not known.</source>
         <translation>La réponse s'est perdue (ou aucun moteur ne répond) : les positions ne sont pas connues.</translation></message>
+    <message><source>Stuck: the robot is waiting for motor {0} and reads nothing.</source>
+        <translation>Figé : le robot attend le moteur {0} et ne lit rien.</translation></message>
+    <message><source>Unknown: an earlier motion may continue for about {0:.0f} s.</source>
+        <translation>Inconnu : un mouvement antérieur peut continuer pendant {0:.0f} s environ.</translation></message>
+    <message><source>Nothing is sent. Whether it is moving is not known before its first move.</source>
+        <translation>Rien n'est envoyé. On ne sait pas s'il bouge avant son premier mouvement.</translation></message>
     <message><source>The robot does not respond at all. Check its power and the cable.</source>
         <translation>Le robot ne répond pas du tout. Vérifiez son alimentation et le câble.</translation></message>
     <message><source>Motor {0}, {1} leg</source>
@@ -289,24 +271,42 @@
         <translation>figé ici</translation></message>
     <message><source>no reply (−1)</source>
         <translation>pas de réponse (−1)</translation></message>
+    <message><source>At rest: nothing is sent.</source>
+        <translation>Au repos : rien n'est envoyé.</translation></message>
+    <message><source>Unknown: the last motion may continue for about {0:.0f} s.</source>
+        <translation>Inconnu : le dernier mouvement peut continuer pendant {0:.0f} s environ.</translation></message>
+    <message><source>Unknown: the last motion may still be running.</source>
+        <translation>Inconnu : le dernier mouvement est peut-être encore en cours.</translation></message>
+    <message><source>The sequence begins.</source>
+        <translation>La séquence commence.</translation></message>
+    <message><source>Playing blend-in.</source>
+        <translation>Transition d'entrée en cours.</translation></message>
+    <message><source>Playing blend-out.</source>
+        <translation>Transition de sortie en cours.</translation></message>
     <message><source>The robot is waiting for motor {0} and reads nothing until it responds. Check the servo power, the board's power, the cable of this servo, and whether it is blocked. A reset of the board ends the wait; it does not stop the servos.</source>
         <translation>Le robot attend le moteur {0} et ne lit rien tant que celui-ci ne répond pas. Vérifiez l'alimentation des servos, celle de la carte, le câble de ce servo, et s'il est bloqué. Une réinitialisation de la carte met fin à l'attente ; elle n'arrête pas les servos.</translation></message>
     <message><source>Cropped to the limits of the joints: {0}.</source>
         <translation>Ramené aux limites des articulations : {0}.</translation></message>
     <message><source>The board has restarted. Its servos continue to their goals.</source>
         <translation>La carte a redémarré. Ses servos continuent jusqu'à leurs cibles.</translation></message>
-    <message><source>inner</source>
-        <translation>intérieur</translation></message>
     <message><source>outer</source>
         <translation>extérieur</translation></message>
+    <message><source>inner</source>
+        <translation>intérieur</translation></message>
     <message><source>Motor {0} did not report its position (−1).</source>
         <translation>Le moteur {0} n'a pas transmis sa position (−1).</translation></message>
     <message><source>moving …</source>
         <translation>en mouvement …</translation></message>
+    <message><source>Playing step {0}, round {1}.</source>
+        <translation>Étape {0} en cours, cycle {1}.</translation></message>
     <message><source>motor {0} to {1} instead of {2}</source>
         <translation>moteur {0} à {1} au lieu de {2}</translation></message>
     <message><source>{0} missed</source>
         <translation>{0} : manquée</translation></message>
+    <message><source>The motion ends by itself in about {0:.1f} s.</source>
+        <translation>Le mouvement se termine de lui-même dans {0:.1f} s environ.</translation></message>
+    <message><source>Waiting for motor {0} to arrive …</source>
+        <translation>En attente de l'arrivée du moteur {0} …</translation></message>
     <message><source>All motors together, 100 units about the centre.</source>
         <translation>Tous les moteurs ensemble, ±100 unités autour du centre.</translation></message>
     <message><source>Lies down flat in 3 s and stands up in 3 s, from any position.</source>
@@ -323,12 +323,12 @@
         <translation>Les poses sont pour {0} moteurs, le robot en a {1} : les dernières positions sont ignorées.</translation></message>
     <message><source>The poses are for {0} motors, the robot has {1}: its last motors go to {2}.</source>
         <translation>Les poses sont pour {0} moteurs, le robot en a {1} : ses derniers moteurs vont à {2}.</translation></message>
-    <message><source>a time scale is more than 0, not {0}</source>
-        <translation>une échelle de temps est supérieure à 0, pas {0}</translation></message>
     <message><source>{0} uses poses that are not defined: {1}</source>
         <translation>{0} utilise des poses qui ne sont pas définies : {1}</translation></message>
     <message><source>{0} has no steps</source>
         <translation>{0} n'a aucune étape</translation></message>
+    <message><source>the first line should name the robot and its servos; assuming 8 servos</source>
+        <translation>la première ligne devrait nommer le robot et ses servos ; 8 servos sont supposés</translation></message>
     <message><source>poses</source>
         <translation>poses</translation></message>
     <message><source>neither a pose nor a sequence: it has no colon</source>
@@ -339,42 +339,24 @@
         <translation>ce n'est pas du texte UTF-8 ; il est lu comme texte d'Europe occidentale, et « Enregistrer » écrit de l'UTF-8</translation></message>
     <message><source>this is a binary file; poses are text</source>
         <translation>c'est un fichier binaire ; les poses sont du texte</translation></message>
-    <message><source>the first line should name the robot and its servos; assuming 8 servos</source>
-        <translation>la première ligne devrait nommer le robot et ses servos ; 8 servos sont supposés</translation></message>
+    <message><source>{0} resolutions are expected; assuming {1} for every servo</source>
+        <translation>{0} résolutions attendues ; {1} est supposé pour chaque servo</translation></message>
+    <message><source>pose {0} has {1} positions of {2}; missing ones become {3}</source>
+        <translation>la pose {0} a {1} positions sur {2} ; celles qui manquent deviennent {3}</translation></message>
+    <message><source>pose {0}: positions are numbers from 0 to {1}, not {2!r} (motor {3})</source>
+        <translation>pose {0} : les positions sont des nombres de 0 à {1}, pas {2!r} (moteur {3})</translation></message>
+    <message><source>sequence {0}: a step is a pose, a bar and {1} to {2} ms, not {3!r}</source>
+        <translation>séquence {0} : une étape se compose d'une pose, d'une barre et de {1} à {2} ms, pas {3!r}</translation></message>
+    <message><source>pose {0} has {1} positions for {2} servos; the last ones are kept, but not used</source>
+        <translation>la pose {0} a {1} positions pour {2} servos ; les dernières sont conservées, mais pas utilisées</translation></message>
     <message><source>sequence {0} uses the pose {1}, which is not in the file</source>
         <translation>la séquence {0} utilise la pose {1}, qui n'est pas dans le fichier</translation></message>
-    <message><source>the number of servos is 1 to {0}{1}; assuming {2}</source>
-        <translation>le nombre de servos va de 1 à {0}{1} ; {2} sont supposés</translation></message>
-    <message><source>{0} resolutions are expected and {1} found</source>
-        <translation>{0} résolutions attendues, {1} trouvées</translation></message>
-    <message><source>pose {0} has {1} positions of {2}</source>
-        <translation>la pose {0} a {1} positions sur {2}</translation></message>
-    <message><source>pose {0}: positions are numbers from 0 to {1}</source>
-        <translation>pose {0} : les positions sont des nombres de 0 à {1}</translation></message>
-    <message><source>{0} to {1} ms</source>
-        <translation>{0} à {1} ms</translation></message>
-    <message><source>sequence {0}: a step is a pose, a bar and {1}</source>
-        <translation>séquence {0} : une étape se compose d'une pose, d'une barre et de {1}</translation></message>
     <message><source>a {0} has a name before its colon</source>
         <translation>une {0} a un nom avant son deux-points</translation></message>
-    <message><source>, not {0!r}</source>
-        <translation>, pas {0!r}</translation></message>
-    <message><source>{0}; assuming {1} for every servo</source>
-        <translation>{0} ; {1} est supposé pour chaque servo</translation></message>
-    <message><source>{0}; missing ones become {1}</source>
-        <translation>{0} ; celles qui manquent deviennent {1}</translation></message>
-    <message><source>pose {0} has {1} positions for {2} servos</source>
-        <translation>la pose {0} a {1} positions pour {2} servos</translation></message>
     <message><source>the {0} {1} is repeated in line {2}</source>
         <translation>la {0} {1} est répétée à la ligne {2}</translation></message>
-    <message><source>{0}, not {1!r} (motor {2})</source>
-        <translation>{0}, pas {1!r} (moteur {2})</translation></message>
-    <message><source>{0}, not {1!r}</source>
-        <translation>{0}, pas {1!r}</translation></message>
     <message><source>{0}; the line is kept, but not used</source>
         <translation>{0} ; la ligne est conservée, mais pas utilisée</translation></message>
-    <message><source>{0}; the last ones are kept, but not used</source>
-        <translation>{0} ; les dernières sont conservées, mais pas utilisées</translation></message>
     <message><source>apart from blanks around its name, {0}</source>
         <translation>aux espaces autour du nom près, {0}</translation></message>
     <message><source>{0}, which counts; this one is called {1} now</source>
@@ -383,20 +365,12 @@
         <translation>un nom a au moins un caractère</translation></message>
     <message><source>a name has no control characters</source>
         <translation>un nom n'a pas de caractères de contrôle</translation></message>
-    <message><source>a {0}'s name has no colon and no line end, unlike {1!r}</source>
-        <translation>le nom d'une {0} n'a ni deux-points ni fin de ligne, contrairement à {1!r}</translation></message>
     <message><source>a name has at most {0} characters, not {1}</source>
         <translation>un nom a au plus {0} caractères, pas {1}</translation></message>
     <message><source>a name has no colon, comma or bar, which separate values: {0}</source>
         <translation>un nom n'a ni deux-points, ni virgule, ni barre, qui séparent les valeurs : {0}</translation></message>
     <message><source>the name {0} is taken</source>
         <translation>le nom {0} est déjà pris</translation></message>
-    <message><source>a step names a pose without comma, bar or line end, unlike {0!r}</source>
-        <translation>une étape désigne une pose sans virgule, barre ni fin de ligne, contrairement à {0!r}</translation></message>
-    <message><source>a step takes {0} to {1} ms, not {2}</source>
-        <translation>une étape dure de {0} à {1} ms, pas {2}</translation></message>
-    <message><source>positions are 0 to {0}, not {1} (motor {2} of {3})</source>
-        <translation>les positions vont de 0 à {0}, pas {1} (moteur {2} de {3})</translation></message>
     <message><source>the speed of motor {0} is 0 to {1}, not {2}</source>
         <translation>la vitesse du moteur {0} va de 0 à {1}, et non {2}</translation></message>
     <message><source>the position of motor {0} is 0 to {1}, not {2}</source>
@@ -415,8 +389,8 @@
         <translation>les limites vont de 0 à {0}, dans l'ordre, pas de {1} à {2}</translation></message>
     <message><source>No Aracna responds on {0}. It does not listen while it moves: if it is moving, wait until it stops. Check that the robot's board has power, that the adapter's TX goes to its RX and its RX to its TX (or that both radios are on the same channel), and that ground is connected.</source>
         <translation>Aucun Aracna ne répond sur {0}. Il n'écoute pas pendant qu'il bouge : s'il bouge, attendez qu'il s'arrête. Vérifiez que la carte du robot est alimentée, que TX de l'adaptateur va à son RX et RX à son TX (ou que les deux radios sont sur le même canal), et que la masse est reliée.</translation></message>
-    <message><source>Everything sent on {0} comes back, and nothing else: the adapter's TX and RX are joined.</source>
-        <translation>Tout ce qui est envoyé sur {0} revient, et rien d'autre : les broches TX et RX de l'adaptateur sont reliées.</translation></message>
+    <message><source>No Aracna responds on {0}: everything sent comes back, and nothing else. The adapter's TX and RX are joined; an Aracna never echoes.</source>
+        <translation>Aucun Aracna ne répond sur {0} : tout ce qui est envoyé revient, et rien d'autre. Les broches TX et RX de l'adaptateur sont reliées ; un Aracna ne renvoie jamais d'écho.</translation></message>
     <message><source>An Aracna on {0} reports that it starts, but does not respond afterwards. It may be restarting repeatedly: check its power supply.</source>
         <translation>Un Aracna sur {0} signale qu'il démarre, mais ne répond pas ensuite. Il redémarre peut-être sans cesse : vérifiez son alimentation.</translation></message>
     <message><source>Something responds on {0}, but not like an Aracna: {1}. Another device, perhaps a TReX at another baud rate, or interference on the line.</source>
@@ -477,20 +451,8 @@
         <translation>La séquence a été interrompue : un moteur était loin de sa cible.</translation></message>
     <message><source>The sequence was aborted: the robot does not respond.</source>
         <translation>La séquence a été interrompue : le robot ne répond pas.</translation></message>
-    <message><source>There is no step to play.</source>
-        <translation>Il n'y a aucune étape à jouer.</translation></message>
-    <message><source>Cannot play endlessly: there is no step.</source>
-        <translation>Impossible de jouer sans fin : il n'y a aucune étape.</translation></message>
-    <message><source>The number of rounds is 0 (endless) or more, not {0}.</source>
-        <translation>Le nombre de cycles est 0 (sans fin) ou plus, pas {0}.</translation></message>
-    <message><source>The time scale is {0:g} to {1:g}, not {2:g}.</source>
-        <translation>L'échelle de temps va de {0:g} à {1:g}, pas {2:g}.</translation></message>
-    <message><source>A step{0} has {1} positions; the robot has {2} motors.</source>
-        <translation>Une étape{0} a {1} positions ; le robot a {2} moteurs.</translation></message>
-    <message><source>The positions of a step{0} are 0 to {1}: {2}.</source>
-        <translation>Les positions d'une étape{0} vont de 0 à {1} : {2}.</translation></message>
-    <message><source>A step{0} takes more than 0 s, not {1:g} s.</source>
-        <translation>Une étape{0} dure plus de 0 s, pas {1:g} s.</translation></message>
+    <message><source>A robot with {0} motors cannot play this.</source>
+        <translation>Un robot à {0} moteurs ne peut pas exécuter cela.</translation></message>
     <message><source>query version and motors</source>
         <translation>demander la version et les moteurs</translation></message>
     <message><source>switch the debug LED on</source>
@@ -657,8 +619,6 @@
         <translation>va vers {0}</translation></message>
     <message><source>This link has no stop: a running motion ends only by itself, or by cutting the servo power.</source>
         <translation>Cette liaison n'a pas de commande d'arrêt : un mouvement en cours ne se termine que de lui-même, ou en coupant l'alimentation des servos.</translation></message>
-    <message><source>Playing step {0} of {1}.</source>
-        <translation>Étape {0} sur {1} en cours.</translation></message>
     <message><source>Stop sequence</source>
         <translation>Arrêter la séquence</translation></message>
     <message><source>End the sequence, send nothing more, stay where the robot is (Esc, anywhere)</source>
@@ -667,58 +627,14 @@
         <translation>Ter&amp;miner après cette étape</translation></message>
     <message><source>The motion continues by itself for about {0:.0f} s.</source>
         <translation>Le mouvement continue de lui-même pendant {0:.0f} s environ.</translation></message>
-    <message><source>Stuck: the robot is waiting for motor {0} and reads nothing.</source>
-        <translation>Figé : le robot attend le moteur {0} et ne lit rien.</translation></message>
-    <message><source>At rest: nothing is sent.</source>
-        <translation>Au repos : rien n'est envoyé.</translation></message>
-    <message><source>Unknown: the last motion may continue for about {0:.0f} s.</source>
-        <translation>Inconnu : le dernier mouvement peut continuer pendant {0:.0f} s environ.</translation></message>
-    <message><source>The sequence begins.</source>
-        <translation>La séquence commence.</translation></message>
-    <message><source>Playing step {0} of {1} “{2}”.</source>
-        <translation>Étape {0} sur {1} « {2} » en cours.</translation></message>
-    <message><source>Playing step {0} of {1}, round {3} of {4}.</source>
-        <translation>Étape {0} sur {1} en cours, cycle {3} sur {4}.</translation></message>
     <message><source>Let the step finish, then blend out</source>
         <translation>Finir l'étape, puis faire la transition de sortie</translation></message>
-    <message><source>Unknown: an earlier motion may continue for about {0:.0f} s.</source>
-        <translation>Inconnu : un mouvement antérieur peut continuer pendant {0:.0f} s environ.</translation></message>
-    <message><source>Waiting for motor {0} to arrive …</source>
-        <translation>En attente de l'arrivée du moteur {0} …</translation></message>
-    <message><source>Playing blend-in.</source>
-        <translation>Transition d'entrée en cours.</translation></message>
-    <message><source>Playing blend-out.</source>
-        <translation>Transition de sortie en cours.</translation></message>
-    <message><source>Playing step {0} of {1} “{2}”, round {3} of {4}.</source>
-        <translation>Étape {0} sur {1} « {2} » en cours, cycle {3} sur {4}.</translation></message>
-    <message><source>Unknown: the last motion may still be running.</source>
-        <translation>Inconnu : le dernier mouvement est peut-être encore en cours.</translation></message>
-    <message><source>Nothing is sent. Whether it is moving is not known before its first move.</source>
-        <translation>Rien n'est envoyé. On ne sait pas s'il bouge avant son premier mouvement.</translation></message>
-    <message><source>The motion ends by itself in about {0:.1f} s.</source>
-        <translation>Le mouvement se termine de lui-même dans {0:.1f} s environ.</translation></message>
     <message><source>Plot of the motors' positions against time</source>
         <translation>Courbes des positions des moteurs en fonction du temps</translation></message>
     <message numerus="yes"><source>Aracna, firmware {0}, %n motor(s)</source>
         <translation><numerusform>Aracna, firmware {0}, %n moteur</numerusform><numerusform>Aracna, firmware {0}, %n moteurs</numerusform></translation></message>
-    <message><source>Stuck: the robot waited for motor {0} and accepted no command.</source>
-        <translation>Figé : le robot attendait le moteur {0} et n'acceptait aucune commande.</translation></message>
-    <message><source>blend-in</source>
-        <translation>transition d'entrée</translation></message>
-    <message><source>blend-out</source>
-        <translation>transition de sortie</translation></message>
     <message><source>Curve</source>
         <translation>Courbe</translation></message>
-    <message><source>Positions are unknown; the last motion may still be running.</source>
-        <translation>Les positions sont inconnues ; le dernier mouvement est peut-être encore en cours.</translation></message>
-    <message><source>The reply was lost, or no motor responded: positions are unknown.</source>
-        <translation>La réponse s'est perdue, ou aucun moteur n'a répondu : les positions sont inconnues.</translation></message>
-    <message><source>Positions are not known yet.</source>
-        <translation>Les positions ne sont pas encore connues.</translation></message>
-    <message><source>At rest.</source>
-        <translation>Au repos.</translation></message>
-    <message><source>{0} Playing: {1}.</source>
-        <translation>{0} En cours : {1}.</translation></message>
     <message><source>Full lines: as last reported; dashed: goal.</source>
         <translation>Traits pleins : dernières positions transmises ; tirets : cible.</translation></message>
     <message><source>Present</source>
@@ -739,12 +655,6 @@
         <translation>vitesse</translation></message>
     <message><source>Draw the position of this motor in the plot</source>
         <translation>Tracer la position de ce moteur dans le graphique</translation></message>
-    <message><source>The robot did not respond.</source>
-        <translation>Le robot n'a pas répondu.</translation></message>
-    <message><source>Moving for {0:.1f} s of about {1:.1f} s; motor {2} is waited for.</source>
-        <translation>En mouvement depuis {0:.1f} s sur {1:.1f} s environ ; le moteur {2} est attendu.</translation></message>
-    <message><source>step {0}, round {1}</source>
-        <translation>étape {0}, cycle {1}</translation></message>
     <message><source>{0}: draw its curve</source>
         <translation>{0} : tracer sa courbe</translation></message>
     <message><source>Save pose file</source>
@@ -783,6 +693,8 @@
         <translation>Étapes</translation></message>
     <message><source>Choose a sequence or a gait to see its steps.</source>
         <translation>Choisissez une séquence ou une allure pour voir ses étapes.</translation></message>
+    <message><source>{0} ms</source>
+        <translation>{0} ms</translation></message>
     <message><source>&amp;New</source>
         <translation>No&amp;uveau</translation></message>
     <message><source>Add s&amp;tep</source>
@@ -791,6 +703,14 @@
         <translation>Ajouter une étape vers « {0} » après l'étape actuelle</translation></message>
     <message><source> ms</source>
         <translation> ms</translation></message>
+    <message><source>Step</source>
+        <translation>Étape</translation></message>
+    <message><source>Pose</source>
+        <translation>Pose</translation></message>
+    <message><source>Time</source>
+        <translation>Temps</translation></message>
+    <message><source>Remarks</source>
+        <translation>Remarques</translation></message>
     <message><source>No steps yet. Add one: it uses the current pose.</source>
         <translation>Pas encore d'étapes. Ajoutez-en une : elle utilise la pose actuelle.</translation></message>
     <message><source>Milliseconds of step {0}</source>
@@ -807,6 +727,16 @@
         <translation>Monter</translation></message>
     <message><source>Move down</source>
         <translation>Descendre</translation></message>
+    <message><source>Uses the authors' poses, but was not made by them.</source>
+        <translation>Utilise les poses des auteurs du robot, mais n'a pas été faite par eux.</translation></message>
+    <message numerus="yes"><source>%n step(s), {0:g} s</source>
+        <translation><numerusform>%n étape, {0:g} s</numerusform><numerusform>%n étapes, {0:g} s</numerusform></translation></message>
+    <message><source>Undefined poses: {0}</source>
+        <translation>Poses non définies : {0}</translation></message>
+    <message><source>{0} (built in)</source>
+        <translation>{0} (intégrée)</translation></message>
+    <message><source>Not renamed: {0}.</source>
+        <translation>Non renommé : {0}.</translation></message>
     <message><source>Poses</source>
         <translation>Poses</translation></message>
     <message><source>{0}, changed</source>
@@ -829,10 +759,6 @@
         <translation>&amp;Jouer</translation></message>
     <message><source>Play the current sequence or gait.</source>
         <translation>Jouer la séquence ou l'allure actuelle.</translation></message>
-    <message><source>Positions outside the limits are cropped.</source>
-        <translation>Les positions hors limites sont ramenées aux limites.</translation></message>
-    <message><source>Some motors are too slow.</source>
-        <translation>Certains moteurs sont trop lents.</translation></message>
     <message><source>{0}, {1} per round, {2} in total.</source>
         <translation>{0}, {1} par cycle, {2} au total.</translation></message>
     <message><source>{0} min {1:02d} s</source>
@@ -849,6 +775,10 @@
         <translation>À la fin, aller lentement, en 3 s, à la pose « stand ».</translation></message>
     <message><source>Choose a sequence or a gait to play it.</source>
         <translation>Choisissez une séquence ou une allure pour la jouer.</translation></message>
+    <message><source>Positions outside the limits are cropped.</source>
+        <translation>Les positions hors limites sont ramenées aux limites.</translation></message>
+    <message><source>Some motors are too slow.</source>
+        <translation>Certains moteurs sont trop lents.</translation></message>
     <message><source>{0}, {1}.</source>
         <translation>{0}, {1}.</translation></message>
     <message><source>{0}, {1} per round, until stopped.</source>
@@ -2033,32 +1963,22 @@
         <translation>Restaurer les modifications</translation></message>
     <message><source>Edits of this board</source>
         <translation>Modifications de cette carte</translation></message>
-    <message><source>What the board accepted was not remembered. {0}</source>
-        <translation>Ce que la carte a accepté n'a pas été mémorisé. {0}</translation></message>
     <message><source>What was applied to this board cannot be remembered. {0}</source>
         <translation>Ce qui a été appliqué à cette carte ne peut pas être mémorisé. {0}</translation></message>
+    <message><source>What the board accepted was not remembered. {0}</source>
+        <translation>Ce que la carte a accepté n'a pas été mémorisé. {0}</translation></message>
     <message><source>Note on {0}</source>
         <translation>Note sur {0}</translation></message>
-    <message><source>damaged</source>
-        <translation>endommagé</translation></message>
     <message numerus="yes"><source>And %n more problem(s).</source>
         <translation><numerusform>Et %n autre problème.</numerusform><numerusform>Et %n autres problèmes.</numerusform></translation></message>
-    <message><source>When the settings of the board were saved</source>
-        <translation>Quand les réglages de la carte ont été enregistrés</translation></message>
     <message><source>Before</source>
         <translation>Avant</translation></message>
-    <message><source>The operation that followed</source>
-        <translation>L'opération qui a suivi</translation></message>
     <message><source>Board</source>
         <translation>Carte</translation></message>
-    <message><source>Model and firmware</source>
-        <translation>Modèle et firmware</translation></message>
     <message><source>No.</source>
         <translation>N°</translation></message>
-    <message><source>Device number</source>
-        <translation>Numéro d'appareil</translation></message>
-    <message><source>The port that the board was connected to</source>
-        <translation>Le port auquel la carte était connectée</translation></message>
+    <message><source>damaged</source>
+        <translation>endommagé</translation></message>
     <message><source>today {0}</source>
         <translation>aujourd'hui {0}</translation></message>
     <message><source>yesterday {0}</source>
@@ -2751,6 +2671,8 @@
         <translation>Ouvrir un essai enregistré</translation></message>
     <message><source>Save this test to compare with later, or a picture of it</source>
         <translation>Enregistrer cet essai pour le comparer plus tard, ou une image de celui-ci</translation></message>
+    <message><source>Bench tests (*.csv);;All files (*)</source>
+        <translation>Essais au banc (*.csv);;Tous les fichiers (*)</translation></message>
     <message><source>Bench test of motor {0}: {1}, {2:%Y-%m-%d %H:%M}</source>
         <translation>Essai au banc du moteur {0} : {1}, {2:%Y-%m-%d %H:%M}</translation></message>
     <message><source>{0:%H:%M:%S}, motor {1}: {2}</source>
@@ -2765,6 +2687,14 @@
         <translation>&amp;Fermer</translation></message>
     <message><source>The window of the bench test was closed.</source>
         <translation>La fenêtre de l'essai au banc a été fermée.</translation></message>
+    <message><source>Save bench test</source>
+        <translation>Enregistrer l'essai au banc</translation></message>
+    <message><source>Bench tests (*.csv);;Pictures (*.png)</source>
+        <translation>Essais au banc (*.csv);;Images (*.png)</translation></message>
+    <message><source>{0} was not saved: {1}.</source>
+        <translation>{0} n'a pas été enregistré : {1}.</translation></message>
+    <message><source>{0} was not opened: {1}.</source>
+        <translation>{0} n'a pas été ouvert : {1}.</translation></message>
     <message><source>Release to stop</source>
         <translation>Relâcher pour arrêter</translation></message>
     <message><source>Hold to run</source>
@@ -2777,6 +2707,10 @@
         <translation>&amp;Comparer avec</translation></message>
     <message><source>Settled &amp;within</source>
         <translation>Sta&amp;bilisé à ±</translation></message>
+    <message><source>Open bench test</source>
+        <translation>Ouvrir un essai au banc</translation></message>
+    <message><source>Saved as {0}.</source>
+        <translation>Enregistré sous {0}.</translation></message>
     <message><source>Aborted after {0:.2f} s: {1}</source>
         <translation>Interrompu après {0:.2f} s : {1}</translation></message>
     <message><source>Released after {0:.2f} s.</source>
@@ -2795,24 +2729,6 @@
         <translation>Connectez une carte pour voir ses réglages.</translation></message>
     <message><source>Test</source>
         <translation>Essai</translation></message>
-    <message><source>Motor to test</source>
-        <translation>Moteur à essayer</translation></message>
-    <message><source>Speed profile</source>
-        <translation>Profil de vitesse</translation></message>
-    <message><source>First direction</source>
-        <translation>Premier sens</translation></message>
-    <message><source>Highest speed of the test</source>
-        <translation>Vitesse la plus élevée de l'essai</translation></message>
-    <message><source>Duration of the test</source>
-        <translation>Durée de l'essai</translation></message>
-    <message><source>Period of the test</source>
-        <translation>Période de l'essai</translation></message>
-    <message><source>How setpoints are sent</source>
-        <translation>Mode d'envoi des consignes</translation></message>
-    <message><source>Abort current</source>
-        <translation>Courant d'interruption</translation></message>
-    <message><source>Abort at the board's &amp;limit, too</source>
-        <translation>Interrompre aussi à la &amp;limite de la carte</translation></message>
     <message><source>&amp;Motor</source>
         <translation>&amp;Moteur</translation></message>
     <message><source>Pro&amp;file</source>
@@ -2825,8 +2741,14 @@
         <translation>&amp;Envoi</translation></message>
     <message><source>Abort &amp;above</source>
         <translation>&amp;Interrompre au-dessus de</translation></message>
+    <message><source>Abort at the board's &amp;limit, too</source>
+        <translation>Interrompre aussi à la &amp;limite de la carte</translation></message>
     <message><source>1 to {0}, the speed ceiling of the Motors page</source>
         <translation>1 à {0}, la vitesse maximale de la page Moteurs</translation></message>
+    <message><source>R&amp;ises in</source>
+        <translation>Monte e&amp;n</translation></message>
+    <message><source>&amp;Period</source>
+        <translation>&amp;Période</translation></message>
     <message><source>A step has no period.</source>
         <translation>Un échelon n'a pas de période.</translation></message>
     <message><source>How long the speed rises before it is constant.</source>
@@ -2859,10 +2781,6 @@
         <translation> A</translation></message>
     <message><source>Stop when the board reports that its own current limit was exceeded.</source>
         <translation>Arrêter quand la carte signale que sa propre limite de courant a été dépassée.</translation></message>
-    <message><source>R&amp;ises in</source>
-        <translation>Monte e&amp;n</translation></message>
-    <message><source>&amp;Period</source>
-        <translation>&amp;Période</translation></message>
     <message><source>Review and write all pending edits, these included</source>
         <translation>Vérifier et écrire toutes les modifications en attente, y compris celles-ci</translation></message>
     <message><source>Limit P</source>
@@ -2917,24 +2835,10 @@
         <translation>Jusqu'à ce que le courant ne s'écarte plus du courant établi de plus de cette proportion, ou de plus de deux counts.</translation></message>
     <message><source>Figures of the test</source>
         <translation>Résultats de l'essai</translation></message>
-    <message><source>Save bench test</source>
-        <translation>Enregistrer l'essai au banc</translation></message>
-    <message><source>Bench tests (*.csv);;Pictures (*.png)</source>
-        <translation>Essais au banc (*.csv);;Images (*.png)</translation></message>
-    <message><source>Open bench test</source>
-        <translation>Ouvrir un essai au banc</translation></message>
-    <message><source>Bench tests (*.csv);;All files (*)</source>
-        <translation>Essais au banc (*.csv);;Tous les fichiers (*)</translation></message>
-    <message><source>{0} was not saved: {1}.</source>
-        <translation>{0} n'a pas été enregistré : {1}.</translation></message>
-    <message><source>{0} was not opened: {1}.</source>
-        <translation>{0} n'a pas été ouvert : {1}.</translation></message>
     <message><source>This test</source>
         <translation>Cet essai</translation></message>
     <message><source>Change</source>
         <translation>Écart</translation></message>
-    <message><source>Saved as {0}.</source>
-        <translation>Enregistré sous {0}.</translation></message>
     <message><source>Settled within {0:.0f} % after</source>
         <translation>Stabilisé à ±{0:.0f} % après</translation></message>
     <message><source>Mode: off</source>
@@ -3089,10 +2993,6 @@
         <translation>Nouveau numéro d'appareil</translation></message>
     <message><source>&amp;Write number</source>
         <translation>Écrire le &amp;numéro</translation></message>
-    <message><source>Board:</source>
-        <translation>Carte :</translation></message>
-    <message><source>&amp;New number:</source>
-        <translation>Nouveau n&amp;uméro :</translation></message>
     <message><source>The board has this number already.</source>
         <translation>La carte a déjà ce numéro.</translation></message>
     <message><source>being left …</source>
@@ -3111,6 +3011,8 @@
         <translation>réponse illisible</translation></message>
     <message><source>not asked yet</source>
         <translation>pas encore interrogée</translation></message>
+    <message><source>&amp;New number:</source>
+        <translation>Nouveau n&amp;uméro :</translation></message>
     <message><source>Number {0} of {1} …</source>
         <translation>Numéro {0} sur {1} …</translation></message>
     <message><source>Taken: {0}.</source>
@@ -3167,14 +3069,14 @@
         <translation>{0} : au-delà d'une limite qu'aucun document ne confirme (déduit). C'est la carte qui décide : elle peut rejeter la valeur, ou en enregistrer une autre.</translation></message>
     <message><source>Write an&amp;yway</source>
         <translation>Écrire &amp;quand même</translation></message>
-    <message><source>&amp;Edit the file instead</source>
-        <translation>&amp;Modifier plutôt le fichier</translation></message>
     <message><source>For a {0}: {1} carried over, {2} changed, {3} left out.</source>
         <translation>Pour un {0} : {1} repris, {2} modifiés, {3} omis.</translation></message>
     <message><source>For a {0}; the board is a {1}. Checked changes become edits.</source>
         <translation>Pour un {0} ; la carte est un {1}. Les changements cochés deviennent des modifications.</translation></message>
     <message numerus="yes"><source>{0}: %n change(s) pending: review them to write them.</source>
         <translation><numerusform>{0} : %n modification en attente ; vérifiez-la pour l'écrire.</numerusform><numerusform>{0} : %n modifications en attente ; vérifiez-les pour les écrire.</numerusform></translation></message>
+    <message><source>&amp;Edit the file instead</source>
+        <translation>&amp;Modifier plutôt le fichier</translation></message>
     <message numerus="yes"><source>%n setting(s) differ, {0} match.</source>
         <translation><numerusform>%n réglage diffère, {0} identiques.</numerusform><numerusform>%n réglages diffèrent, {0} identiques.</numerusform></translation></message>
     <message><source>{0}, firmware {1}</source>
@@ -3541,6 +3443,8 @@
         <translation>Accepter</translation></message>
     <message><source>Show line {0}</source>
         <translation>Afficher la ligne {0}</translation></message>
+    <message><source>Search times, boards, adapters (Ctrl+F)</source>
+        <translation>Rechercher heures, cartes, adaptateurs (Ctrl+F)</translation></message>
     <message><source>Save a copy as a settings file</source>
         <translation>Enregistrer une copie comme fichier de réglages</translation></message>
     <message><source>There are no snapshots yet.
@@ -3551,28 +3455,26 @@ Before settings are applied or defaults restored, in this window or with trexcmd
 Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans cette fenêtre ou avec trexcmd, tout ce que la carte contient est enregistré ici. Vous pouvez comparer un instantané avec la carte et le restaurer en tout ou en partie.</translation></message>
     <message numerus="yes"><source>Permanently delete %n snapshot(s), the newest of {0}?</source>
         <translation><numerusform>Supprimer définitivement %n instantané ({0}) ?</numerusform><numerusform>Supprimer définitivement %n instantanés (le plus récent : {0}) ?</numerusform></translation></message>
-    <message><source>Search times, boards, adapters (Ctrl+F)</source>
-        <translation>Rechercher heures, cartes, adaptateurs (Ctrl+F)</translation></message>
     <message><source>How many snapshots are kept</source>
         <translation>Nombre d'instantanés conservés</translation></message>
     <message numerus="yes"><source>Permanently remove the oldest %n of {0} snapshots?</source>
         <translation><numerusform>Supprimer définitivement %n instantané sur {0}, le plus ancien ?</numerusform><numerusform>Supprimer définitivement %n instantanés sur {0}, les plus anciens ?</numerusform></translation></message>
     <message><source>History</source>
         <translation>Historique</translation></message>
+    <message><source>Search snapshots</source>
+        <translation>Rechercher dans les instantanés</translation></message>
+    <message><source>No snapshot matches the search.</source>
+        <translation>Aucun instantané ne correspond à la recherche.</translation></message>
     <message><source>Save &amp;as…</source>
         <translation>Enregis&amp;trer sous…</translation></message>
     <message><source>&amp;Delete…</source>
         <translation>&amp;Supprimer…</translation></message>
     <message><source>&amp;Open folder</source>
         <translation>&amp;Ouvrir le dossier</translation></message>
-    <message><source>Save a copy of the snapshot</source>
-        <translation>Enregistrer une copie de l'instantané</translation></message>
-    <message><source>Search snapshots</source>
-        <translation>Rechercher dans les instantanés</translation></message>
     <message><source>Snapshots</source>
         <translation>Instantanés</translation></message>
-    <message><source>No snapshot matches the search.</source>
-        <translation>Aucun instantané ne correspond à la recherche.</translation></message>
+    <message><source>Save a copy of the snapshot</source>
+        <translation>Enregistrer une copie de l'instantané</translation></message>
     <message><source>all</source>
         <translation>tous</translation></message>
     <message><source>&amp;Set</source>
@@ -3769,8 +3671,6 @@ avant {1}</translation></message>
         <translation>Écrire le délai série</translation></message>
     <message><source>Writes Serial Timeout and UART-Error Shutdown now: the board should stop its motors {0} s after the last byte. Other changes stay pending.</source>
         <translation>Écrit maintenant « Délai série » et « Arrêt sur erreur UART » : la carte devrait arrêter ses moteurs {0} s après le dernier octet. Les autres modifications restent en attente.</translation></message>
-    <message><source>Stop both motors and the auxiliary now (Esc, anywhere)</source>
-        <translation>Arrêter tout de suite les deux moteurs et l'auxiliaire (Échap, partout)</translation></message>
     <message><source>Stops the motors, and sends nothing until they are armed again</source>
         <translation>Arrête les moteurs et n'envoie rien jusqu'à leur réactivation</translation></message>
     <message numerus="yes"><source>Review %n ch&amp;ange(s)…</source>
@@ -3785,6 +3685,8 @@ avant {1}</translation></message>
         <translation>Écriture en cours …</translation></message>
     <message><source>Stop motors</source>
         <translation>Arrêter les moteurs</translation></message>
+    <message><source>Stop both motors and the auxiliary now (Esc, anywhere)</source>
+        <translation>Arrêter tout de suite les deux moteurs et l'auxiliaire (Échap, partout)</translation></message>
     <message><source>Disa&amp;rm</source>
         <translation>Désa&amp;ctiver</translation></message>
     <message><source>A&amp;rm motors</source>
@@ -3845,18 +3747,16 @@ avant {1}</translation></message>
         <translation>{0} n'a pas pu être chargé : {1}</translation></message>
     <message><source>Calibrations loaded from {0} as edits: {1}.</source>
         <translation>Étalonnages chargés depuis {0} comme modifications : {1}.</translation></message>
-    <message><source>{0} could not be saved: {1}</source>
-        <translation>{0} n'a pas pu être enregistré : {1}</translation></message>
     <message><source>Copy of the calibration of channel {0}</source>
         <translation>Copie de l'étalonnage de la voie {0}</translation></message>
     <message><source>{0} has the same calibrations.</source>
         <translation>{0} contient les mêmes étalonnages.</translation></message>
+    <message><source>The calibrations shown were saved in {0}.</source>
+        <translation>Les étalonnages affichés ont été enregistrés dans {0}.</translation></message>
     <message><source>Channel {0} ({1})</source>
         <translation>Voie {0} ({1})</translation></message>
     <message><source>Calibrations of {0}</source>
         <translation>Étalonnages de {0}</translation></message>
-    <message><source>The calibrations shown were saved in {0}.</source>
-        <translation>Les étalonnages affichés ont été enregistrés dans {0}.</translation></message>
     <message><source>Re&amp;versed</source>
         <translation>Inver&amp;sée</translation></message>
     <message><source>The output changes its sign: forward and reverse are swapped</source>
@@ -4003,6 +3903,8 @@ avant {1}</translation></message>
         <translation>Maintenez une touche fléchée pour piloter tant que le pavé a le focus.</translation></message>
     <message><source>Hold Up or Down to drive; the motors cannot turn separately.</source>
         <translation>Maintenez Haut ou Bas pour piloter ; les moteurs ne peuvent pas tourner séparément.</translation></message>
+    <message><source>At rest.</source>
+        <translation>Au repos.</translation></message>
     <message><source>Drive pad</source>
         <translation>Pavé de conduite</translation></message>
     <message><source>back</source>
@@ -4027,6 +3929,10 @@ avant {1}</translation></message>
         <translation>Poussez à fond vers la droite le manche qui fait tourner.</translation></message>
     <message><source>The gamepad cannot drive while this window is open, but its stop button works.</source>
         <translation>La manette ne peut pas piloter tant que cette fenêtre est ouverte, mais son bouton d'arrêt fonctionne.</translation></message>
+    <message><source>Move it…</source>
+        <translation>Bougez-le…</translation></message>
+    <message><source>Press it…</source>
+        <translation>Appuyez…</translation></message>
     <message><source>Invert</source>
         <translation>Inverser</translation></message>
     <message><source>Set up the gamepad</source>
@@ -4039,14 +3945,6 @@ avant {1}</translation></message>
         <translation>Un axe par moteur</translation></message>
     <message><source>How two axes drive two motors</source>
         <translation>Comment deux axes commandent deux moteurs</translation></message>
-    <message><source>Move it…</source>
-        <translation>Bougez-le…</translation></message>
-    <message><source>Press it…</source>
-        <translation>Appuyez…</translation></message>
-    <message><source>&amp;Forward</source>
-        <translation>&amp;Suivant</translation></message>
-    <message><source>&amp;Turn</source>
-        <translation>&amp;Rotation</translation></message>
     <message><source>&amp;Hold to drive</source>
         <translation>&amp;Maintenir pour piloter</translation></message>
     <message><source>&amp;Stop everything</source>
@@ -4077,8 +3975,12 @@ avant {1}</translation></message>
         <translation>0 % : linéaire. 100 % : cubique, le plus fin autour du centre</translation></message>
     <message><source>&amp;Left motor</source>
         <translation>Moteur &amp;gauche</translation></message>
+    <message><source>&amp;Forward</source>
+        <translation>&amp;Suivant</translation></message>
     <message><source>Right &amp;motor</source>
         <translation>Moteur &amp;droit</translation></message>
+    <message><source>&amp;Turn</source>
+        <translation>&amp;Rotation</translation></message>
     <message><source>pressed</source>
         <translation>appuyé</translation></message>
     <message><source>{0}: detect</source>
@@ -4145,12 +4047,12 @@ avant {1}</translation></message>
         <translation>A&amp;utres options</translation></message>
     <message><source>Options</source>
         <translation>Options</translation></message>
-    <message><source>Se&amp;t at once</source>
-        <translation>&amp;Régler immédiatement</translation></message>
     <message><source>coast (0 %)</source>
         <translation>roue libre (0 %)</translation></message>
     <message><source>none (0 s)</source>
         <translation>aucun (0 s)</translation></message>
+    <message><source>Se&amp;t at once</source>
+        <translation>&amp;Régler immédiatement</translation></message>
     <message><source>How long arming stays locked after Stop or Esc, so that a slider or key that is still held cannot restart a motor (0 to {0:g} s)</source>
         <translation>Durée pendant laquelle l'activation reste verrouillée après un arrêt ou Échap, pour qu'un curseur ou une touche encore maintenus ne puissent pas relancer un moteur (0 à {0:g} s)</translation></message>
     <message><source>stop after {0}</source>
@@ -4217,20 +4119,10 @@ avant {1}</translation></message>
         <translation>inconnu ({0})</translation></message>
     <message><source>{0}: channel {1}</source>
         <translation>{0} : voie {1}</translation></message>
-    <message><source>Search parameters</source>
-        <translation>Rechercher des paramètres</translation></message>
-    <message><source>All</source>
-        <translation>Tous</translation></message>
-    <message><source>Changed {0}</source>
-        <translation>Modifiés {0}</translation></message>
-    <message><source>Not default {0}</source>
-        <translation>Hors défaut {0}</translation></message>
-    <message><source>Findings {0}</source>
-        <translation>Constats {0}</translation></message>
-    <message><source>Parameters</source>
-        <translation>Paramètres</translation></message>
     <message><source>Edit, then review. Nothing is written before that.</source>
         <translation>Modifiez, puis vérifiez. Rien n'est écrit avant.</translation></message>
+    <message><source>Parameters</source>
+        <translation>Paramètres</translation></message>
     <message><source>Connect to a board to see its parameters.</source>
         <translation>Connectez une carte pour voir ses paramètres.</translation></message>
     <message><source>No board is responding. Edits are kept until the same kind of board is connected.</source>
@@ -4255,8 +4147,18 @@ avant {1}</translation></message>
         <translation>{0} : les moteurs continuent de tourner.</translation></message>
     <message><source>Speed over the stick, brake in the deadband: {0}</source>
         <translation>Vitesse selon le manche, freinage en zone morte : {0}</translation></message>
+    <message><source>Search parameters</source>
+        <translation>Rechercher des paramètres</translation></message>
     <message><source>&amp;Show all parameters</source>
         <translation>&amp;Afficher tous les paramètres</translation></message>
+    <message><source>All</source>
+        <translation>Tous</translation></message>
+    <message><source>Changed {0}</source>
+        <translation>Modifiés {0}</translation></message>
+    <message><source>Not default {0}</source>
+        <translation>Hors défaut {0}</translation></message>
+    <message><source>Findings {0}</source>
+        <translation>Constats {0}</translation></message>
     <message><source>No parameter matches.</source>
         <translation>Aucun paramètre ne correspond.</translation></message>
     <message><source>Try another &amp;wire value…</source>
@@ -4285,12 +4187,6 @@ avant {1}</translation></message>
         <translation>Ouvrir les réglages que la carte avait enregistrés à cet instant</translation></message>
     <message><source>{0}; the channels control the motors.</source>
         <translation>{0} ; les voies commandent les moteurs.</translation></message>
-    <message><source>Signal</source>
-        <translation>Signal</translation></message>
-    <message><source>Counts</source>
-        <translation>Counts</translation></message>
-    <message><source>Remapped</source>
-        <translation>Convertie</translation></message>
     <message><source>Serial mode with {0} inputs</source>
         <translation>Mode série, entrées {0}</translation></message>
     <message><source>{0} mode</source>
@@ -4299,6 +4195,8 @@ avant {1}</translation></message>
         <translation>{0}.</translation></message>
     <message><source>{0}; serial commands reach the motors.</source>
         <translation>{0} ; les commandes série atteignent les moteurs.</translation></message>
+    <message><source>{0}, setpoint {1}</source>
+        <translation>{0}, consigne : {1}</translation></message>
     <message><source>brake {0}</source>
         <translation>freinage {0}</translation></message>
     <message numerus="yes"><source>Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending edits?</source>
@@ -4383,12 +4281,10 @@ avant {1}</translation></message>
         <translation>Roue droite, vers l'arrière</translation></message>
     <message><source>front</source>
         <translation>avant</translation></message>
-    <message><source>{0} is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use it, too.</source>
-        <translation>{0} fait maintenant partie des modifications en attente. La modification prend effet une fois l'alimentation de la carte coupée puis remise ; cette fenêtre suit alors. Les autres programmes de cette liaison doivent l'utiliser aussi.</translation></message>
-    <message><source>CRC-7 is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use CRC-7, too.</source>
-        <translation>CRC-7 fait maintenant partie des modifications en attente. La modification prend effet une fois l'alimentation de la carte coupée puis remise ; cette fenêtre suit alors. Les autres programmes de cette liaison doivent utiliser CRC-7 aussi.</translation></message>
     <message><source>Read the settings from the board and discard the edits made here?</source>
         <translation>Lire les réglages de la carte et abandonner les modifications faites ici ?</translation></message>
+    <message><source>{0} is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use it, too.</source>
+        <translation>{0} fait maintenant partie des modifications en attente. La modification prend effet une fois l'alimentation de la carte coupée puis remise ; cette fenêtre suit alors. Les autres programmes de cette liaison doivent l'utiliser aussi.</translation></message>
     <message><source>Discard and reload</source>
         <translation>Abandonner et recharger</translation></message>
     <message><source>&amp;Add to the file</source>
@@ -4415,8 +4311,6 @@ avant {1}</translation></message>
         <translation>Le module d'impression de Qt n'est pas installé ici ({0}) ; enregistrez plutôt un fichier PDF.</translation></message>
     <message><source>Findings</source>
         <translation>Constats</translation></message>
-    <message><source>{0}, page {1} of {2}</source>
-        <translation>{0}, page {1} sur {2}</translation></message>
     <message><source>Calibrations</source>
         <translation>Étalonnages</translation></message>
     <message><source>None are given.</source>
@@ -5069,6 +4963,8 @@ avant {1}</translation></message>
         <translation>les images doivent avoir une extension telle que .png</translation></message>
     <message><source>pictures cannot be written as {0}</source>
         <translation>les images ne peuvent pas être écrites au format {0}</translation></message>
+    <message><source>It was not written: {0}.</source>
+        <translation>Il n'a pas été écrit : {0}.</translation></message>
     <message><source>F&amp;ind…</source>
         <translation>Rec&amp;hercher…</translation></message>
     <message><source>Set up CRC…</source>
@@ -5375,16 +5271,14 @@ avant {1}</translation></message>
         <translation>L'exportation MCAP nécessite un paquet facultatif : {0}</translation></message>
     <message><source>The curves show its last {0} of {1} samples; exports contain all of them.</source>
         <translation>Les courbes montrent ses {0} derniers échantillons sur {1} ; les exportations les contiennent tous.</translation></message>
-    <message><source>now</source>
-        <translation>maintenant</translation></message>
     <message><source>{n} h</source>
         <translation>{n} h</translation></message>
-    <message><source>{n} min</source>
-        <translation>{n} min</translation></message>
     <message><source>{n} s</source>
         <translation>{n} s</translation></message>
-    <message numerus="yes"><source>{0} sample(s) written to {1}.</source>
-        <translation><numerusform>{0} échantillon écrit dans {1}.</numerusform><numerusform>{0} échantillons écrits dans {1}.</numerusform></translation></message>
+    <message><source>{n} min</source>
+        <translation>{n} min</translation></message>
+    <message><source>now</source>
+        <translation>maintenant</translation></message>
     <message><source>Picture as &amp;PNG…</source>
         <translation>Image &amp;PNG…</translation></message>
     <message><source>Picture as &amp;SVG…</source>
@@ -5397,6 +5291,8 @@ avant {1}</translation></message>
         <translation>Images (*.{0})</translation></message>
     <message><source>Export</source>
         <translation>Exporter</translation></message>
+    <message numerus="yes"><source>{0} sample(s) written to {1}.</source>
+        <translation><numerusform>{0} échantillon écrit dans {1}.</numerusform><numerusform>{0} échantillons écrits dans {1}.</numerusform></translation></message>
     <message><source>E&amp;xport</source>
         <translation>&amp;Exporter</translation></message>
     <message><source>Pictu&amp;re</source>
@@ -5475,30 +5371,12 @@ avant {1}</translation></message>
         <translation>{0}, {1} : {2}, au-dessus de sa limite</translation></message>
     <message><source>No events</source>
         <translation>Aucun événement</translation></message>
-    <message><source>Blue</source>
-        <translation>Bleu</translation></message>
-    <message><source>Orange</source>
-        <translation>Orange</translation></message>
-    <message><source>Yellow</source>
-        <translation>Jaune</translation></message>
-    <message><source>Purple</source>
-        <translation>Violet</translation></message>
-    <message><source>Teal</source>
-        <translation>Turquoise</translation></message>
-    <message><source>Pink</source>
-        <translation>Rose</translation></message>
-    <message><source>Grey</source>
-        <translation>Gris</translation></message>
-    <message><source>As text</source>
-        <translation>Comme le texte</translation></message>
     <message><source>La&amp;yout</source>
         <translation>Disp&amp;osition</translation></message>
     <message><source>Layout</source>
         <translation>Disposition</translation></message>
     <message><source>Colours of the curves; save and open how the plot is shown</source>
         <translation>Couleurs des courbes ; enregistrer et ouvrir la présentation du graphique</translation></message>
-    <message><source>Show in a &amp;window of its own</source>
-        <translation>Afficher dans une &amp;fenêtre séparée</translation></message>
     <message><source>&amp;Colours</source>
         <translation>&amp;Couleurs</translation></message>
     <message><source>Open layout</source>
@@ -5519,24 +5397,40 @@ avant {1}</translation></message>
         <translation>dispositions de courbes</translation></message>
     <message><source>The layout of {0} is shown.</source>
         <translation>La disposition de {0} est affichée.</translation></message>
-    <message><source>is not a table of curves</source>
-        <translation>n'est pas une table de courbes</translation></message>
-    <message><source>is not known in a plot layout</source>
-        <translation>est inconnu dans une disposition de courbes</translation></message>
-    <message><source>is {0}, not a number from {1} to {2}</source>
-        <translation>est {0}, et non un nombre de {1} à {2}</translation></message>
+    <message><source>Blue</source>
+        <translation>Bleu</translation></message>
+    <message><source>Orange</source>
+        <translation>Orange</translation></message>
+    <message><source>Yellow</source>
+        <translation>Jaune</translation></message>
+    <message><source>Purple</source>
+        <translation>Violet</translation></message>
+    <message><source>Teal</source>
+        <translation>Turquoise</translation></message>
+    <message><source>Pink</source>
+        <translation>Rose</translation></message>
+    <message><source>Grey</source>
+        <translation>Gris</translation></message>
+    <message><source>As text</source>
+        <translation>Comme le texte</translation></message>
+    <message><source>is no curve of this plot, which has {0}</source>
+        <translation>n'est pas une courbe de ce graphique, qui a {0}</translation></message>
     <message><source>it is nested too deeply</source>
         <translation>l'imbrication est trop profonde</translation></message>
     <message><source>has no version; this program reads layouts of version {0}</source>
         <translation>n'a pas de version ; ce programme lit les dispositions de version {0}</translation></message>
-    <message><source>has the version {0}; this program reads layouts of version {1}</source>
-        <translation>a la version {0} ; ce programme lit les dispositions de version {1}</translation></message>
-    <message><source>this is not a plot layout: {0}</source>
-        <translation>ce n'est pas une disposition de courbes : {0}</translation></message>
-    <message><source>is no curve of this plot, which has {0}</source>
-        <translation>n'est pas une courbe de ce graphique, qui a {0}</translation></message>
     <message><source>has the colour {0}, which is none of {1}</source>
         <translation>a la couleur {0}, qui ne fait pas partie de {1}</translation></message>
+    <message><source>has the version {0}; this program reads layouts of version {1}</source>
+        <translation>a la version {0} ; ce programme lit les dispositions de version {1}</translation></message>
+    <message><source>is {0}, not a number from {1} to {2}</source>
+        <translation>est {0}, et non un nombre de {1} à {2}</translation></message>
+    <message><source>is not known in a plot layout</source>
+        <translation>est inconnu dans une disposition de courbes</translation></message>
+    <message><source>this is not a plot layout: {0}</source>
+        <translation>ce n'est pas une disposition de courbes : {0}</translation></message>
+    <message><source>is not a table of curves</source>
+        <translation>n'est pas une table de courbes</translation></message>
     <message><source>Apply</source>
         <translation>Appliqué</translation></message>
     <message><source>Timeout</source>
@@ -5581,16 +5475,14 @@ avant {1}</translation></message>
         <translation>Défauts &amp;seulement</translation></message>
     <message><source>C&amp;lear</source>
         <translation>&amp;Effacer</translation></message>
-    <message><source>&amp;Copy</source>
-        <translation>&amp;Copier</translation></message>
-    <message><source>Sa&amp;ve as text…</source>
-        <translation>Enregistrer en te&amp;xte…</translation></message>
     <message><source>No row matches the search.</source>
         <translation>Aucune ligne ne correspond à la recherche.</translation></message>
     <message><source>No faults so far.</source>
         <translation>Aucun défaut jusqu'ici.</translation></message>
     <message><source>Save the traffic log</source>
         <translation>Enregistrer le journal de trafic</translation></message>
+    <message numerus="yes"><source>{0} row(s) written to {1}.</source>
+        <translation><numerusform>{0} ligne écrite dans {1}.</numerusform><numerusform>{0} lignes écrites dans {1}.</numerusform></translation></message>
     <message><source>Also show the requests that the program repeats many times a second</source>
         <translation>Afficher aussi les requêtes que le programme répète de nombreuses fois par seconde</translation></message>
     <message><source>Show only failed transactions and line errors</source>
@@ -5599,12 +5491,16 @@ avant {1}</translation></message>
         <translation>Ne pas ajouter de lignes pour l'instant ; le trafic reste journalisé</translation></message>
     <message><source>Remove every row</source>
         <translation>Supprimer toutes les lignes</translation></message>
+    <message><source>&amp;Copy</source>
+        <translation>&amp;Copier</translation></message>
     <message><source>Copy as &amp;Python</source>
         <translation>Copier en &amp;Python</translation></message>
     <message><source>Copy as C (&amp;POSIX)</source>
         <translation>Copier en &amp;C (POSIX)</translation></message>
     <message><source>Copy as &amp;Arduino sketch</source>
         <translation>Copier en sketch &amp;Arduino</translation></message>
+    <message><source>Sa&amp;ve as text…</source>
+        <translation>Enregistrer en te&amp;xte…</translation></message>
     <message><source>polling is hidden</source>
         <translation>l'interrogation est masquée</translation></message>
     <message><source>paused</source>
@@ -5619,8 +5515,6 @@ avant {1}</translation></message>
         <translation>transactions : {0}</translation></message>
     <message><source>faults: {0}</source>
         <translation>défauts : {0}</translation></message>
-    <message numerus="yes"><source>{0} row(s) written to {1}.</source>
-        <translation><numerusform>{0} ligne écrite dans {1}.</numerusform><numerusform>{0} lignes écrites dans {1}.</numerusform></translation></message>
     <message><source>events lost: {0}</source>
         <translation>événements perdus : {0}</translation></message>
     <message><source>Send &amp;bytes</source>
@@ -5701,12 +5595,6 @@ Réécrire le fichier à partir des réglages ? Ses commentaires seront perdus.
         <translation>Avertissement</translation></message>
     <message><source>{0} LED: {1}</source>
         <translation>LED {0} : {1}</translation></message>
-    <message><source>Dismiss</source>
-        <translation>Fermer</translation></message>
-    <message><source>Copied</source>
-        <translation>Copié</translation></message>
-    <message><source>No message</source>
-        <translation>Aucun message</translation></message>
     <message><source>Find now</source>
         <translation>Rechercher maintenant</translation></message>
     <message><source>Reconnect</source>
@@ -5719,6 +5607,12 @@ Réécrire le fichier à partir des réglages ? Ses commentaires seront perdus.
         <translation>Les arrêter maintenant</translation></message>
     <message><source>Connect with its settings</source>
         <translation>Connecter avec ses réglages</translation></message>
+    <message><source>Dismiss</source>
+        <translation>Fermer</translation></message>
+    <message><source>Copied</source>
+        <translation>Copié</translation></message>
+    <message><source>No message</source>
+        <translation>Aucun message</translation></message>
     <message><source>All steps are done.</source>
         <translation>Toutes les étapes sont faites.</translation></message>
     <message><source>Step {0} of {1}: {2}.</source>
@@ -5729,14 +5623,6 @@ Réécrire le fichier à partir des réglages ? Ses commentaires seront perdus.
         <translation><numerusform>%n ligne copiée.</numerusform><numerusform>%n lignes copiées.</numerusform></translation></message>
     <message><source>Internal error while processing this file ({0}).</source>
         <translation>Erreur interne lors du traitement de ce fichier ({0}).</translation></message>
-    <message><source>Another file is still being written.</source>
-        <translation>Un autre fichier est encore en cours d'écriture.</translation></message>
-    <message><source>{0} was not written. {1}</source>
-        <translation>{0} n'a pas été écrit. {1}</translation></message>
-    <message><source>It was not written: {0}.</source>
-        <translation>Il n'a pas été écrit : {0}.</translation></message>
-    <message><source>{0} was not written.</source>
-        <translation>{0} n'a pas été écrit.</translation></message>
     <message><source>Internal error while recording ({0}). The recording has ended.</source>
         <translation>Erreur interne pendant l'enregistrement ({0}). L'enregistrement est terminé.</translation></message>
     <message><source>Internal error: the connection was closed.</source>
