@@ -15,7 +15,6 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
-from trex_gui.devices.trex.views.bars import ChannelBar
 from trex_gui.devices.trex.views.learning.flow import LearnFlow
 from trex_gui.devices.trex.views.steps import Steps
 from trex_gui.ui.devices.connection import ConnectionState
@@ -56,11 +55,6 @@ class LearningDialog(WidgetDriver):
 
     def can_click(self, name: str) -> bool:
         return self.has(name) and self.is_enabled(name)
-
-    def bar(self, channel: int) -> ChannelBar:
-        """Return the bar that shows the input of a channel."""
-        name = f"Raw input of channel {channel}"
-        return next(bar for bar in self.find_all(ChannelBar) if bar.accessibleName() == name)
 
     def stored(self) -> dict[str, Any]:
         """Return everything that the board keeps, and how often it wrote any of it."""

@@ -45,23 +45,22 @@ class ChannelRow:
         self.bar = ChannelBar(page)
         self.bar.setAccessibleName(tr("Raw input of channel {0}").format(number))
         self.bar.set_connected(True)
-        self.bar.set_source(channel.source)
+        self.bar.set_scale(channel.source, None)
         self.text = ui.label(page, f"{self.text_name}{number}", wrap=True)
         self._problem = ui.named(Note(1, page), f"learnProblem{number}")
         signs = self.make_signs(page)
-        self._below = ui.row(*signs, (self.text, 1), (self._problem, 1), margins=0, spacing=4)
+        below = ui.row(*signs, (self.text, 1), (self._problem, 1), margins=0, spacing=4)
         row = grid.rowCount()
         grid.addWidget(_channel_label(number, page), row, 0)
         grid.addWidget(self.bar, row, 1)
         # Qt works out a height too low for text that wraps across a column without a width.
-        grid.addLayout(self._below, row + 1, 1)
+        grid.addLayout(below, row + 1, 1)
 
     def make_signs(self, parent: QWidget) -> Sequence[QWidget]:
         raise NotImplementedError
 
     def refresh(self) -> None:
-        self.bar.set_raw(self.channel.raw)
-        self._below.setContentsMargins(self.bar.inset, 0, 0, 0)
+        self.bar.set_value(self.channel.raw)
 
     def show_problem(self, problem: str) -> None:
         """Show a problem instead of the text, if there is any."""
@@ -179,7 +178,7 @@ class TravelRow(ChannelRow):
         reached = {way: travel.reached(way) for way in Way}
         low, high = (travel.end(way) if reached[way] else travel.neutral for way in Way)
         marks = Calibration(low, travel.neutral, high, travel.deadband)
-        self.bar.set_calibration(marks, minimum=reached[Way.DOWN], maximum=reached[Way.UP])
+        self.bar.set_scale(travel.source, marks)
         for way, sign in self._ends.items():
             if travel.held(way):
                 sign.show_state(EndState.DONE)

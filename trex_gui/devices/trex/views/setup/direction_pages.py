@@ -107,8 +107,7 @@ class SticksPage(Page):
         device = self._device
         for channel, bar in self._bars.items():
             bar.set_connected(device.is_connected)
-            bar.set_source(device.calibrations.source)
-            bar.set_calibration(device.calibrations.stored(channel))
+            bar.set_scale(device.calibrations.source, device.calibrations.stored(channel))
             is_unclear = channel in self._unclear and channel not in self._setup.rises
             self._known[channel].show_note(self._stick_text(channel), alarming=is_unclear)
         self._show_inputs()
@@ -119,7 +118,7 @@ class SticksPage(Page):
         telemetry = self._device.telemetry
         if telemetry.raw is not None:
             for channel, bar in self._bars.items():
-                bar.set_raw(telemetry.raw_of(channel))
+                bar.set_value(telemetry.raw_of(channel))
 
     def _wiring_text(self) -> str:
         one = tr("Channel 1 is for left and right of the stick, channel 2 for forward and back.")

@@ -40,17 +40,14 @@ class PartBar(OutputBar):
         if part is not None:
             self.set_value(round(part * FULL_SCALE))
 
-    def _value_text(self) -> str:
-        value = self.value
-        return "" if value is None else f"{signed_text(round(100 * value / FULL_SCALE))} %"
+    def text_of(self, value: int) -> str:
+        return f"{signed_text(round(100 * value / FULL_SCALE))} %"
 
-    _spoken_value = _value_text
+    def spoken_value(self, value: int) -> str:
+        return self.text_of(value)
 
     def spoken_range(self) -> SpokenRange:
         return SpokenRange(-100, round(100 * (self.value or 0) / FULL_SCALE), 100)
-
-    def _widest_value(self) -> str:
-        return f"{signed_text(-100)} %"
 
 
 def _axis_names(pad: Pad | None) -> list[str]:
