@@ -50,9 +50,6 @@ class Curve(_Shape):
         """Set the points; with `gaps`, NaN interrupts the line."""
         self.item.setData(x, y, connect="finite" if gaps else "all", skipFiniteCheck=not gaps)
 
-    def clear(self) -> None:
-        self.item.setData([], [])
-
 
 class _ThinCurve(pg.PlotCurveItem):  # type: ignore[misc] # pyqtgraph has no types
     def paint(self, painter: QPainter, *rest: Any) -> None:
@@ -224,10 +221,8 @@ class PlotCanvas(QWidget):
     def set_axes(
         self, x: tuple[float, float], y: tuple[float, float], x_labels: Labels, y_labels: Labels
     ) -> None:
-        """Show these ranges. An upper end below the lower one inverts the y axis."""
         self._x_range = x
-        self._box.invertY(y[1] < y[0])
-        self._box.setRange(xRange=x, yRange=(min(y), max(y)), padding=0)
+        self._box.setRange(xRange=x, yRange=y, padding=0)
         self._axes["bottom"].setTicks([x_labels])
         self._axes["left"].setTicks([y_labels])
         path = QPainterPath()

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 from enum import Enum, auto
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -18,9 +18,6 @@ from trex_gui.devices.trex.model.learning.preconditions import (
 )
 from trex_gui.devices.trex.model.learning.stick_tests import StickTests
 from trex_gui.devices.trex.protocol.flags import CHANNELS
-
-if TYPE_CHECKING:
-    from trex_gui.ui.plotting.history import Floats
 
 
 class LearningStep(Enum):
@@ -140,12 +137,6 @@ class Learning(QObject):
     def baud(self) -> int:
         settings = self._device.settings
         return 0 if settings is None else settings.line.baud
-
-    def trace(self, number: int) -> "tuple[Floats, Floats, float]":
-        """Return the input of the last minute: times, counts, and the present time."""
-        telemetry = self._device.telemetry
-        column = CHANNELS.index(number)
-        return telemetry.inputs.times, telemetry.inputs.values(column), telemetry.latest
 
     # --- User actions -------------------------------------------------------------------
 

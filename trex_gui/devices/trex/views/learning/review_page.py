@@ -185,7 +185,6 @@ class CurvePane(QWidget):
         if channel is None or not self.isVisibleTo(self.window()):
             return
         self.plot.set_raw(channel.raw)
-        self.plot.trace.set_samples(*self._learning.trace(channel.number))
         if channel.raw is None:
             self._live.setText(tr("No signal now: the output is 0."))
             return

@@ -80,7 +80,6 @@ class ChannelCard(Card):
 
         self.plot = plot = CurvePlot(self)
         plot.setObjectName("curvePlot")
-        plot.trace.hide()  # the strips have it
         plot.previewed.connect(self._on_previewed)
         plot.released.connect(self.released)
         plot.edited.connect(self._on_edited)

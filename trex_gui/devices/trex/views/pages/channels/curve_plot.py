@@ -1,4 +1,4 @@
-"""A channel's curve with handles, above the trace of its input. Importing it loads pyqtgraph."""
+"""A channel's curve with handles. Importing it loads pyqtgraph."""
 
 from dataclasses import replace
 
@@ -10,24 +10,21 @@ from PySide6.QtWidgets import QGraphicsEllipseItem, QGraphicsItem, QWidget
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.calibration_moves import Handle, moved, within_input
-from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
+from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.views.bars import USUAL_AXIS, input_labels, widened
 from trex_gui.devices.trex.views.pages.channels.curve_handles import HandleLayer, Threshold
-from trex_gui.ui.plotting.axes import Labels, count_labels
+from trex_gui.ui.plotting.axes import count_labels
 from trex_gui.ui.plotting.canvas import PlotCanvas
-from trex_gui.ui.plotting.history import Floats
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.bar import MINUS
 from trex_gui.ui.widgets.builders import column
 from trex_gui.ui.widgets.painted import Painted
 
-TRACE_SECONDS = 10.0
 _OUTPUT_REACH = FULL_SCALE + 14.0
 _DOT = 5.0
 _WIDEST_X_LABEL = "5000 µs"
 _MIN_CURVE_LINES = 4
-_MIN_TRACE_LINES = 5  # of text: less height shows neither noise nor drift
 _ROOM = {InputSource.RC: 125, InputSource.ANALOG: 0}  # counts beyond a handle, to drag it on
 
 
@@ -65,8 +62,7 @@ class CurvePlot(Painted):
         self._canvas.add_item(self._dot)
         self.handles = HandleLayer(self._canvas.small_font())  # over the curve
         self._canvas.add_overlay(self.handles)
-        self.trace = InputTrace(self)  # the input of the last seconds
-        column((self._canvas, 2), (self.trace, 1), into=self, margins=0, spacing=0)
+        column(self._canvas, into=self, margins=0)
 
         self.handles.dragged.connect(self._on_dragged)
         self.handles.released.connect(self._on_released)
@@ -89,7 +85,6 @@ class CurvePlot(Painted):
         if (channel, source) != (self._channel, self._source):
             self._cancel_drag()
             self._raw = None
-            self.trace.clear()
         editable = editable and shown is not None
         if not editable:
             self._cancel_drag()
@@ -143,7 +138,6 @@ class CurvePlot(Painted):
         widest = self._canvas.fontMetrics().horizontalAdvance(_WIDEST_X_LABEL) * 1.3
         labels = input_labels(self._source, self.axis, max(2, int(self.width() / widest)))
         self._canvas.set_axes(x, (-_OUTPUT_REACH, _OUTPUT_REACH), labels, count_labels())
-        self.trace.set_input_axis(x, [(at, "") for at, _ in labels])
 
     def _show_curves(self) -> None:
         shown, stored = self.curve, self._stored
@@ -153,9 +147,11 @@ class CurvePlot(Painted):
             if curve is not None and visible:
                 counts, outputs = curve.corners(*self.axis)
                 line.set_points(np.array(counts, dtype=float), np.array(outputs, dtype=float))
-        calibration = shown.calibration if shown is not None else None
-        self._deadband.set_range(_deadband_of(calibration))
-        self.trace.set_calibration(calibration)
+        band = None
+        if shown is not None:
+            neutral, deadband = shown.calibration.neutral, shown.calibration.deadband
+            band = neutral - deadband, neutral + deadband
+        self._deadband.set_range(band)
         self._place_handles()
         self._show_dot()
 
@@ -182,11 +178,10 @@ class CurvePlot(Painted):
         self.handles.set_font(self._canvas.small_font())
         metrics, above = self._canvas.fontMetrics(), self.handles.room_above()
         side = metrics.horizontalAdvance(_WIDEST_X_LABEL) // 2 + 4
-        texts = tr("Output"), tr("Now"), f"{MINUS}{FULL_SCALE}"  # of both plots
+        texts = tr("Output"), f"{MINUS}{FULL_SCALE}"
         left = max(texts, key=QFontMetrics(self._canvas.small_font()).horizontalAdvance)
         self._canvas.set_margins(left=left, top=above, right=side, x_axis=True)
         self._canvas.setMinimumHeight((_MIN_CURVE_LINES + 2) * metrics.height() + above)
-        self.trace.align(left=left, right=side)
         self._dot.setPen(QPen(theme().color("plot_background"), 1.5))
         self._dot.setBrush(QBrush(theme().color("accent")))
 
@@ -225,49 +220,3 @@ class CurvePlot(Painted):
             self.edited.emit(preview.calibration)
         self._fit_axis()
         self._show_curves()
-
-
-class InputTrace(PlotCanvas):
-    """The input of the last seconds, along the axis of the curve. Time runs downwards."""
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(tr("Input of the last 10 seconds"), parent)
-        self.setObjectName("inputTrace")
-        self.setToolTip(tr("The input of the last 10 seconds; the newest is at the top"))
-        self._deadband = self.add_band("deadband")
-        self._lines = [self.add_line("mark", vertical=True) for _ in range(3)]
-        self._line = self.add_curve("accent", 1)
-
-    def align(self, *, left: str, right: int) -> None:
-        line = self.fontMetrics().height()
-        top = line // 2 + 3  # the label at the top is centred on the frame
-        self.set_margins(left=left, top=top, right=right, x_axis=False)
-        self.setMinimumHeight(_MIN_TRACE_LINES * line + top + line // 2)
-
-    def set_input_axis(self, axis: tuple[float, float], x_labels: Labels) -> None:
-        labels = [(0.0, tr("Now")), (TRACE_SECONDS / 2, "5 s"), (TRACE_SECONDS, "10 s")]
-        self.set_axes(axis, (TRACE_SECONDS, 0.0), x_labels, labels)
-
-    def set_calibration(self, calibration: Calibration | None) -> None:
-        """Mark minimum, neutral, maximum and the deadband, or nothing."""
-        self._deadband.set_range(_deadband_of(calibration))
-        counts: tuple[int | None, ...] = (None, None, None)
-        if calibration is not None:
-            counts = (calibration.minimum, calibration.neutral, calibration.maximum)
-        for line, count in zip(self._lines, counts, strict=True):
-            line.set_value(count)
-
-    def set_samples(self, times: Floats, counts: Floats, now: float) -> None:
-        """Draw the newest samples. `times` rise, and NaN is a gap."""
-        first = int(np.searchsorted(times, now - TRACE_SECONDS))
-        self._line.set_points(counts[first:].copy(), now - times[first:], gaps=True)
-
-    def clear(self) -> None:
-        self._line.clear()
-
-
-def _deadband_of(calibration: Calibration | None) -> tuple[float, float] | None:
-    if calibration is None:
-        return None
-    neutral, deadband = calibration.neutral, calibration.deadband
-    return neutral - deadband, neutral + deadband
