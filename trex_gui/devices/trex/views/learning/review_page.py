@@ -3,7 +3,7 @@
 from functools import partial
 from typing import Any
 
-from PySide6.QtCore import QSignalBlocker, QSize, Qt, Slot
+from PySide6.QtCore import QSignalBlocker, Qt, Slot
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QTabBar, QWidget
 
@@ -145,62 +145,8 @@ class ChannelForm(QWidget):
             self._were[field].setText(tr("{0}\nwas {1}").format(editor.other_text, old))
 
 
-class CurvePane(QWidget):
-    """The curve of one channel before and after, with the live input; its handles edit it."""
-
-    def __init__(self, learning: Learning) -> None:
-        super().__init__()
-        self._learning = learning
-        self._channel: LearnedChannel | None = None
-
-        self.plot = ui.named(CurvePlot(self), "learnCurve")
-        self.plot.setMinimumHeight(_CURVE_LINES * self.fontMetrics().lineSpacing())
-        self._after = LegendKey("", "motor1", self)
-        before = LegendKey(tr("as it was"), "muted", self, Qt.PenStyle.DashLine)
-        self._before = ui.named(before, "learnCurveBefore")
-        self._live = ui.named(Muted("", self), "learnCurveLive")
-        key = ui.row(self._after, self._before, 1)
-        ui.column(key, (self.plot, 1), self._live, into=self, margins=0)
-
-        learning.measured.connect(self._on_measured)
-
-    def minimumSizeHint(self) -> QSize:
-        width = _CURVE_CHARACTERS * self.fontMetrics().averageCharWidth()
-        return QSize(width, super().minimumSizeHint().height())
-
-    def show_channel(self, channel: LearnedChannel) -> None:
-        self._channel = channel
-        before, after = channel.curve_before, channel.curve_after
-        number, source, editable = channel.number, channel.source, channel.is_included
-        self.plot.show_channel(number, source, before, after, editable=editable)
-        same = before == after
-        self._after.setVisible(after is not None)
-        self._after.setText(tr("proposed, as it was") if same else tr("proposed"))
-        self._before.setVisible(before is not None and not same)
-        self._on_measured()
-
-    @Slot()
-    def _on_measured(self) -> None:
-        channel = self._channel
-        if channel is None or not self.isVisibleTo(self.window()):
-            return
-        self.plot.set_raw(channel.raw)
-        if channel.raw is None:
-            self._live.setText(tr("No signal now: the output is 0."))
-            return
-        curves = (
-            (tr("proposed {0}"), channel.curve_after),
-            (tr("as it was {0}"), channel.curve_before),
-        )
-        outputs = [
-            text.format(signed_text(curve.output(channel.raw))) for text, curve in curves if curve
-        ]
-        text = tr("Input now {0}; output {1}.")
-        self._live.setText(text.format(channel.source.text(channel.raw), ", ".join(outputs)))
-
-
 class ReviewPage(Page):
-    """One channel at a time: its curve, and beside it its numbers."""
+    """One channel at a time: its curve, whose handles edit it, and beside it its numbers."""
 
     def __init__(self, learning: Learning) -> None:
         super().__init__("learnReviewPage")
@@ -211,20 +157,29 @@ class ReviewPage(Page):
         self._forms = [ChannelForm(learning, channel, self.side) for channel in learning.channels]
         for channel in learning.channels:
             self._tabs.addTab(tr("CH{0}").format(channel.number))
-        self._curve = CurvePane(learning)
+        metrics = self.fontMetrics()
+        self._plot = ui.named(CurvePlot(self), "learnCurve")
+        self._plot.setMinimumWidth(_CURVE_CHARACTERS * metrics.averageCharWidth())
+        self._plot.setMinimumHeight(_CURVE_LINES * metrics.lineSpacing())
+        after = LegendKey(tr("proposed"), "pointer", self)
+        before = LegendKey(tr("as it was"), "muted", self, Qt.PenStyle.DashLine)
+        self._keys = after, ui.named(before, "learnCurveBefore")
+        self._live = ui.named(Muted("", self), "learnCurveLive")
         source = learning.preconditions.source
         why = tr(WHY_THESE_VALUES).format(source.text(deadband_floor(source)))
         self._common = ui.named(Muted(why, self.side), "learnCommonReasons")
         self._earlier = ui.named(Note(0, self.side), "learnEarlierEdits")
-        ui.column(self._tabs, (self._curve, 1), into=self, margins=0)
+        items = self._tabs, ui.row(*self._keys, 1), (self._plot, 1), self._live
+        ui.column(*items, into=self, margins=0)
         ui.column(*self._forms, self._common, self._earlier, into=self.side, margins=0)
 
         self._tabs.currentChanged.connect(self._on_changed)
         self._tabs.setVisible(len(self._forms) > 1)
-        self._curve.plot.edited.connect(
+        self._plot.edited.connect(
             lambda calibration: learning.choose(self._form.channel.number, calibration=calibration)
         )
         learning.changed.connect(self._on_changed)
+        learning.measured.connect(self._on_measured)
         theme().changed.connect(self._show_signs)
         self._on_changed()
         problems = (bool(form.channel.result_problems) for form in self._forms)
@@ -239,12 +194,35 @@ class ReviewPage(Page):
         for form in self._forms:
             form.setVisible(form is self._form)
             form.refresh()
-        self._curve.show_channel(self._form.channel)
+        channel = self._form.channel
+        before, after = channel.curve_before, channel.curve_after
+        number, source, editable = channel.number, channel.source, channel.is_included
+        self._plot.show_channel(number, source, before, after, editable=editable)
+        for key, curve in zip(self._keys, (after, before), strict=True):
+            key.setVisible(curve is not None and before != after)
+        self._on_measured()
         self._common.setVisible(any(form.channel.choice is not None for form in self._forms))
         count = self._learning.other_edits
         text = tr("%n earlier pending edit(s) will be written, too.", "", count)
         self._earlier.show_note(text if count else "", alarming=True)
         self._show_signs()
+
+    @Slot()
+    def _on_measured(self) -> None:
+        channel = self._form.channel
+        self._plot.set_raw(channel.raw)
+        if channel.raw is None:
+            self._live.setText(tr("No signal now: the output is 0."))
+            return
+        curves = (
+            (tr("proposed {0}"), channel.curve_after),
+            (tr("as it was {0}"), channel.curve_before),
+        )
+        outputs = [
+            text.format(signed_text(curve.output(channel.raw))) for text, curve in curves if curve
+        ]
+        text = tr("Input now {0}; output {1}.")
+        self._live.setText(text.format(channel.source.text(channel.raw), ", ".join(outputs)))
 
     @Slot()
     def _show_signs(self) -> None:
