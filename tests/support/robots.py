@@ -12,13 +12,6 @@ from trex_gui.devices.trex.model.setup.wiring import Driver, Movement, Side
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.runtime import now
 
-MOVEMENTS = {
-    (Side.LEFT, 1): Movement.LEFT_FORWARD,
-    (Side.LEFT, -1): Movement.LEFT_BACKWARD,
-    (Side.RIGHT, 1): Movement.RIGHT_FORWARD,
-    (Side.RIGHT, -1): Movement.RIGHT_BACKWARD,
-}
-
 
 class Robot:
     """A simulated board with two wheels.
@@ -91,7 +84,8 @@ class Robot:
             ((side, turn),) = ((side, turn) for side, turn in self.wheels().items() if turn)
             setup.pulses.release()
             self.wait(lambda: self.speeds() == (0, 0))
-            setup.note_movement(motor, MOVEMENTS[side, turn])
+            seen = (each for each in Movement if (each.side, each.forward) == (side, turn > 0))
+            setup.note_movement(motor, next(seen))
 
     def push(self, *channels: int) -> None:
         for channel in (1, 2):

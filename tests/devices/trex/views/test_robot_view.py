@@ -5,19 +5,20 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import LEFT
+from trex_gui.devices.trex.model.setup.wiring import Movement, Side
 from trex_gui.devices.trex.views.robot_view import RobotView, WheelPart
 
 
 def test_clicked_half_of_a_wheel_is_reported_and_filled(qtbot: QtBot) -> None:
-    robot, clicked = RobotView(asks=True), list[tuple[str, bool]]()
+    robot, clicked = RobotView(asks=True), list[Movement]()
     qtbot.addWidget(robot)
-    robot.wheel_clicked.connect(lambda *part: clicked.append(part))
+    robot.wheel_clicked.connect(clicked.append)
     robot.show()
     parts = {part.accessibleName(): part for part in robot.findChildren(WheelPart)}
     for name in ("Right wheel, backward", "Left wheel, forward"):
         QTest.mouseClick(parts[name], LEFT)
         assert [each for each, part in parts.items() if part.isChecked()] == [name]
-    assert clicked == [("right", False), ("left", True)]
+    assert clicked == [Movement.RIGHT_BACKWARD, Movement.LEFT_FORWARD]
 
 
 def test_treads_move_only_while_a_visible_wheel_turns(qtbot: QtBot) -> None:
@@ -26,12 +27,12 @@ def test_treads_move_only_while_a_visible_wheel_turns(qtbot: QtBot) -> None:
     robot.show()
     timer = robot.findChild(QTimer)
     assert timer is not None
-    robot.show_wheel("left", -0.5, "motor1")
+    robot.show_wheel(Side.LEFT, -0.5, "motor1")
     assert robot.spoken_state() == "Left wheel, backward"
     qtbot.waitUntil(timer.isActive)
     robot.hide()
     qtbot.waitUntil(lambda: not timer.isActive())
     robot.show()
     qtbot.waitUntil(timer.isActive)
-    robot.show_wheel("left", 0.0, "motor1")
+    robot.show_wheel(Side.LEFT, 0.0, "motor1")
     qtbot.waitUntil(lambda: not timer.isActive())

@@ -1,42 +1,43 @@
-"""The robot from above: a chassis between two wheels, which can be asked for."""
+"""Drawing of the robot from above: a chassis between two wheels, which can be clicked."""
 
 from functools import partial
-from typing import Literal
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QPainter, QPaintEvent, QPen, QPolygonF, QResizeEvent
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from trex_gui.core.translation import tr, tr_noop
+from trex_gui.devices.trex.model.setup.wiring import Movement, Side
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import follow_theme, theme
+from trex_gui.ui.widgets.builders import named
 from trex_gui.ui.widgets.circuit import write
 from trex_gui.ui.widgets.painted import Painted, Painter, never_mirror, wants_motion
-
-Side = Literal["left", "right"]
 
 _FRAME_MS = 40
 _TREADS, _TREADS_A_FRAME = 7, 0.24  # on a wheel, at full speed: the board measures no speed
 _SIZE = 392.0, 300.0  # of the drawing, in the unit of the next
 _WHEEL, _CHASSIS = QRectF(0, 30, 60, 240), QRectF(86, 0, 220, 300)
 _PARTS = {True: QRectF(7, 50, 46, 86), False: QRectF(7, 164, 46, 86)}  # of the left wheel
-_NAMES: dict[tuple[Side, bool], str] = {
-    ("left", True): tr_noop("Left wheel, forward"),
-    ("left", False): tr_noop("Left wheel, backward"),
-    ("right", True): tr_noop("Right wheel, forward"),
-    ("right", False): tr_noop("Right wheel, backward"),
+MOVEMENTS = {  # Tab goes across
+    Movement.LEFT_FORWARD: tr_noop("Left wheel, forward"),
+    Movement.RIGHT_FORWARD: tr_noop("Right wheel, forward"),
+    Movement.LEFT_BACKWARD: tr_noop("Left wheel, backward"),
+    Movement.RIGHT_BACKWARD: tr_noop("Right wheel, backward"),
+    Movement.NOTHING: tr_noop("Nothing"),
 }
 
 
 class WheelPart(QPushButton):
     """Half of a wheel with an arrow; filled while it is checked."""
 
-    def __init__(self, side: Side, forward: bool, parent: QWidget) -> None:
+    def __init__(self, movement: Movement, parent: QWidget) -> None:
         super().__init__(parent)
-        self._forward = forward
+        self._forward = movement.forward
         never_mirror(self)
-        self.setObjectName(f"{side}Wheel{'Forward' if forward else 'Backward'}")
-        self.setAccessibleName(tr(_NAMES[side, forward]))
+        name, text = f"{movement.side}Wheel", tr(MOVEMENTS[movement])
+        name += "Forward" if movement.forward else "Backward"
+        named(self, name, accessible=text, tip=text)
         self.setCheckable(True)
         self.setAutoDefault(False)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
@@ -59,18 +60,19 @@ class WheelPart(QPushButton):
 class RobotView(Painted):
     """Shows which wheels turn; with `asks` each has a button for forward and for backward."""
 
-    wheel_clicked = Signal(str, bool)  # the side of the wheel, and whether it is its forward half
+    wheel_clicked = Signal(object)  # a `Movement`
 
     def __init__(self, parent: QWidget | None = None, *, asks: bool = False) -> None:
         super().__init__(parent)
         self.setAccessibleName(tr("The robot from above"))
-        self._amounts: dict[Side, float] = {"left": 0.0, "right": 0.0}
-        self._colors: dict[Side, str] = {"left": "outline", "right": "outline"}
-        self._shifts: dict[Side, float] = {"left": 0.0, "right": 0.0}  # of the treads
+        self._amounts = dict.fromkeys(Side, 0.0)
+        self._colors = dict.fromkeys(Side, "outline")
+        self._shifts = dict.fromkeys(Side, 0.0)  # of the treads
         self._timer = new_timer(self, _FRAME_MS, self._on_frame, single_shot=True)
-        self._parts = {key: WheelPart(*key, self) for key in _NAMES} if asks else {}
-        for key, part in self._parts.items():
-            part.clicked.connect(partial(self._on_part_clicked, *key))
+        halves = [each for each in MOVEMENTS if each.side] if asks else []
+        self._parts = {each: WheelPart(each, self) for each in halves}
+        for movement, part in self._parts.items():
+            part.clicked.connect(partial(self._on_part_clicked, movement))
         follow_theme(self, "room", self.updateGeometry)
 
     def show_wheel(self, side: Side, amount: float, color: str = "outline") -> None:
@@ -79,19 +81,20 @@ class RobotView(Painted):
             self._amounts[side], self._colors[side] = amount, color
             self.update()
 
-    def choose(self, side: Side | None, forward: bool = True) -> None:
-        """Fill one half of a wheel; `None` fills none."""
-        for key, part in self._parts.items():
-            part.setChecked(key == (side, forward))
+    def choose(self, movement: Movement | None) -> None:
+        """Fill the half of a wheel that moved, or none."""
+        for each, part in self._parts.items():
+            part.setChecked(each is movement)
         self.update()
 
-    def _on_part_clicked(self, side: Side, forward: bool) -> None:
-        self.choose(side, forward)
-        self.wheel_clicked.emit(side, forward)
+    def _on_part_clicked(self, movement: Movement) -> None:
+        self.choose(movement)
+        self.wheel_clicked.emit(movement)
 
     def spoken_state(self) -> str:
-        amounts = self._amounts.items()
-        return ", ".join(tr(_NAMES[side, amount > 0]) for side, amount in amounts if amount)
+        moving = {(side, amount > 0) for side, amount in self._amounts.items() if amount}
+        texts = MOVEMENTS.items()
+        return ", ".join(tr(text) for each, text in texts if (each.side, each.forward) in moving)
 
     def sizeHint(self) -> QSize:
         line = self.fontMetrics().height()
@@ -110,8 +113,8 @@ class RobotView(Painted):
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         place = self.robot_place()
-        for (side, forward), part in self._parts.items():
-            part.setGeometry(_placed(_PARTS[forward], place, side).toRect())
+        for each, part in self._parts.items():
+            part.setGeometry(_placed(_PARTS[each.forward], place, each.side).toRect())
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
@@ -139,7 +142,8 @@ class RobotView(Painted):
             self._timer.start()
 
     def _paint_wheel(self, painter: QPainter, side: Side, wheel: QRectF) -> None:
-        chosen = any(part.isChecked() for key, part in self._parts.items() if key[0] == side)
+        parts = (part for each, part in self._parts.items() if each.side is side)
+        chosen = any(part.isChecked() for part in parts)
         name, round_by = self._colors[side], wheel.width() * 0.22
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(theme().color("selected" if chosen else "track"))
@@ -165,10 +169,10 @@ class RobotView(Painted):
         self.update()
 
 
-def _placed(part: QRectF, place: QRectF, side: Side = "left") -> QRectF:
-    """Return a part of the drawing in a place; what is `right` is the mirror image of the left."""
+def _placed(part: QRectF, place: QRectF, side: Side | None = Side.LEFT) -> QRectF:
+    """Return a part of the drawing in a place, mirrored for the right side."""
     unit = place.height() / _SIZE[1]
-    left = part.left() if side == "left" else _SIZE[0] - part.right()
+    left = _SIZE[0] - part.right() if side is Side.RIGHT else part.left()
     corner = QPointF(place.center().x() + (left - _SIZE[0] / 2) * unit, place.top())
     return QRectF(corner + QPointF(0, part.top() * unit), part.size() * unit)
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from enum import Enum, auto
+from enum import Enum, StrEnum, auto
 
 
 class Driver(Enum):
@@ -15,26 +15,22 @@ class Driver(Enum):
         return self is not Driver.COMPUTER
 
 
-class Side(Enum):
-    LEFT = auto()
-    RIGHT = auto()
+class Side(StrEnum):
+    LEFT = "left"
+    RIGHT = "right"
 
 
 class Movement(Enum):
-    """What moved while a motor was driven forward by a serial command."""
+    """Movement of a wheel while its motor was driven forward by a serial command."""
 
-    LEFT_FORWARD = auto()
-    LEFT_BACKWARD = auto()
-    RIGHT_FORWARD = auto()
-    RIGHT_BACKWARD = auto()
-    NOTHING = auto()
+    LEFT_FORWARD = Side.LEFT, True
+    RIGHT_FORWARD = Side.RIGHT, True
+    LEFT_BACKWARD = Side.LEFT, False
+    RIGHT_BACKWARD = Side.RIGHT, False
+    NOTHING = None, False
 
-    @property
-    def side(self) -> Side | None:
-        if self is Movement.NOTHING:
-            return None
-        left = {Movement.LEFT_FORWARD, Movement.LEFT_BACKWARD}
-        return Side.LEFT if self in left else Side.RIGHT
+    def __init__(self, side: Side | None, forward: bool) -> None:
+        self.side, self.forward = side, forward
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,9 +60,8 @@ class Wiring:
         sides = [movements[motor].side for motor in (1, 2) if motor in movements]
         if set(sides) != {Side.LEFT, Side.RIGHT}:
             return None
-        backward_seen = {Movement.LEFT_BACKWARD, Movement.RIGHT_BACKWARD}
-        backward = (seen.side for seen in movements.values() if seen in backward_seen)
-        return cls(sides[0] is Side.RIGHT, frozenset(side for side in backward if side))
+        backward = {seen.side for seen in movements.values() if not seen.forward}
+        return cls(sides[0] is Side.RIGHT, frozenset(filter(None, backward)))
 
     def rewiring(self, driver: Driver) -> Rewiring:
         """Return which wires have to be exchanged.

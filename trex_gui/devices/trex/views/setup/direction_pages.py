@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
-from trex_gui.core.translation import tr, tr_noop
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import recent_fault_text
 from trex_gui.devices.trex.model.learning.learning import Learning
@@ -15,29 +15,14 @@ from trex_gui.devices.trex.model.setup.pulses import STRONGER
 from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup
 from trex_gui.devices.trex.model.setup.wiring import Driver, Movement, Rewiring, Side, Wiring
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.views import robot_view
 from trex_gui.devices.trex.views.bars import ChannelBar
 from trex_gui.devices.trex.views.motor_controls import ArmButton, TimeoutNotice
-from trex_gui.devices.trex.views.robot_view import RobotView
+from trex_gui.devices.trex.views.robot_view import MOVEMENTS, RobotView
 from trex_gui.devices.trex.views.steps import Page
 from trex_gui.ui.theme.theme import set_look, set_text_color
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import HoldButton, only_when_visible
 from trex_gui.ui.widgets.labels import Muted, Note
-
-_MOVEMENTS: dict[tuple[robot_view.Side, bool], Movement] = {
-    ("left", True): Movement.LEFT_FORWARD,
-    ("left", False): Movement.LEFT_BACKWARD,
-    ("right", True): Movement.RIGHT_FORWARD,
-    ("right", False): Movement.RIGHT_BACKWARD,
-}
-_SEEN = {
-    Movement.LEFT_FORWARD: tr_noop("Left wheel, forward"),
-    Movement.LEFT_BACKWARD: tr_noop("Left wheel, backward"),
-    Movement.RIGHT_FORWARD: tr_noop("Right wheel, forward"),
-    Movement.RIGHT_BACKWARD: tr_noop("Right wheel, backward"),
-    Movement.NOTHING: tr_noop("Nothing"),
-}
 
 
 class SticksPage(Page):
@@ -160,11 +145,7 @@ class WiringPage(Page):
         self._question = ui.named(QLabel(self), "setupQuestion")
         ui.set_bold(self._question)
         self._robot = RobotView(self, asks=True)
-        self._robot.wheel_clicked.connect(self._on_wheel_clicked)
-        wheels = self._robot.findChildren(QPushButton)
-        for wheel in sorted(wheels, key=lambda wheel: "Backward" in wheel.objectName()):
-            wheel.setToolTip(wheel.accessibleName())
-            wheel.raise_()  # Tab goes across
+        self._robot.wheel_clicked.connect(self._note)
         text = tr("Nothing &moved")
         self._nothing = ui.button(
             self,
@@ -236,10 +217,7 @@ class WiringPage(Page):
         stronger = self._setup.movements.get(motor) is Movement.NOTHING
         self._setup.pulses.start(motor, stronger=stronger)
 
-    @Slot(str, bool)
-    def _on_wheel_clicked(self, side: robot_view.Side, forward: bool) -> None:
-        self._note(_MOVEMENTS[side, forward])
-
+    @Slot(object)
     def _note(self, seen: Movement) -> None:
         motor = self._asked
         if 3 - motor not in self._setup.movements and seen is not Movement.NOTHING:
@@ -251,19 +229,17 @@ class WiringPage(Page):
         movements = self._setup.movements
         self._question.setText(tr("What did motor {0} move?").format(self._asked))
         set_text_color(self._question, f"motor{self._asked}")
-        keys = {movement: key for key, movement in _MOVEMENTS.items()}
-        colors: dict[str, str] = {}
+        colors = dict.fromkeys(Side, "outline")
         for motor, answer in self._answers.items():
-            seen = movements.get(motor)
-            text = tr(_SEEN[seen]) if seen else tr("not tried yet")
-            sign = "✓ " if seen in keys else ""
+            seen, sign = movements.get(motor), ""
+            text = tr(MOVEMENTS[seen]) if seen else tr("not tried yet")
+            if seen and seen.side:
+                colors[seen.side], sign = f"motor{motor}", "✓ "
             answer.setText(f"{sign}{tr('Motor &{0}').format(motor)}: {text}")
-            if seen in keys:
-                colors[keys[seen][0]] = f"motor{motor}"
-        self._robot.show_wheel("left", 0, colors.get("left", "outline"))
-        self._robot.show_wheel("right", 0, colors.get("right", "outline"))
+        for side, color in colors.items():
+            self._robot.show_wheel(side, 0, color)
         asked = movements.get(self._asked)
-        self._robot.choose(*keys[asked]) if asked in keys else self._robot.choose(None)
+        self._robot.choose(asked)
         self._nothing.setChecked(asked is Movement.NOTHING)
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -332,8 +308,7 @@ def rewiring_text(driver: Driver, rewiring: Rewiring) -> str:
         texts.append(swap)
     left = tr("Swap the two wires of the left motor.")
     right = tr("Swap the two wires of the right motor.")
-    sides = sorted(rewiring.reverse, key=lambda side: side.value)
-    texts += [left if side is Side.LEFT else right for side in sides]
+    texts += [left if side is Side.LEFT else right for side in sorted(rewiring.reverse)]
     program = tr("No setting does this for serial commands; your own program can do it instead.")
     board = tr("No setting of the board does this.")
     return " ".join([*texts, program if driver is Driver.COMPUTER else board])

@@ -10,6 +10,7 @@ from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.gamepad import Gamepad, axis_text, button_text
 from trex_gui.devices.trex.model.momentary_drive import mix
+from trex_gui.devices.trex.model.setup.wiring import Side
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.views.bars import OutputBar
 from trex_gui.devices.trex.views.robot_view import RobotView
@@ -320,8 +321,8 @@ class GamepadDialog(ReusedDialog):
         if self.isVisible():
             self._live.show_state(state)
             left, right = mix(self._gamepad.request.forward, self._gamepad.request.turn)
-            self._robot.show_wheel("left", left / FULL_SCALE, "motor1")
-            self._robot.show_wheel("right", right / FULL_SCALE, "motor2")
+            self._robot.show_wheel(Side.LEFT, left / FULL_SCALE, "motor1")
+            self._robot.show_wheel(Side.RIGHT, right / FULL_SCALE, "motor2")
 
     def _show_note(self) -> None:
         text = self._prompt()

@@ -26,6 +26,7 @@ from trex_gui.devices.trex.model.drive_texts import (
     timeout_warning,
 )
 from trex_gui.devices.trex.model.momentary_drive import MomentaryDrive
+from trex_gui.devices.trex.model.setup.wiring import Side
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.views.pages.motors.current_strip import CurrentStrip
@@ -33,7 +34,6 @@ from trex_gui.devices.trex.views.pages.motors.drive_control import DriveControl
 from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
 from trex_gui.devices.trex.views.pages.motors.key_driver import KeyDriver
 from trex_gui.devices.trex.views.pages.motors.options import DriveWith, Options, SpeedCeiling
-from trex_gui.devices.trex.views.robot_view import Side
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import set_look, set_style_property, theme
@@ -271,7 +271,7 @@ class MotorsPage(QWidget):
             speed, text = self._setpoint_of(number, inputs)
             control.show_setpoint(speed, text)
             if number != AUXILIARY:
-                side: Side = "left" if number == 1 else "right"
+                side = Side.LEFT if number == 1 else Side.RIGHT
                 motor = 1 if self._is_unused(number) else number
                 self._pad.show_wheel(side, speed / FULL_SCALE, f"motor{motor}")
 
