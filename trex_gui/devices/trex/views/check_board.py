@@ -20,19 +20,9 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import Muted
 from trex_gui.ui.widgets.leds import Leds
 
-
-@dataclass(frozen=True, slots=True)
-class _Sight:
-    """What the red and the green LED show, what it means, and what to do."""
-
-    leds: tuple[str, str]
-    shown: str
-    meaning: str
-    to_do: str
-
-
+# Patterns of the red and the green LED, in words, their meaning, and what to do.
 _SIGHTS = (
-    _Sight(
+    (
         ("off", "off"),
         tr_noop("Both off"),
         tr_noop("No power"),
@@ -40,7 +30,7 @@ _SIGHTS = (
             "Check the supply and its leads. If only a blue LED is lit, the board has no firmware.",
         ),
     ),
-    _Sight(
+    (
         ("on", "off"),
         tr_noop("Red on"),
         tr_noop("Running, serial commands control the motors"),
@@ -49,7 +39,7 @@ _SIGHTS = (
             "board receives a command: if it never does, nothing arrives.",
         ),
     ),
-    _Sight(
+    (
         ("off", "on"),
         tr_noop("Green on, or flashing fast"),
         tr_noop("Running, the channels control the motors"),
@@ -59,7 +49,7 @@ _SIGHTS = (
             "are learned.",
         ),
     ),
-    _Sight(
+    (
         ("blink 1/s", "blink 1/s"),
         tr_noop("Both blink together, or both on"),
         tr_noop("Learning mode"),
@@ -68,7 +58,7 @@ _SIGHTS = (
             "then switch the board off and on.",
         ),
     ),
-    _Sight(
+    (
         ("alternate 1/s", "alternate 1/s"),
         tr_noop("Red and green alternate"),
         tr_noop("Waiting for the boot loader hand-shake"),
@@ -77,7 +67,7 @@ _SIGHTS = (
             "with the hand-shake for lost serial settings.",
         ),
     ),
-    _Sight(
+    (
         ("off", "short flash 1/s"),
         tr_noop("Green flashes once a second"),
         tr_noop("Boot loader, waiting for new firmware"),
@@ -93,13 +83,13 @@ class SightsPage(Page):
     def __init__(self) -> None:
         super().__init__("checkLedsPage", tr("What the LEDs show"))
         rows = ui.grid(self, margins=0, spacing=(16, 8), stretch=[(1, 1)])
-        for number, sight in enumerate(_SIGHTS):
-            leds = Leds(self)
-            leds.show_patterns(sight.leds, ("", ""), (tr(sight.shown),) * 2)
-            shown = ui.label(self, text=tr(sight.shown), wrap=True)
-            meaning = ui.label(self, text=tr(sight.meaning), bold=True, wrap=True)
+        for number, (patterns, *texts) in enumerate(_SIGHTS):
+            words, meaning, to_do = map(tr, texts)
+            leds, shown = Leds(self), ui.label(self, text=words, wrap=True)
+            leds.show_patterns(patterns, ("", ""), (words, words))
+            title = ui.label(self, text=meaning, bold=True, wrap=True)
             # Without an alignment: with one, text that wraps would not get its height.
-            about = ui.column(meaning, Muted(tr(sight.to_do), self), 1, margins=0, spacing=0)
+            about = ui.column(title, Muted(to_do, self), 1, margins=0, spacing=0)
             rows.addLayout(ui.column(leds, shown, 1, margins=0, spacing=0), number, 0)
             rows.addLayout(about, number, 1)
         rows.setRowStretch(len(_SIGHTS), 1)
