@@ -14,7 +14,7 @@ from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.setup.pulses import STRONGER
 from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup
 from trex_gui.devices.trex.model.setup.wiring import Driver, Movement, Rewiring, Side, Wiring
-from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.views.bars import ChannelBar
 from trex_gui.devices.trex.views.motor_controls import ArmButton, TimeoutNotice
 from trex_gui.devices.trex.views.robot_view import MOVEMENTS, RobotView
@@ -41,7 +41,7 @@ class SticksPage(Page):
             "setupLearnButton",
             tr("&Learn channels…"),
             icon="calibrate",
-            on_click=self._begin_learning,
+            on_click=lambda: learning.begin(CHANNELS),
         )
         self._blocker = ui.named(Note(1, side), "setupLearnBlocker")
         pushed = ui.label(side, text=tr("Already learned? Push, hold and click:"), wrap=True)
@@ -50,24 +50,21 @@ class SticksPage(Page):
         )
         text_right = tr("The stick is fully &right now")
         self._right = button("setupRightButton", text_right, on_click=lambda: self._note((1,)))
-        self._wiring = Muted(parent=self)
-        self._bars = {channel: self._make_bar(channel) for channel in (1, 2)}
-        self._known = {
-            channel: ui.named(Note(2, self), f"setupStick{channel}Note") for channel in self._bars
-        }
-        channels = chain.from_iterable(zip(self._bars.values(), self._known.values(), strict=True))
-        ui.column(*channels, 1, self._wiring, into=self, margins=0, spacing=10)
+        self._wiring = Muted(tr("Each is connected to an output of your receiver."), self)
+        self._bars: dict[int, ChannelBar] = {}
+        self._known: dict[int, Note] = {}
+        channels = ui.column(spacing=10)
+        for channel in (1, 2):
+            accessible = tr("Raw input of channel {0}").format(channel)
+            bar = ui.named(ChannelBar(self), f"setupChannel{channel}Bar", accessible=accessible)
+            note = ui.named(Note(2, self), f"setupStick{channel}Note")
+            self._bars[channel], self._known[channel] = bar, note
+            channels.addWidget(bar)
+            channels.addWidget(note)
+        ui.column(channels, 1, self._wiring, into=self, margins=0)
         items = self._learn, Muted(text, side), self._blocker, pushed, self._forward, self._right
         ui.column(*items, into=side, margins=0)
         device.telemetry.frame_due.connect(self._show_inputs)
-
-    @Slot()
-    def _begin_learning(self) -> None:
-        self._learning.begin()
-
-    def _make_bar(self, channel: int) -> ChannelBar:
-        accessible = tr("Raw input of channel {0}").format(channel)
-        return ui.named(ChannelBar(self), f"setupChannel{channel}Bar", accessible=accessible)
 
     @property
     def _is_one(self) -> bool:
@@ -88,7 +85,7 @@ class SticksPage(Page):
         can_push = self._device.is_connected and not self._device.writer.is_rejected
         for button in (self._forward, self._right):
             button.setEnabled(can_push)
-        self._wiring.setText(self._wiring_text())
+        self._wiring.setVisible(self._device.calibrations.source is InputSource.RC)
         device = self._device
         for channel, bar in self._bars.items():
             bar.set_connected(device.is_connected)
@@ -104,13 +101,6 @@ class SticksPage(Page):
         if telemetry.raw is not None:
             for channel, bar in self._bars.items():
                 bar.set_value(telemetry.raw_of(channel))
-
-    def _wiring_text(self) -> str:
-        one = tr("Channel 1 is for left and right of the stick, channel 2 for forward and back.")
-        text = one if self._is_one else tr("Channel 1 is for motor 1, channel 2 for motor 2.")
-        if self._device.calibrations.source is InputSource.RC:
-            text = f"{text} {tr('Each is connected to an output of your receiver.')}"
-        return text
 
     def _stick_text(self, channel: int) -> str:
         """Return what is known of the direction of a stick, or why it could not be seen."""
