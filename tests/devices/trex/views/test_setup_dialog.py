@@ -229,7 +229,7 @@ def test_board_in_rc_mode_is_explained_and_followed(assistant: Assistant) -> Non
     go_to(assistant, assistant.root, SetupStep.JUMPERS)
     assistant.wait_for_text("setupModeCheck", "serial mode")
     robot.simulator.do("jumper mode rc", "power cycle")
-    assistant.wait_for_text("setupModeCheck", "started in RC mode")
+    assistant.wait_for_text("setupModeCheck", "in RC mode")
     assert "would drive the motors" in assistant.text("setupMixCheck")
     go_to(assistant, assistant.root, SetupStep.STICKS)
     assert not assistant.is_enabled("setupForwardButton")

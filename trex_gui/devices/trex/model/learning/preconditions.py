@@ -11,6 +11,24 @@ from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.translations import error_text
 
 
+def mode_blocker(device: Device) -> str:
+    """Return why the mode of the board is in the way, for the user; empty in serial mode."""
+    state = device.state
+    if state is None or state.mode.is_serial:
+        return ""
+    why = tr(
+        "The board is in {0} mode: the sticks drive the motors, and it rejects settings. Switch "
+        "it off, remove the mode jumper and switch it on."
+    )
+    if device.telemetry.serial_controls:
+        why = tr(
+            "The board is in {0} mode. Channel 5 has given the motors to the serial line, but with "
+            "the next move of its switch the sticks drive the motors again; and the board rejects "
+            "settings. Switch it off, remove the mode jumper and switch it on."
+        )
+    return why.format(state.mode.source.word)
+
+
 class CalibrationPreconditions(QObject):
     """Watches a board whose channels are learned or tested.
 
@@ -63,22 +81,8 @@ class CalibrationPreconditions(QObject):
         if not self._device.is_connected or state is None:
             return tr("Connect to a board first.")
         if not state.mode.is_serial:
-            if self._device.telemetry.serial_controls:
-                why = tr(
-                    "The board is in {0} mode. Channel 5 has given the motors to the serial "
-                    "line, but with the next move of its switch the sticks drive the motors "
-                    "again; and the board rejects settings. Switch it off, remove the mode jumper "
-                    "and switch it on."
-                )
-            else:
-                why = tr(
-                    "The board is in {0} mode: the sticks drive the motors, and it rejects "
-                    "settings. Switch it off, remove the mode jumper and switch it on."
-                )
-            return why.format(state.mode.source.word)
-        if self._device.writer.running:
-            return tr("Settings are being written.")
-        return ""
+            return mode_blocker(self._device)
+        return tr("Settings are being written.") if self._device.writer.running else ""
 
     @Slot()
     def _check(self) -> None:

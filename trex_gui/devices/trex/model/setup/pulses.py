@@ -5,6 +5,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.held_drive import held_drive_blocker
+from trex_gui.devices.trex.model.learning.preconditions import mode_blocker
 from trex_gui.devices.trex.model.motors import FIRST_CEILING
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.ui.runtime import new_timer
@@ -56,21 +57,14 @@ class MotorPulses(QObject):
 
     @property
     def cannot_drive(self) -> str:
-        """Why this board cannot show its motors one by one; empty if it can."""
-        device = self._device
-        if device.writer.is_rejected and device.state is not None:
-            text = tr(
-                "The board is in {0} mode, so the sticks control the motors and not this program. "
-                "Skip this step, or switch the board off, remove the mode jumper and switch it on."
-            )
-            return text.format(device.state.mode.source.word)
-        if device.is_connected and device.board.is_joint:
+        """Reason why this board cannot show its motors one by one; empty if it can."""
+        if self._device.is_connected and self._device.board.is_joint:
             return tr("Joint mode: both outputs drive one motor, so there is nothing to find.")
-        return ""
+        return mode_blocker(self._device) if self._device.is_connected else ""
 
     @property
     def blocker(self) -> str:
-        """Why no pulse can start now and what to do, for the user; empty when one can."""
+        """Reason why no pulse can start, and what to do, for the user; empty when one can."""
         if self.cannot_drive:
             return self.cannot_drive
         if self._device.is_connected and not self.wheels_are_free:
@@ -80,7 +74,7 @@ class MotorPulses(QObject):
         )
 
     def confirm_wheels(self, free: bool) -> None:
-        """Take from the user whether the wheels are off the ground; if not, everything stops."""
+        """Record that the wheels are off the ground, or not; then everything stops."""
         if free != self.wheels_are_free:
             self.wheels_are_free = free
             if not free:
@@ -94,7 +88,7 @@ class MotorPulses(QObject):
         self.changed.emit()
 
     def start(self, motor: int, *, stronger: bool = False) -> bool:
-        """Begin to drive motor 1 or 2 in pulses, and return whether it does."""
+        """Start pulses of motor 1 or 2, and return whether they could start."""
         if self.motor or self.blocker or not self._motors.acquire(_HOLDER):
             return False
         motors = self._motors

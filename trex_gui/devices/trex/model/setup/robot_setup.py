@@ -10,6 +10,7 @@ from trex_gui.devices.trex.client.reading import DeviceState, may_be_same_board
 from trex_gui.devices.trex.driving.timeout_stop import with_shutdown
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning
+from trex_gui.devices.trex.model.learning.preconditions import mode_blocker
 from trex_gui.devices.trex.model.setup.presets import LIMITS, Preset
 from trex_gui.devices.trex.model.setup.pulses import MotorPulses
 from trex_gui.devices.trex.model.setup.wiring import Driver, Movement, Wiring
@@ -129,7 +130,7 @@ class RobotSetup(QObject):
 
     @property
     def blocker(self) -> str:
-        """Why this step could change nothing, for the user; empty if it can, or has no changes."""
+        """Reason why this step could change nothing, for the user; empty without changes."""
         device = self._device
         if self.step not in {SetupStep.MOTORS, SetupStep.LIMITS, SetupStep.TIMEOUT}:
             return ""
@@ -137,12 +138,7 @@ class RobotSetup(QObject):
             return tr("No board is connected, so nothing can be changed.")
         if device.writer.running:
             return tr("Settings are being written.")
-        if device.writer.is_rejected:
-            text = tr(
-                "The board is in {0} mode and rejects settings: go back to the jumpers, or skip."
-            )
-            return text.format(device.state.mode.source.word)
-        return ""
+        return mode_blocker(device)
 
     def _wanted(self, step: SetupStep) -> Mapping[str, int]:
         match step:

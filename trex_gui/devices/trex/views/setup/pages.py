@@ -10,6 +10,7 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_texts import timeout_warning_on
+from trex_gui.devices.trex.model.learning.preconditions import mode_blocker
 from trex_gui.devices.trex.model.setup.presets import LIMITS, Preset
 from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup, SetupStep
 from trex_gui.devices.trex.model.setup.wiring import Driver
@@ -98,11 +99,7 @@ class JumperPage(Page):
             return None, tr("No board is connected, so its jumpers cannot be checked.")
         if state.mode.is_serial:
             return True, tr("This board was started without the mode jumper (serial mode).")
-        text = tr(
-            "This board was started in {0} mode. Switch it off, remove the mode jumper and switch "
-            "it on again."
-        )
-        return False, text.format(state.mode.source.word)
+        return False, mode_blocker(self._device)
 
     def _mix_result(self, is_mixed: bool) -> tuple[bool | None, str]:
         seen = self._setup.is_mixed
