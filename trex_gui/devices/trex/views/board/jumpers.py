@@ -3,7 +3,7 @@
 from collections.abc import Collection, Mapping
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Slot
-from PySide6.QtGui import QHideEvent, QPaintEvent, QPen, QShowEvent
+from PySide6.QtGui import QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.translation import tr
@@ -29,7 +29,7 @@ class JumperPicture(Painted):
         self._moved: Collection[str] = ()
         self._is_bright = True
         self._leds = Leds(self)
-        self._timer = new_timer(self, _PULSE_MS, self._on_pulse)
+        self._timer = new_timer(self, _PULSE_MS, self._on_pulse, single_shot=True)
         ui.column(self._leds, 1, into=self, margins=(32, 20, 24, 20))
 
     def show_jumpers(
@@ -92,16 +92,10 @@ class JumperPicture(Painted):
                     painter.drawRoundedRect(box, 8, 8)
             painter.setFont(scaled_font(self.font(), _SCALE))
             paint_jumpers(painter, at, [*self._jumpers.values()], line)
+        if self._moved and wants_motion(self) and not self._timer.isActive():
+            self._timer.start()
 
     @Slot()
     def _on_pulse(self) -> None:
-        self._is_bright = not self._is_bright or not wants_motion(self)
+        self._is_bright = not self._is_bright
         self.update()
-
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        self._timer.start()
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        super().hideEvent(event)
-        self._timer.stop()
