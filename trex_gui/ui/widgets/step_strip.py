@@ -2,12 +2,13 @@
 
 from collections.abc import Collection, Sequence
 
-from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt
-from PySide6.QtGui import QFont, QPainter, QPaintEvent, QPen
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.ui.theme.theme import follow_theme, theme
+from trex_gui.ui.widgets.circuit import write
 from trex_gui.ui.widgets.painted import Painted, Painter
 
 _GAP = 8  # pixels between a circle, its title and the line to the next circle
@@ -74,20 +75,13 @@ class StepStrip(Painted):
                 self._paint_circle(painter, QPointF(left + side / 2, height / 2), number)
                 is_now = number == self._now
                 if names_all or is_now:
-                    place = QRect(round(left) + side + _GAP, 0, width, height)
-                    painter.setFont(self._font(bold=is_now))
-                    painter.setPen(color("window_text" if is_now else "muted"))
-                    painter.drawText(place, Qt.AlignmentFlag.AlignVCenter, step)
+                    place = QRectF(left + side + _GAP, 0, width, height)
+                    write(painter, place, step, "window_text" if is_now else "muted", bold=is_now)
                 left += width + line
                 if number < last:
                     painter.setPen(QPen(color("hairline"), 2))
                     start, end = QPointF(left - line, height / 2), QPointF(left - _GAP, height / 2)
                     painter.drawLine(start, end)
-
-    def _font(self, *, bold: bool) -> QFont:
-        font = QFont(self.font())
-        font.setWeight(QFont.Weight.DemiBold if bold else QFont.Weight.Normal)
-        return font
 
     def _paint_circle(self, painter: QPainter, middle: QPointF, number: int) -> None:
         color, radius = theme().color, self._side() / 2 - 1
@@ -96,11 +90,12 @@ class StepStrip(Painted):
         painter.setPen(QPen(color("primary" if is_filled else "outline"), 1.5))
         painter.setBrush(color("primary" if is_filled else "base"))
         painter.drawEllipse(middle, radius, radius)
-        painter.setPen(QPen(color("primary_text" if is_filled else "muted"), radius / 7))
+        ink = "primary_text" if is_filled else "muted"
         if number >= self._now:
-            painter.setFont(self._font(bold=True))
             box = QRectF(middle.x() - radius, middle.y() - radius, 2 * radius, 2 * radius)
-            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, str(number + 1))
+            center = Qt.AlignmentFlag.AlignHCenter
+            write(painter, box, str(number + 1), ink, bold=True, align=center)
         else:
+            painter.setPen(QPen(color(ink), radius / 7))
             tick = ((-0.4, 0.0), (0.4, 0.0)) if is_undone else ((-0.4, 0), (-0.1, 0.3), (0.4, -0.3))
             painter.drawPolyline([middle + QPointF(x, y) * radius for x, y in tick])
