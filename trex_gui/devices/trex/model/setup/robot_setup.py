@@ -1,6 +1,6 @@
 """The assistant that sets up a robot: its steps, and the edits that each one makes."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from enum import Enum, auto
 
 from PySide6.QtCore import QObject, Signal, Slot
@@ -176,27 +176,21 @@ class RobotSetup(QObject):
             self._completed.discard(SetupStep.JUMPERS)
             self.changed.emit()
 
-    def note_pushed(self, channels: Iterable[int]) -> tuple[int, ...]:
-        """Note that the sticks of these channels are pushed forward or right now.
+    def note_pushed(self, channels: Sequence[int]) -> tuple[int, ...]:
+        """Record that the sticks of these channels are pushed forward or right now.
 
         Return the channels whose input does not show it.
         """
-        unclear = []
         for channel in channels:
+            self.rises.pop(channel, None)
             raw = self._device.telemetry.raw_of(channel)
             calibration = self._device.calibrations.stored(channel)
-            if raw is None or calibration is None:
-                unclear.append(channel)
-                continue
-            offset = raw - calibration.neutral
-            if abs(offset) < _PUSHED * (calibration.maximum - calibration.minimum):
-                unclear.append(channel)
-            else:
-                self.rises[channel] = offset > 0
-        for channel in unclear:
-            self.rises.pop(channel, None)
+            if raw is not None and calibration is not None:
+                offset = raw - calibration.neutral
+                if abs(offset) >= _PUSHED * (calibration.maximum - calibration.minimum):
+                    self.rises[channel] = offset > 0
         self.changed.emit()
-        return tuple(unclear)
+        return tuple(channel for channel in channels if channel not in self.rises)
 
     def note_movement(self, motor: int, seen: Movement) -> None:
         self.movements[motor] = seen
