@@ -17,8 +17,8 @@ from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.descriptions import CHANNEL_ROLES
 from trex_gui.devices.trex.views.bars import ChannelBar, OutputBar
 from trex_gui.devices.trex.views.steps import Page
+from trex_gui.ui.theme.theme import follow_theme, set_text_color
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import keep_room
 from trex_gui.ui.widgets.labels import Muted, Note, Sign
 
 _GAP = 12
@@ -118,31 +118,34 @@ class RestRow(ChannelRow):
 
 
 class EndState(Enum):
-    """State of an end: its icon, the colour, and words."""
+    """State of an end: its sign, the colour, and words."""
 
-    OPEN = "todo", "muted", tr_noop("{0} end: not reached yet")
-    HOLD = "run", "icon", tr_noop("{0} end: hold it there")
-    DONE = "ok", "good", tr_noop("{0} end: reached")
-    NEEDLESS = "", "icon", tr_noop("{0} end: not needed")  # a switch has shown its other end
+    OPEN = "○", "muted", tr_noop("{0} end: not reached yet")
+    HOLD = "▸", "window_text", tr_noop("{0} end: hold it there")
+    DONE = "✓", "good", tr_noop("{0} end: reached")
+    NEEDLESS = "", "muted", tr_noop("{0} end: not needed")  # a switch has shown its other end
 
 
-class EndSign(QWidget):
-    """The name of an end and whether it was reached; its place never changes."""
+class EndSign(QLabel):
+    """The name of an end and its sign; its width never changes."""
 
     def __init__(self, name: str, object_name: str, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName(object_name)
         self._name = name
-        self._label = ui.label(self, text=name)
-        self._sign = Sign(self)
-        keep_room(self._label)
-        ui.row(self._label, self._sign, into=self, margins=(0, 0, 4, 0), spacing=2)
+        self._state: EndState | None = None
+        widest = f"{name} MM"
+        follow_theme(
+            self, "room", lambda: self.setFixedWidth(self.fontMetrics().horizontalAdvance(widest))
+        )
         self.show_state(EndState.OPEN)
 
     def show_state(self, state: EndState) -> None:
-        icon, color, text = state.value
-        self._sign.show_sign(icon, color)
-        self._label.setVisible(state is not EndState.NEEDLESS)
+        if state is self._state:
+            return
+        self._state, (sign, color, text) = state, state.value
+        self.setText(sign and f"{self._name} {sign}")
+        set_text_color(self, color)
         self.setAccessibleName(tr(text).format(self._name))
         self.setToolTip(ui.plain(self.accessibleName()))
 
