@@ -23,6 +23,16 @@ _STEPS = {  # between two labels of an axis, in µs and V
 }
 
 
+def input_axis(
+    source: InputSource, calibration: Calibration | None, count: int | None = None
+) -> tuple[int, int]:
+    """Return the ends of an axis for these marks and this count."""
+    counts = [] if count is None else [count]
+    if calibration is not None:
+        counts += [calibration.minimum, calibration.maximum]
+    return widened(USUAL_AXIS[source], counts)
+
+
 def widened(axis: tuple[int, int], counts: Iterable[int]) -> tuple[int, int]:
     """Return the ends of an axis, moved in round steps to include these counts."""
     low, high = axis
@@ -76,10 +86,7 @@ class ChannelBar(Bar):
             self._show(BarState.WAITING, None)
         if (source, calibration) != (self._source, self._calibration):
             self._source, self._calibration = source, calibration
-            shown = [] if self.value is None else [self.value]
-            if calibration is not None:
-                shown += [calibration.minimum, calibration.maximum]
-            self.axis = widened(USUAL_AXIS[source], shown)
+            self.axis = input_axis(source, calibration, self.value)
             self.update()
 
     def set_value(self, value: int | None) -> None:

@@ -21,7 +21,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import drive_inputs
 from trex_gui.devices.trex.model.drive_texts import direction_text, setpoint_text
 from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode, Status, UartError
-from trex_gui.devices.trex.views.bars import USUAL_AXIS, widened
+from trex_gui.devices.trex.views.bars import input_axis
 from trex_gui.devices.trex.views.board.parts import (
     WHEEL,
     BoardPart,
@@ -237,10 +237,8 @@ class BoardView(QWidget):
             count, curve = device.telemetry.raw_of(number), device.draft.stored_curve(number)
             value = tr("no signal") if count is None else state.source.text(count)
             calibration = None if curve is None else curve.calibration
-            marks = [] if calibration is None else [calibration.minimum, calibration.maximum]
-            axis = widened(USUAL_AXIS[state.source], [*marks, *([count] if count else [])])
             part.show_lines(title, name, value)
-            part.show_input(axis, count, calibration)
+            part.show_input(input_axis(state.source, calibration, count), count, calibration)
 
     def _show_jumpers(self) -> None:
         device = self._device

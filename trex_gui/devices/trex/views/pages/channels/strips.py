@@ -23,7 +23,7 @@ from trex_gui.devices.trex.model.channel_text import CHANNEL_NAMES, input_text
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
-from trex_gui.devices.trex.views.bars import USUAL_AXIS, paint_input, widened
+from trex_gui.devices.trex.views.bars import USUAL_AXIS, input_axis, paint_input, widened
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import scaled_font, theme
 from trex_gui.ui.units import units
@@ -70,8 +70,7 @@ class ChannelStrip(QAbstractButton, Spoken):
     def set_scale(self, source: InputSource, calibration: Calibration | None) -> None:
         """Set whose minimum, neutral and maximum are marked. The scale contains them."""
         self._calibration = calibration
-        ends = () if calibration is None else (calibration.minimum, calibration.maximum)
-        self._axis = widened(USUAL_AXIS[source], ends)
+        self._axis = input_axis(source, calibration)
         self.update()
 
     def show_value(self, value: str, output: str, spoken: str) -> None:
