@@ -55,18 +55,18 @@ def test_ends_are_marked_when_they_are_reached(learning: LearningDialog) -> None
     low, high = (learning.find(QWidget, f"learnEnd{end}1") for end in ("Down", "Up"))
     assert low.isVisible()
     assert high.isVisible()
-    assert low.accessibleName() == "low end: not reached yet"
+    assert low.toolTip() == "low end: not reached yet"
 
     places = low.x(), high.x()
     learning.push(1)
-    learning.wait(lambda: high.accessibleName() == "high end: reached")
-    assert low.accessibleName() == "low end: not reached yet"
+    learning.wait(lambda: high.toolTip() == "high end: reached")
+    assert low.toolTip() == "low end: not reached yet"
     assert (low.x(), high.x()) == places
     low_end_of_throttle = learning.find(QWidget, "learnEndDown3")
-    assert low_end_of_throttle.accessibleName() == "low end: not needed"
+    assert low_end_of_throttle.toolTip() == "low end: not needed"
 
     learning.push(-1)
-    learning.wait(lambda: low.accessibleName() == "low end: reached")
+    learning.wait(lambda: low.toolTip() == "low end: reached")
     learning.click("learnBackButton")
     learning.wait_for_head("Release every stick")
 

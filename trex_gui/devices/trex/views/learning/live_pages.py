@@ -146,8 +146,7 @@ class EndSign(QLabel):
         self._state, (sign, color, text) = state, state.value
         self.setText(sign and f"{self._name} {sign}")
         set_text_color(self, color)
-        self.setAccessibleName(tr(text).format(self._name))
-        self.setToolTip(ui.plain(self.accessibleName()))
+        self.setToolTip(ui.plain(tr(text).format(self._name)))  # also read by screen readers
 
 
 class TravelRow(ChannelRow):
