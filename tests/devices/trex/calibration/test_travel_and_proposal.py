@@ -314,7 +314,7 @@ def test_remark_describes_throttle_beyond_its_rest() -> None:
     assert found.problems == ()
     (text,) = found.remarks
     assert text.startswith(
-        "Below its rest position the motor speeds up again, whatever the sign: at 1000"
+        "Beyond its rest position the motor speeds up again, whatever the sign: at 1000"
     )
 
 

@@ -123,14 +123,8 @@ class Check:
         if idle is None or self.travel.task is not Task.ONE_WAY:
             return ""
         place, speed = self._aside(idle)
-        if idle is Way.UP:
-            text = tr(
-                "Above its rest position the motor speeds up again, whatever the sign: at {0} to "
-                "{1} of {2}."
-            )
-        else:
-            text = tr(
-                "Below its rest position the motor speeds up again, whatever the sign: at {0} to "
-                "{1} of {2}."
-            )
+        text = tr(
+            "Beyond its rest position the motor speeds up again, whatever the sign: at {0} to {1} "
+            "of {2}."
+        )
         return text.format(self.neutral.source.text(place), speed, FULL_SCALE)
