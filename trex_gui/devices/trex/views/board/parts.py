@@ -95,10 +95,7 @@ class ChannelPart(BoardPart):
         self, axis: tuple[int, int], count: int | None, calibration: Calibration | None
     ) -> None:
         """Show a raw count on an axis of raw counts; `None` is no signal, or nothing known."""
-        shown = axis, count, calibration
-        if shown != (self._axis, self._count, self._calibration):
-            self._axis, self._count, self._calibration = shown
-            self.update()
+        self._axis, self._count, self._calibration = axis, count, calibration
 
     def paint(self, painter: QPainter) -> None:
         room = QRectF(self.rect()).adjusted(4, 2, -4, -2)
@@ -141,9 +138,7 @@ class JumperPart(BoardPart):
     is_on: bool | None = None
 
     def show_jumper(self, is_on: bool | None, *lines: str) -> None:
-        if is_on is not self.is_on:
-            self.is_on = is_on
-            self.update()
+        self.is_on = is_on
         self.show_lines(*lines)
 
     def paint(self, painter: QPainter) -> None:
@@ -157,11 +152,6 @@ class MotorPart(BoardPart):
 
     speed = 0  # what it is told, -127 to 127
     _angle = 0.0
-
-    def show_speed(self, speed: int) -> None:
-        if speed != self.speed:
-            self.speed = speed
-            self.update()
 
     def turn(self, seconds: float) -> None:
         if self.speed:

@@ -296,7 +296,7 @@ class BoardView(QWidget):
             elif setpoint.may_turn:
                 lines.append(tr("may still turn"))
                 alarm = "danger"
-            part.show_speed(0 if alarm == "danger" else setpoint.speed)
+            part.speed = 0 if alarm == "danger" else setpoint.speed
             part.show_lines(*lines, alarm=alarm)
 
     def _current_texts(self, motor: int) -> tuple[str, str]:
