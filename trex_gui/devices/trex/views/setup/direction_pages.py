@@ -91,7 +91,8 @@ class SticksPage(Page):
             bar.set_connected(device.is_connected)
             bar.set_scale(device.calibrations.source, device.calibrations.stored(channel))
             is_unclear = channel in self._unclear and channel not in self._setup.rises
-            self._known[channel].show_note(self._stick_text(channel), alarming=is_unclear)
+            text = self._stick_text(channel, is_unclear=is_unclear)
+            self._known[channel].show_note(text, alarming=is_unclear)
         self._show_inputs()
 
     @Slot()
@@ -102,7 +103,7 @@ class SticksPage(Page):
             for channel, bar in self._bars.items():
                 bar.set_value(telemetry.raw_of(channel))
 
-    def _stick_text(self, channel: int) -> str:
+    def _stick_text(self, channel: int, *, is_unclear: bool) -> str:
         """Return what is known of the direction of a stick, or why it could not be seen."""
         names = {1: tr("Channel 1 (motor 1)"), 2: tr("Channel 2 (motor 2)")}
         if self._is_one:
@@ -112,15 +113,14 @@ class SticksPage(Page):
             True: tr("{0}: the value rises."),
             False: tr("{0}: the value falls."),
         }
-        if channel in self._unclear:
-            texts[None] = tr("{0}: the stick is still near its middle. Push it all the way.")
+        text = texts[self._setup.rises.get(channel)]
+        if is_unclear:
+            text = tr("{0}: the stick is still near its middle. Push it all the way.")
             if self._device.telemetry.raw_of(channel) is None:
-                texts[None] = tr("{0}: no signal arrives.")
-        text = texts[self._setup.rises.get(channel)].format(names[channel])
-        is_rc = self._device.calibrations.source is InputSource.RC
-        if channel in self._unclear and channel not in self._setup.rises and is_rc:
-            text = f"{text} {tr('Is the transmitter on?')}"
-        return text
+                text = tr("{0}: no signal arrives.")
+            if self._device.calibrations.source is InputSource.RC:
+                text = f"{text} {tr('Is the transmitter on?')}"
+        return text.format(names[channel])
 
 
 class WiringPage(Page):
