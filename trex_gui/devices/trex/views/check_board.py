@@ -207,10 +207,6 @@ class CheckBoardFlow(Flow):
         device.link_changed.connect(self._on_link_changed)
         device.request_failed.connect(self._on_failed)
 
-    @property
-    def title(self) -> str:
-        return tr("Board does not respond")
-
     def add_buttons(self, parent: QWidget) -> Sequence[QPushButton]:
         button = partial(ui.button, parent, default=False)
         self._find = button("checkFindButton", tr("&Find now"), icon="find")
@@ -231,6 +227,7 @@ class CheckBoardFlow(Flow):
             hand_shake.show_step(_STEPS[self._at - 1])
         note, is_alarming = self._result
         return Shown(
+            tr("Board does not respond"),
             [tr("LEDs"), *(tr(step.title) for step in _STEPS)],
             self._at,
             hand_shake if self._at else sights,

@@ -40,6 +40,7 @@ class Page(QWidget):
 class Shown:
     """One step as the dialog shows it. A button without a text is hidden."""
 
+    title: str  # of the task
     titles: Sequence[str]  # of all steps
     now: int  # index of the current one
     page: Page
@@ -63,10 +64,6 @@ class Flow(QObject):
 
     name = ""  # starts the object names
     size = 1040, 600  # pixels of the dialog
-
-    @property
-    def title(self) -> str:
-        raise NotImplementedError
 
     def add_buttons(self, parent: QWidget) -> Sequence[QPushButton]:
         """Create the buttons that this task has beside Back, Skip and Next."""
@@ -202,8 +199,8 @@ class Steps(ReusedDialog):
             self._show(self.flow.shown())
 
     def _show(self, shown: Shown) -> None:
-        self.setWindowTitle(self.flow.title)
-        self._title.setText(self.flow.title)
+        self.setWindowTitle(shown.title)
+        self._title.setText(shown.title)
         self._strip.show_steps(shown.titles, shown.now, shown.undone)
         focused, bar = self.focusWidget(), (self._back, self._skip, self._next)
         is_new = self._body.show_page(shown.page)

@@ -45,14 +45,6 @@ class LearnFlow(Flow):
         if name == "learn":
             learning.stored.connect(self._on_stored)
 
-    @property
-    def title(self) -> str:
-        return tr("Test the sticks") if self._is_testing else tr("Learn channels")
-
-    @property
-    def _is_testing(self) -> bool:
-        return self.learning.is_test or self._offers_test
-
     def learn(self, channels: Sequence[int] = CHANNELS) -> None:
         """Learn these channels unless it is learning already; the motors are stopped first."""
         self._open(partial(self.learning.begin, channels))
@@ -136,8 +128,10 @@ class LearnFlow(Flow):
 
     def shown(self) -> Shown:
         learning, step = self.learning, self.learning.step
-        learn = [tr("Hands off"), tr("All ends"), tr("Review")]
-        titles = [tr("Stop the motors"), *([tr("Test")] if self._is_testing else learn)]
+        title = tr("Learn channels")
+        titles = [tr("Stop the motors"), tr("Hands off"), tr("All ends"), tr("Review")]
+        if learning.is_test or self._offers_test:
+            title, titles[1:] = tr("Test the sticks"), [tr("Test")]
         if step is not LearningStep.FAILED:
             self._place = _PLACES.get(step, int(step is LearningStep.TEST))
         self.show_buttons()
@@ -152,6 +146,7 @@ class LearnFlow(Flow):
             text = ""
         ends = {LearningStep.TEST, LearningStep.FAILED, LearningStep.ENDED}
         return Shown(
+            title,
             titles,
             min(self._place, len(titles) - 1),
             self._page_of(step),

@@ -127,12 +127,9 @@ class PowerCycleFlow(Flow):
         self._page = PowerCyclePage(self._cycle)
         self._cycle.changed.connect(self.changed)
 
-    @property
-    def title(self) -> str:
-        return tr("Switch the board off and on")
-
     def shown(self) -> Shown:
-        return Shown(*_steps(self._cycle), self._page, closes=True)
+        title = tr("Switch the board off and on")
+        return Shown(title, *_steps(self._cycle), self._page, closes=True)
 
     def leave(self, *, closed: bool) -> None:
         if closed:

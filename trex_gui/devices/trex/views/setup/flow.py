@@ -60,10 +60,6 @@ class SetupFlow(Flow):
             changed.connect(self.changed)
 
     @property
-    def title(self) -> str:
-        return tr("Set up my robot")
-
-    @property
     def _learns(self) -> bool:
         learning = self._learn.learning
         is_learning = learning.step is not LearningStep.ENDED and not learning.is_test
@@ -108,21 +104,21 @@ class SetupFlow(Flow):
             self._learn.learning.cancel()
 
     def shown(self) -> Shown:
-        setup, step = self.setup, self.setup.step
+        setup, step, title = self.setup, self.setup.step, tr("Set up my robot")
         names = {each: self._titles[each].replace("&", "") for each in setup.steps}
         titles, now = list(names.values()), setup.steps.index(step)
         undone = [names[each] for each in setup.open_steps]
         if self._learns:
             shown = self._learn.shown()
-            return replace(
-                shown, titles=titles, now=now, undone=undone, may_go_back=True, may_skip=True
-            )
+            shown = replace(shown, title=title, titles=titles, now=now, undone=undone)
+            return replace(shown, may_go_back=True, may_skip=True)
         self._learn.show_buttons(hidden=True)
         if step not in self._pages:
             self._pages[step] = self._makers[step]()
         is_last = step is SetupStep.REVIEW
         can_apply = self._device.writer.can_apply and self._device.draft.pending > 0
         return Shown(
+            title,
             titles,
             now,
             self._pages[step],
