@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from enum import Enum
 
-from PySide6.QtCore import Qt, Slot
+from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from trex_gui.core.translation import Number, tr, tr_noop
@@ -209,7 +209,6 @@ class TestPage(Page):
         super().__init__("learnTestPage")
         self._tests = tests
         self._rows: list[tuple[StickTest, OutputBar, Sign, QLabel]] = []
-        self._safe_sign = Sign(self.side)
         self._safe_start = ui.named(Note(3, self.side), "learnSafeStart")
         explanation = tr(
             "Calculated from the values in the board, for each channel by itself. Assumed: up to "
@@ -227,9 +226,8 @@ class TestPage(Page):
             for column, widget in enumerate((_channel_label(number, self), bar, sign, text)):
                 grid.addWidget(widget, row, column)
             self._rows.append((test, bar, sign, text))
-        safe_start = ui.row((self._safe_sign, 0, Qt.AlignmentFlag.AlignTop), (self._safe_start, 1))
         ui.column(grid, 1, into=self, margins=0)
-        ui.column(safe_start, Muted(explanation, self.side), into=self.side, margins=0)
+        ui.column(self._safe_start, Muted(explanation, self.side), into=self.side, margins=0)
 
         for changed in (learning.changed, learning.measured):
             changed.connect(self._on_changed)
@@ -243,8 +241,6 @@ class TestPage(Page):
             sign.show_sign(*_sign_of(test))
         held = bool(self._tests.safe_start_reasons)
         self._safe_start.show_note(self._tests.safe_start_text, alarming=held)
-        good = "ok" if self._tests.heard else ""
-        self._safe_sign.show_sign(*(("warning", "warning") if held else (good, "good")))
 
 
 def _sign_of(test: StickTest) -> tuple[str, str]:
