@@ -5,9 +5,10 @@ from collections.abc import Sequence
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtWidgets import QFrame, QWidget
 
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.power_cycle import PowerCycle, PowerCycleStage
+from trex_gui.devices.trex.model.power_cycle import PowerCycle
+from trex_gui.devices.trex.model.power_cycle import PowerCycleStage as Stage
 from trex_gui.devices.trex.views.steps import Flow, Page, Shown
 from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets.behaviour import keep_room
@@ -15,7 +16,31 @@ from trex_gui.ui.widgets.builders import button, column, named
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.step_strip import StepStrip
 
-_STEPS_DONE = {PowerCycleStage.ON_WANTED: 1, PowerCycleStage.BACK: 3}
+_STEPS_DONE = {Stage.ON_WANTED: 1, Stage.BACK: 3}
+
+_RESULTS = {  # by stage, and whether it takes long
+    (Stage.OFF_WANTED, False): tr_noop(
+        "Switch the board off for at least one second. Waiting for the board to stop responding …"
+    ),
+    (Stage.OFF_WANTED, True): tr_noop(
+        "The board still responds. A short interruption is not detected: leave the power off for "
+        "a full second."
+    ),
+    (Stage.ON_WANTED, False): tr_noop("Switch it on again. Waiting for it to respond again …"),
+    (Stage.ON_WANTED, True): tr_noop(
+        "The board is still not responding. Check its power and the cable. If both are fine, "
+        "disconnect and press “Find…”, which tries every setting."
+    ),
+    (Stage.LOST, False): tr_noop(
+        "The line was closed. Switch the board off and on, then connect again; “Find…” tries "
+        "every setting."
+    ),
+    (Stage.UNSURE, False): tr_noop(
+        "Connected again. The program cannot detect whether the board was switched off meanwhile: "
+        "confirm it, or switch the board off and on now."
+    ),
+    (Stage.BACK, False): tr_noop("The board is back, and all stored settings are active."),
+}
 
 
 class PowerCyclePage(Page):
@@ -38,16 +63,16 @@ class PowerCyclePage(Page):
     @Slot()
     def _on_changed(self) -> None:
         stage = self._cycle.stage
-        if stage is PowerCycleStage.OFF_WANTED:
+        if stage is Stage.OFF_WANTED:
             self._waiting = self._cycle.still_waiting
         self._title.show_note(self._title_text())
         text, alarming = self._result_text()
         self._result.show_note(text, alarming=alarming)
-        is_long = stage is PowerCycleStage.OFF_WANTED and self._cycle.takes_long
-        self._confirm.setVisible(stage is PowerCycleStage.UNSURE or is_long)
+        is_long = stage is Stage.OFF_WANTED and self._cycle.takes_long
+        self._confirm.setVisible(stage is Stage.UNSURE or is_long)
 
     def _title_text(self) -> str:
-        if self._cycle.stage is PowerCycleStage.BACK:
+        if self._cycle.stage is Stage.BACK:
             return tr("Power cycle completed.")
         if self._waiting:
             text = tr("Not active until the board is switched off and on: {0}.")
@@ -56,45 +81,16 @@ class PowerCyclePage(Page):
 
     def _result_text(self) -> tuple[str, bool]:
         """Return what was detected, and whether it is alarming."""
-        waiting = ", ".join(self._cycle.still_waiting)
-        match self._cycle.stage, self._cycle.takes_long:
-            case PowerCycleStage.OFF_WANTED, True:
-                return tr(
-                    "The board still responds. A short interruption is not detected: leave the "
-                    "power off for a full second."
-                ), False
-            case PowerCycleStage.OFF_WANTED, False:
-                return tr(
-                    "Switch the board off for at least one second. Waiting for the board to stop "
-                    "responding …"
-                ), False
-            case PowerCycleStage.ON_WANTED, True:
-                return tr(
-                    "The board is still not responding. Check its power and the cable. If both "
-                    "are fine, disconnect and press “Find…”, which tries every setting."
-                ), True
-            case PowerCycleStage.ON_WANTED, False:
-                text = tr("Switch it on again. Waiting for it to respond again …")
-                if (expected := self._cycle.expected) is not None:
-                    reconnects = tr("The program then reconnects at {0}.")
-                    text = f"{text} {reconnects.format(expected.line.text())}"
-                return text, False
-            case PowerCycleStage.LOST, _:
-                return tr(
-                    "The line was closed. Switch the board off and on, then connect again; "
-                    "“Find…” tries every setting."
-                ), True
-            case PowerCycleStage.UNSURE, _:
-                return tr(
-                    "Connected again. The program cannot detect whether the board was switched "
-                    "off meanwhile: confirm it, or switch the board off and on now."
-                ), False
-            case PowerCycleStage.BACK, _ if waiting:
-                text = tr("The board is back, but these settings are still not active: {0}.")
-                return text.format(waiting), True
-            case PowerCycleStage.BACK, _:
-                return tr("The board is back, and all stored settings are active."), False
-        return "", False
+        cycle, waiting = self._cycle, ", ".join(self._cycle.still_waiting)
+        stage, takes_long = cycle.stage, cycle.takes_long
+        if stage is Stage.BACK and waiting:
+            text = tr("The board is back, but these settings are still not active: {0}.")
+            return text.format(waiting), True
+        text = "" if stage is Stage.NONE else tr(_RESULTS[stage, takes_long])
+        if stage is Stage.ON_WANTED and not takes_long and cycle.expected is not None:
+            reconnects = tr("The program then reconnects at {0}.")
+            text = f"{text} {reconnects.format(cycle.expected.line.text())}"
+        return text, stage is Stage.LOST or (stage is Stage.ON_WANTED and takes_long)
 
 
 def _steps(cycle: PowerCycle) -> tuple[Sequence[str], int]:
