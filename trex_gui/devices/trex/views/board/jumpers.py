@@ -66,19 +66,16 @@ class JumperPicture(Painted):
         self.update()
 
     def minimumSizeHint(self) -> QSize:
-        font = scaled_font(self.font(), _SCALE)
-        size, line = jumpers_size(font, [*self._jumpers.values()]), _SCALE * self._line()
+        line = _SCALE * self.fontMetrics().height()
+        size = jumpers_size(scaled_font(self.font(), _SCALE), [*self._jumpers.values()])
         return QSize(round(size.width() + 2 * _LEFT * line), round(size.height() + 4 * line))
 
     def sizeHint(self) -> QSize:
         return self.minimumSizeHint()
 
-    def _line(self) -> int:
-        return self.fontMetrics().height()
-
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
-        line, color = _SCALE * self._line(), theme().color
+        line, color = _SCALE * self.fontMetrics().height(), theme().color
         at = QPointF(_LEFT * line, _ABOVE * line)
         step = jumpers_size(self.font(), [("", True)]).height() * _SCALE
         with Painter(self) as painter:
