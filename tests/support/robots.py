@@ -70,7 +70,7 @@ class Robot:
         assert self.device.motors.armed
 
     def go_to(self, step: SetupStep) -> None:
-        self.setup.begin()
+        self.setup.go_to(SetupStep.DRIVER)
         while self.setup.step is not step:
             self.setup.skip()
 

@@ -202,7 +202,7 @@ def test_skipped_steps_stay_open_until_they_have_their_result(robot: Robot) -> N
 def test_jumper_seen_to_be_wrong_leaves_its_step_open(robot: Robot, mix: str) -> None:
     robot.simulator.do(f"jumper mix {mix}")
     robot.push(2)
-    robot.wait(lambda: robot.setup.is_mixed is not None)
+    robot.wait(lambda: robot.device.mix_jumper.is_on is not None)
     for driver in (Driver.ONE_STICK, Driver.TWO_STICKS, Driver.COMPUTER):
         robot.setup.choose_driver(driver)
         robot.go_to(SetupStep.JUMPERS)

@@ -187,11 +187,6 @@ class StickTests:
         )
 
     @property
-    def mode(self) -> str:
-        """The mode in which the channels would be in control: `RC` or `analog`."""
-        return self._device.calibrations.source.word
-
-    @property
     def safe_start_reasons(self) -> str:
         """Why safe-start would hold the motors now if the channels were in control."""
         if not self.heard:
@@ -214,4 +209,4 @@ class StickTests:
         text = tr("In {0} mode safe-start would release the motors now.")
         if reasons := self.safe_start_reasons:
             text = tr("In {0} mode safe-start would hold the motors now. {1}")
-        return text.format(self.mode, reasons)
+        return text.format(self._device.calibrations.source.word, reasons)

@@ -75,11 +75,6 @@ class RobotSetup(QObject):
         return tuple(step for step in SetupStep if step is not left_out)
 
     @property
-    def is_mixed(self) -> bool | None:
-        """Whether the mix jumper is on; `None` before the sticks have shown it."""
-        return self._device.mix_jumper.is_on
-
-    @property
     def wiring(self) -> Wiring | None:
         """How the motors are connected, once the pulses of both showed it."""
         return Wiring.seen(self.movements)
@@ -100,8 +95,8 @@ class RobotSetup(QObject):
         match step:
             case SetupStep.DRIVER:
                 return True
-            case SetupStep.JUMPERS if driver.uses_sticks and self.is_mixed is not None:
-                is_right = self.is_mixed is (driver is Driver.ONE_STICK)
+            case SetupStep.JUMPERS if driver.uses_sticks and device.mix_jumper.is_on is not None:
+                is_right = device.mix_jumper.is_on is (driver is Driver.ONE_STICK)
                 return is_right and step in self._completed
             case SetupStep.STICKS:
                 return self.knows_sticks
@@ -234,10 +229,6 @@ class RobotSetup(QObject):
 
     def back(self) -> None:
         self._move(-1)
-
-    def begin(self) -> None:
-        """Start with the first step; the answers given so far are kept."""
-        self.go_to(SetupStep.DRIVER)
 
     def leave(self) -> None:
         """Stop the motors; the pending edits stay."""

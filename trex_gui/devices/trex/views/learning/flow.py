@@ -295,7 +295,7 @@ def _test_text(learning: Learning) -> str:
             return tr("Nothing to test: the board ignores this input (Ignored Channels).")
         if tests.channels_passed:
             text = tr("The channels are good. But in {0} mode the motors would not start. {1}")
-            return text.format(tests.mode, tests.safe_start_reasons)
+            return text.format(learning.preconditions.source.word, tests.safe_start_reasons)
     return tr(
         "Push every stick to all its ends, then release it. Move every switch to all its "
         "positions. The motors stay off."

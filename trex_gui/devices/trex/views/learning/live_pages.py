@@ -70,8 +70,6 @@ class ChannelRow:
 
 
 class ChannelRows(Page):
-    """Has a row for each channel that is learned."""
-
     def __init__(self, learning: Learning, name: str, row: type[ChannelRow]) -> None:
         super().__init__(name)
         grid = ui.grid(spacing=(_GAP, 2), stretch=[(1, 1)])

@@ -68,7 +68,7 @@ class SetupFlow(Flow):
     def open(self) -> None:
         if not self._is_open:
             self._is_open = True
-            self.setup.begin()
+            self.setup.go_to(SetupStep.DRIVER)  # the answers given so far are kept
         self.opened.emit(True)
 
     def add_buttons(self, parent: QWidget) -> Sequence[QPushButton]:

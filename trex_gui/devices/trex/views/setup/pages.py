@@ -102,7 +102,7 @@ class JumperPage(Page):
         return False, mode_blocker(self._device)
 
     def _mix_result(self, is_mixed: bool) -> tuple[bool | None, str]:
-        seen = self._setup.is_mixed
+        seen = self._device.mix_jumper.is_on
         if seen is not is_mixed and self._device.writer.is_rejected:
             return None, tr(
                 "The mix jumper can be checked in serial mode only: now a stick would drive the "
