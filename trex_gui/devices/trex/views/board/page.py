@@ -177,7 +177,5 @@ def _open_text(done: SetUp) -> str:
         tr("current limits"): done.limits,
         tr("serial timeout"): done.timeout,
     }
-    unbroken = {text.replace(" ", "\N{NO-BREAK SPACE}"): is_done for text, is_done in steps.items()}
-    return "   ".join(
-        f"{'✓' if is_done else '•'}\N{NO-BREAK SPACE}{text}" for text, is_done in unbroken.items()
-    )
+    words = (f"{'✓' if is_done else '•'} {text}" for text, is_done in steps.items())
+    return "   ".join(each.replace(" ", "\N{NO-BREAK SPACE}") for each in words)
