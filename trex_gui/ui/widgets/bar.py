@@ -21,7 +21,7 @@ _NEAR = 0.8  # share of a limit from which a value is near it
 
 
 class LimitState(Enum):
-    """Where a value is; each is a colour of the theme, the usual one if empty."""
+    """Place of a value below or above its limit: a colour of the theme, if not empty."""
 
     BELOW = ""
     NEAR = "warning"

@@ -191,7 +191,7 @@ class HandShakePage(Page):
 
 
 class CheckBoardFlow(Flow):
-    """What a board that does not respond shows, then the steps for lost serial settings."""
+    """LEDs of a board that does not respond, then the steps for lost serial settings."""
 
     connect_requested = Signal(object)  # a `ConnectWith`
     find_requested = Signal()

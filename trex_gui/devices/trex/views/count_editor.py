@@ -52,7 +52,7 @@ class UnitSpinBox(QSpinBox):
 
     @property
     def problem(self) -> str:
-        """Why the input is marked; empty if it is not."""
+        """Reason why the input is marked; empty if it is not."""
         return self._problem.toolTip() if self._problem.isVisible() else ""
 
     def _mark(self, problem: str) -> None:
@@ -67,7 +67,7 @@ class UnitSpinBox(QSpinBox):
 
     @property
     def rounding(self) -> str:
-        """Which value was taken for one that was typed; empty if that one."""
+        """Sentence with the stored value if it differs from the typed one, else empty."""
         stored = self.textFromValue(self.value())
         number, unit, *_ = f"{stored} ".split(" ")
         with suppress(BadRequest):

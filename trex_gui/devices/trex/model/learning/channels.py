@@ -136,7 +136,7 @@ class LearnedChannel:
 
     @property
     def is_at_rest(self) -> bool:
-        """Whether the rest position was measured and has no fatal problem."""
+        """The rest position was measured and has no fatal problem."""
         return self.neutral is not None and not has_fatal(self.neutral.problems)
 
     def begin_travel(self) -> None:
@@ -172,7 +172,7 @@ class LearnedChannel:
 
     @property
     def new_rest(self) -> int | None:
-        """Where it came to rest, if that is not where it was sampled: a neutral to offer."""
+        """Last rest position if it differs from the sampled one: a neutral to offer."""
         if self.travel is None or self.choice is None or self.travel.task is Task.SWITCH:
             return None
         rest, wanted = self.travel.rest, self.choice.calibration

@@ -88,13 +88,12 @@ class Learning(QObject):
 
     @property
     def seconds_left(self) -> float:
-        """How much longer the rest positions are sampled."""
+        """Time for which the rest positions are still sampled."""
         neutrals = [channel.neutral for channel in self.channels]
         return max(SAMPLING_SECONDS if rest is None else rest.seconds_left for rest in neutrals)
 
     @property
     def can_go_on(self) -> bool:
-        """Whether `next` does something now."""
         match self.step:
             case LearningStep.NEUTRAL if self.sampling or self.inputs.stalled:
                 return False
@@ -125,12 +124,12 @@ class Learning(QObject):
 
     @property
     def other_edits(self) -> int:
-        """How many edits are pending beside those of the channels whose values will be used."""
+        """Number of pending edits beside those of the channels whose values will be used."""
         return self.pending.other_edits([c.number for c in self.channels if c.can_be_used])
 
     @property
     def motors_armed(self) -> bool:
-        """Whether starting would stop motors that are driven."""
+        """Starting would stop motors that are driven."""
         return self._device.motors.armed or self._device.may_move
 
     @property

@@ -50,7 +50,7 @@ class PendingLearnedValues(QObject):
         self._waiting = {}
 
     def has_edit(self, number: int) -> bool:
-        """Whether an edit of a channel's calibration or of its direction is pending."""
+        """Return whether an edit of the calibration or the direction is pending."""
         return self._calibration_edits((number,)) > 0 or number in self._turned()
 
     def other_edits(self, numbers: Sequence[int]) -> int:

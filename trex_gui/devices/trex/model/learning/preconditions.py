@@ -76,7 +76,7 @@ class CalibrationPreconditions(QObject):
 
     @property
     def blocker(self) -> str:
-        """Why sticks must not be moved now, for the user; empty if they move nothing."""
+        """Reason why sticks must not be moved now, for the user; empty if they move nothing."""
         state = self._device.state
         if not self._device.is_connected or state is None:
             return tr("Connect to a board first.")

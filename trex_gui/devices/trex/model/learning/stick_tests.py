@@ -77,7 +77,7 @@ class StickTest:
 
     @property
     def text(self) -> str:
-        """What is still to be done, or that the channel is good."""
+        """Next task of the user, or that the channel is good."""
         if self.ignored:
             return tr("Ignored: the board holds it at neutral. There is nothing to test.")
         if self.output is None:
@@ -161,12 +161,12 @@ class StickTests:
 
     @property
     def passed(self) -> bool:
-        """Whether every tested channel is good now, and safe-start would release the motors."""
+        """Every tested channel is good now, and safe-start would release the motors."""
         return self.channels_passed and not self.safe_start_reasons
 
     @property
     def channels_passed(self) -> bool:
-        """Whether every tested channel is good now, whatever the others do."""
+        """Every tested channel is good now, whatever the others do."""
         return not self.all_ignored and all(test.passed or test.ignored for test in self.tests)
 
     @property
@@ -188,7 +188,7 @@ class StickTests:
 
     @property
     def safe_start_reasons(self) -> str:
-        """Why safe-start would hold the motors now if the channels were in control."""
+        """Reasons why safe-start would hold the motors if the channels were in control."""
         if not self.heard:
             return ""
         stored_of = self._device.parameters.values.stored.get
@@ -203,7 +203,7 @@ class StickTests:
 
     @property
     def safe_start_text(self) -> str:
-        """Whether safe-start would release the motors now if the channels were in control."""
+        """Sentence on safe-start as it would act now if the channels were in control."""
         if not self.heard:
             return ""
         text = tr("In {0} mode safe-start would release the motors now.")

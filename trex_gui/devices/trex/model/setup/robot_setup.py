@@ -76,7 +76,7 @@ class RobotSetup(QObject):
 
     @property
     def wiring(self) -> Wiring | None:
-        """How the motors are connected, once the pulses of both showed it."""
+        """Connections of the motors, once the pulses of both showed them."""
         return Wiring.seen(self.movements)
 
     @property

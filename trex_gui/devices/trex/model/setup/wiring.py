@@ -35,7 +35,7 @@ class Movement(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Rewiring:
-    """What no setting of the board can do."""
+    """Changes of wires that no setting of the board can replace."""
 
     exchange_motors: bool  # the pairs of wires of motors 1 and 2
     reverse: frozenset[Side]  # motors whose two wires have to be exchanged
@@ -46,7 +46,7 @@ class Rewiring:
 
 @dataclass(frozen=True, slots=True)
 class Wiring:
-    """How the motors are connected; normally motor 1 drives the left wheel, both forward."""
+    """Connections of the motors. Normally motor 1 drives the left wheel, both forward."""
 
     swapped: bool  # motor 1 drives the right wheel
     backward: frozenset[Side]  # wheels that turn backward when their motor is driven forward

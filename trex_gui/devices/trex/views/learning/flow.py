@@ -61,7 +61,7 @@ class LearnFlow(Flow):
 
     @property
     def is_learning(self) -> bool:
-        """Whether measurements would be lost; a test is quickly repeated."""
+        """Measurements would be lost. A test does not count, as it is quickly repeated."""
         ended = {LearningStep.ENDED, LearningStep.FAILED}
         return not self.learning.is_test and self.learning.step not in ended
 

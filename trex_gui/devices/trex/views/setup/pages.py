@@ -249,7 +249,7 @@ class TimeoutPage(Page):
 
 
 class SummaryPage(Page):
-    """What is left to do: in other steps, by Apply, and by hand."""
+    """Tasks that are left: in other steps, by Apply, and by hand."""
 
     def __init__(self, device: Device, setup: RobotSetup, titles: Mapping[SetupStep, str]) -> None:
         super().__init__("setupReviewPage", tr("What is left to do"))
