@@ -130,7 +130,7 @@ class WiringPage(Page):
         super().__init__("setupWiringPage", tr("Hold a button, then click what moved"))
         self._device = device
         self._setup = setup
-        self._asked = 1  # the motor whose movement a click answers
+        self._motor = 1  # the motor whose movement a click answers
         side = self.side
         self._question = ui.named(QLabel(self), "setupQuestion")
         ui.set_bold(self._question)
@@ -199,26 +199,26 @@ class WiringPage(Page):
         return answer
 
     def _ask(self, motor: int) -> None:
-        self._asked = motor
+        self._motor = motor
         self.refresh()
 
     def _on_hold_started(self, motor: int) -> None:
-        self._asked = motor
+        self._motor = motor
         stronger = self._setup.movements.get(motor) is Movement.NOTHING
         self._setup.pulses.start(motor, stronger=stronger)
 
     @Slot(object)
     def _note(self, seen: Movement) -> None:
-        motor = self._asked
+        motor = self._motor
         if 3 - motor not in self._setup.movements and seen is not Movement.NOTHING:
-            self._asked = 3 - motor
+            self._motor = 3 - motor
         self._setup.note_movement(motor, seen)
 
     def _show_answers(self) -> None:
         """Show what each motor moved, and ask for the motor that was held last."""
         movements = self._setup.movements
-        self._question.setText(tr("What did motor {0} move?").format(self._asked))
-        set_text_color(self._question, f"motor{self._asked}")
+        self._question.setText(tr("What did motor {0} move?").format(self._motor))
+        set_text_color(self._question, f"motor{self._motor}")
         colors = dict.fromkeys(Side, "outline")
         for motor, answer in self._answers.items():
             seen, sign = movements.get(motor), ""
@@ -228,9 +228,9 @@ class WiringPage(Page):
             answer.setText(f"{sign}{tr('Motor &{0}').format(motor)}: {text}")
         for side, color in colors.items():
             self._robot.show_wheel(side, 0, color)
-        asked = movements.get(self._asked)
-        self._robot.choose(asked)
-        self._nothing.setChecked(asked is Movement.NOTHING)
+        seen = movements.get(self._motor)
+        self._robot.choose(seen)
+        self._nothing.setChecked(seen is Movement.NOTHING)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
