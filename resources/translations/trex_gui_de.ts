@@ -1631,6 +1631,8 @@
         <translation>{0} Ein Test braucht die serielle Steuerung.</translation></message>
     <message><source>Bring the motors to rest first ({0}).</source>
         <translation>Bringen Sie zuerst die Motoren zur Ruhe ({0}).</translation></message>
+    <message><source>Beyond its rest position the motor speeds up again, whatever the sign: at {0} to {1} of {2}.</source>
+        <translation>Jenseits der Ruhelage wird der Motor wieder schneller, unabhängig vom Vorzeichen: bei {0} bis auf {1} von {2}.</translation></message>
     <message><source>Active above {0}, halfway between neutral and maximum (inferred).</source>
         <translation>Aktiv über {0}, in der Mitte zwischen Neutralstellung und Maximum (erschlossen).</translation></message>
     <message><source>Active below {0}, halfway between neutral and minimum (inferred).</source>
@@ -1639,10 +1641,6 @@
         <translation>In Ruhe ist er aktiv.</translation></message>
     <message><source>At rest it is off.</source>
         <translation>In Ruhe ist er aus.</translation></message>
-    <message><source>Above its rest position the motor speeds up again, whatever the sign: at {0} to {1} of {2}.</source>
-        <translation>Über der Ruhelage wird der Motor wieder schneller, unabhängig vom Vorzeichen: bei {0} bis auf {1} von {2}.</translation></message>
-    <message><source>Below its rest position the motor speeds up again, whatever the sign: at {0} to {1} of {2}.</source>
-        <translation>Unter der Ruhelage wird der Motor wieder schneller, unabhängig vom Vorzeichen: bei {0} bis auf {1} von {2}.</translation></message>
     <message><source>Cannot continue: the motors could not be confirmed as stopped. {0}</source>
         <translation>Es kann nicht weitergehen: Für die Motoren ließ sich kein Stopp bestätigen. {0}</translation></message>
     <message><source>Learn channels</source>
@@ -1657,6 +1655,10 @@
         <translation>Das Board hat den Stopp angenommen, aber {0}. Prüfen Sie die Motoren: Dreht sich einer, treibt ihn etwas anderes an, etwa ein anderer Controller an dieser Leitung; trennen Sie dann die Motorversorgung. Fahren Sie nur fort, wenn sie sich nicht drehen.</translation></message>
     <message><source>What was learned is stored.</source>
         <translation>Das Eingelernte ist gespeichert.</translation></message>
+    <message><source>The board is in {0} mode: the sticks drive the motors, and it rejects settings. Switch it off, remove the mode jumper and switch it on.</source>
+        <translation>Das Board ist im Modus {0}: Die Knüppel steuern die Motoren, und es lehnt Einstellungen ab. Schalten Sie es aus, ziehen Sie den Modus-Jumper ab und schalten Sie es ein.</translation></message>
+    <message><source>The board is in {0} mode. Channel 5 has given the motors to the serial line, but with the next move of its switch the sticks drive the motors again; and the board rejects settings. Switch it off, remove the mode jumper and switch it on.</source>
+        <translation>Das Board ist im Modus {0}. Kanal 5 hat die Motoren der seriellen Leitung übergeben, aber mit der nächsten Bewegung seines Schalters steuern die Knüppel wieder die Motoren; außerdem lehnt das Board Einstellungen ab. Schalten Sie es aus, ziehen Sie den Modus-Jumper ab und schalten Sie es ein.</translation></message>
     <message><source>Connect to a board first.</source>
         <translation>Verbinden Sie zuerst ein Board.</translation></message>
     <message><source>The board has stopped responding: its power or its cable was cut.</source>
@@ -1669,10 +1671,6 @@
         <translation>Die Motoren wurden freigegeben, daher wurde dies beendet.</translation></message>
     <message><source>The sticks drive the motors now: the channels are in control.</source>
         <translation>Die Knüppel steuern jetzt die Motoren: Die Kanäle haben die Kontrolle.</translation></message>
-    <message><source>The board is in {0} mode. Channel 5 has given the motors to the serial line, but with the next move of its switch the sticks drive the motors again; and the board rejects settings. Switch it off, remove the mode jumper and switch it on.</source>
-        <translation>Das Board ist im Modus {0}. Kanal 5 hat die Motoren der seriellen Leitung übergeben, aber mit der nächsten Bewegung seines Schalters steuern die Knüppel wieder die Motoren; außerdem lehnt das Board Einstellungen ab. Schalten Sie es aus, ziehen Sie den Modus-Jumper ab und schalten Sie es ein.</translation></message>
-    <message><source>The board is in {0} mode: the sticks drive the motors, and it rejects settings. Switch it off, remove the mode jumper and switch it on.</source>
-        <translation>Das Board ist im Modus {0}: Die Knüppel steuern die Motoren, und es lehnt Einstellungen ab. Schalten Sie es aus, ziehen Sie den Modus-Jumper ab und schalten Sie es ein.</translation></message>
     <message><source>motor {0} draws {1:.1f} A</source>
         <translation>Motor {0} nimmt {1:.1f} A auf</translation></message>
     <message><source> and </source>
@@ -1775,8 +1773,6 @@
         <translation>Das Maximum liegt jenseits der erreichten {0}: Es gibt keinen vollen Ausgang.</translation></message>
     <message><source>Minimum is beyond the {0} that was reached: there is no full output.</source>
         <translation>Das Minimum liegt jenseits der erreichten {0}: Es gibt keinen vollen Ausgang.</translation></message>
-    <message><source>Beyond its rest position the motor speeds up again, whatever the sign: at {0} to {1} of {2}.</source>
-        <translation>Jenseits der Ruhelage wird der Motor wieder schneller, unabhängig vom Vorzeichen: bei {0} bis auf {1} von {2}.</translation></message>
     <message><source>Check that no trim and no broken wire can bring it there.</source>
         <translation>Prüfen Sie, dass weder eine Trimmung noch ein gebrochenes Kabel ihn dorthin bringen kann.</translation></message>
     <message><source>Its rest position ({0}) is too close to its switching point ({1}).</source>
@@ -1997,8 +1993,6 @@
         <translation><numerusform>Anwenden von %n Einstellung</numerusform><numerusform>Anwenden von %n Einstellungen</numerusform></translation></message>
     <message><source>{0} set</source>
         <translation>{0} gesetzt</translation></message>
-    <message><source>The board is in {0} mode, so the sticks control the motors and not this program. Skip this step, or switch the board off, remove the mode jumper and switch it on.</source>
-        <translation>Das Board ist im Modus {0}, daher steuern die Knüppel die Motoren und nicht dieses Programm. Überspringen Sie diesen Schritt, oder schalten Sie das Board aus, ziehen Sie den Modus-Jumper ab und schalten Sie es wieder ein.</translation></message>
     <message><source>Joint mode: both outputs drive one motor, so there is nothing to find.</source>
         <translation>Parallelbetrieb: Beide Ausgänge treiben einen Motor, es gibt also nichts herauszufinden.</translation></message>
     <message><source>Lift the robot so that its wheels turn freely, then confirm that here.</source>
@@ -2007,8 +2001,6 @@
         <translation>Die Räder berühren vielleicht den Boden.</translation></message>
     <message><source>No board is connected, so nothing can be changed.</source>
         <translation>Kein Board ist verbunden, daher kann nichts geändert werden.</translation></message>
-    <message><source>The board is in {0} mode and rejects settings: go back to the jumpers, or skip.</source>
-        <translation>Das Board ist im Modus {0} und lehnt Einstellungen ab: Gehen Sie zurück zu den Jumpern, oder überspringen Sie den Schritt.</translation></message>
     <message><source>The assistant was closed.</source>
         <translation>Der Assistent wurde geschlossen.</translation></message>
     <message><source>Another step of the assistant was opened.</source>
@@ -2645,20 +2637,12 @@
         <translation>diese Zahl ist nicht lesbar; {0}</translation></message>
     <message><source>merge keys (&lt;&lt;) are not allowed; {0}</source>
         <translation>Merge-Schlüssel (&lt;&lt;) sind nicht erlaubt; {0}</translation></message>
-    <message><source>Channel input</source>
-        <translation>Kanaleingang</translation></message>
-    <message><source>{value}, {distance} above neutral</source>
-        <translation>{value}, {distance} über der Neutralstellung</translation></message>
     <message><source>{value}, {distance} below neutral</source>
         <translation>{value}, {distance} unter der Neutralstellung</translation></message>
-    <message><source>Output</source>
-        <translation>Ausgang</translation></message>
+    <message><source>{value}, {distance} above neutral</source>
+        <translation>{value}, {distance} über der Neutralstellung</translation></message>
     <message><source>{value} of {full}</source>
         <translation>{value} von {full}</translation></message>
-    <message><source>min</source>
-        <translation>min</translation></message>
-    <message><source>max</source>
-        <translation>max</translation></message>
     <message><source>{value}, neutral</source>
         <translation>{value}, neutral</translation></message>
     <message><source>Runs the test while it is held, with the mouse or the space bar</source>
@@ -3251,8 +3235,6 @@
         <translation>Der TReX antwortet mit den Werkseinstellungen.</translation></message>
     <message><source>Restores the serial settings of the factory (inferred). If the LEDs alternate for three seconds only, begin again.</source>
         <translation>Stellt die seriellen Werkseinstellungen wieder her (abgeleitet). Wenn die LEDs nur drei Sekunden lang abwechselnd leuchten, beginnen Sie neu.</translation></message>
-    <message><source>Board does not respond</source>
-        <translation>Board antwortet nicht</translation></message>
     <message><source>19200 baud, without parity and CRC, whatever the device number</source>
         <translation>19200 Baud, ohne Parität und CRC, bei jeder Gerätenummer</translation></message>
     <message><source>&amp;Connect at factory settings</source>
@@ -3265,6 +3247,8 @@
         <translation>Was dieser Computer empfängt</translation></message>
     <message><source>&amp;Find now</source>
         <translation>&amp;Jetzt suchen</translation></message>
+    <message><source>Board does not respond</source>
+        <translation>Board antwortet nicht</translation></message>
     <message><source>LEDs</source>
         <translation>LEDs</translation></message>
     <message><source>&amp;Next</source>
@@ -3517,16 +3501,14 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Das Board würde die Werte von Kanal {0} ablehnen: Ändern Sie sie, oder entfernen Sie sein Häkchen.</translation></message>
     <message><source>Check the new values. Nothing is written yet.</source>
         <translation>Prüfen Sie die neuen Werte. Noch wird nichts geschrieben.</translation></message>
-    <message><source>Test the sticks</source>
-        <translation>Knüppel testen</translation></message>
+    <message><source>Stop the motors</source>
+        <translation>Motoren stoppen</translation></message>
     <message><source>Hands off</source>
         <translation>Loslassen</translation></message>
     <message><source>All ends</source>
         <translation>Alle Endlagen</translation></message>
     <message><source>Review</source>
         <translation>Prüfen</translation></message>
-    <message><source>Stop the motors</source>
-        <translation>Motoren stoppen</translation></message>
     <message><source>Sample &amp;again</source>
         <translation>Erneut &amp;messen</translation></message>
     <message><source>Start this step &amp;again</source>
@@ -3545,6 +3527,8 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Nichts zu testen: Das Board ignoriert diesen Eingang („Ignorierte Kanäle“).</translation></message>
     <message><source>The channels are good. But in {0} mode the motors would not start. {1}</source>
         <translation>Die Kanäle sind gut. Aber im Modus {0} würden die Motoren nicht anlaufen. {1}</translation></message>
+    <message><source>Test the sticks</source>
+        <translation>Knüppel testen</translation></message>
     <message><source>Stop the motors and &amp;test</source>
         <translation>Motoren stoppen und &amp;testen</translation></message>
     <message><source>The motors are stopped: co&amp;ntinue</source>
@@ -3587,10 +3571,10 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>in Ruhe: {0}, Rauschen {1}</translation></message>
     <message><source>Output of channel {0}</source>
         <translation>Ausgang von Kanal {0}</translation></message>
-    <message><source>Input now {0}; output {1}.</source>
-        <translation>Eingang jetzt {0}; Ausgang {1}.</translation></message>
     <message numerus="yes"><source>%n earlier pending edit(s) will be written, too.</source>
         <translation><numerusform>%n frühere ausstehende Änderung wird ebenfalls geschrieben.</numerusform><numerusform>%n frühere ausstehende Änderungen werden ebenfalls geschrieben.</numerusform></translation></message>
+    <message><source>Input now {0}; output {1}.</source>
+        <translation>Eingang jetzt {0}; Ausgang {1}.</translation></message>
     <message><source>&amp;Minimum</source>
         <translation>&amp;Minimum</translation></message>
     <message><source>&amp;Neutral</source>
@@ -3607,6 +3591,8 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>&amp;Umgekehrt</translation></message>
     <message><source>unknown</source>
         <translation>unbekannt</translation></message>
+    <message><source>proposed</source>
+        <translation>vorgeschlagen</translation></message>
     <message><source>as it was</source>
         <translation>bisher</translation></message>
     <message><source>Its new values will be used.</source>
@@ -3615,18 +3601,14 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Der Kanal wurde ausgelassen.</translation></message>
     <message><source>This replaces a pending edit of the channel.</source>
         <translation>Dies ersetzt eine ausstehende Änderung des Kanals.</translation></message>
-    <message><source>proposed, as it was</source>
-        <translation>vorgeschlagen, wie bisher</translation></message>
-    <message><source>proposed</source>
-        <translation>vorgeschlagen</translation></message>
+    <message><source>Channels</source>
+        <translation>Kanäle</translation></message>
     <message><source>No signal now: the output is 0.</source>
         <translation>Jetzt kein Signal: Der Ausgang ist 0.</translation></message>
     <message><source>proposed {0}</source>
         <translation>vorgeschlagen {0}</translation></message>
     <message><source>as it was {0}</source>
         <translation>bisher {0}</translation></message>
-    <message><source>Channels</source>
-        <translation>Kanäle</translation></message>
     <message><source>Nothing was learned.</source>
         <translation>Es wurde nichts eingelernt.</translation></message>
     <message><source>Keeps its old values.</source>
@@ -3797,16 +3779,12 @@ bisher {1}</translation></message>
         <translation>Neutralstellung</translation></message>
     <message><source>Maximum</source>
         <translation>Maximum</translation></message>
+    <message><source>Output</source>
+        <translation>Ausgang</translation></message>
     <message><source>Its handles can be dragged; the fields below set the same values.</source>
         <translation>Ihre Griffe lassen sich ziehen; die Felder darunter setzen dieselben Werte.</translation></message>
     <message><source>Curve of the channel</source>
         <translation>Kurve des Kanals</translation></message>
-    <message><source>Now</source>
-        <translation>Jetzt</translation></message>
-    <message><source>Input of the last 10 seconds</source>
-        <translation>Eingang der letzten 10 Sekunden</translation></message>
-    <message><source>The input of the last 10 seconds; the newest is at the top</source>
-        <translation>Der Eingang der letzten 10 Sekunden; der neueste Wert ist oben</translation></message>
     <message><source>flip on</source>
         <translation>Umdrehen ein</translation></message>
     <message><source>override on</source>
@@ -4239,6 +4217,20 @@ bisher {1}</translation></message>
         <translation>Störung oder Sto&amp;pp öffnen…</translation></message>
     <message><source>Open fault or stop</source>
         <translation>Störung oder Stopp öffnen</translation></message>
+    <message><source>Switch the board off for at least one second. Waiting for the board to stop responding …</source>
+        <translation>Schalten Sie das Board für mindestens eine Sekunde aus. Warten, bis das Board nicht mehr antwortet …</translation></message>
+    <message><source>The board still responds. A short interruption is not detected: leave the power off for a full second.</source>
+        <translation>Das Board antwortet noch. Eine kurze Unterbrechung wird nicht erkannt: Lassen Sie es eine volle Sekunde ausgeschaltet.</translation></message>
+    <message><source>Switch it on again. Waiting for it to respond again …</source>
+        <translation>Schalten Sie es wieder ein. Warten, bis es wieder antwortet …</translation></message>
+    <message><source>The board is still not responding. Check its power and the cable. If both are fine, disconnect and press “Find…”, which tries every setting.</source>
+        <translation>Das Board antwortet noch immer nicht. Prüfen Sie seine Stromversorgung und das Kabel. Wenn beides in Ordnung ist, trennen Sie die Verbindung und klicken Sie auf „Suchen…“; damit wird jede Einstellung versucht.</translation></message>
+    <message><source>The line was closed. Switch the board off and on, then connect again; “Find…” tries every setting.</source>
+        <translation>Die Leitung wurde geschlossen. Schalten Sie das Board aus und ein und verbinden Sie es dann wieder; „Suchen…“ versucht jede Einstellung.</translation></message>
+    <message><source>Connected again. The program cannot detect whether the board was switched off meanwhile: confirm it, or switch the board off and on now.</source>
+        <translation>Wieder verbunden. Das Programm kann nicht erkennen, ob das Board inzwischen ausgeschaltet war: Bestätigen Sie es, oder schalten Sie das Board jetzt aus und ein.</translation></message>
+    <message><source>The board is back, and all stored settings are active.</source>
+        <translation>Das Board ist wieder da, und alle gespeicherten Einstellungen sind aktiv.</translation></message>
     <message><source>I have &amp;switched it off and on</source>
         <translation>Ich habe es aus- und &amp;eingeschaltet</translation></message>
     <message><source>The board has to be switched off and on.</source>
@@ -4253,32 +4245,20 @@ bisher {1}</translation></message>
         <translation>Aus- und Einschalten abgeschlossen.</translation></message>
     <message><source>Not active until the board is switched off and on: {0}.</source>
         <translation>Erst nach dem Aus- und Einschalten des Boards aktiv: {0}.</translation></message>
-    <message><source>Switch it on again. Waiting for it to respond again …</source>
-        <translation>Schalten Sie es wieder ein. Warten, bis es wieder antwortet …</translation></message>
     <message><source>The board is back, but these settings are still not active: {0}.</source>
         <translation>Das Board ist wieder da, aber diese Einstellungen sind noch nicht aktiv: {0}.</translation></message>
-    <message><source>The board still responds. A short interruption is not detected: leave the power off for a full second.</source>
-        <translation>Das Board antwortet noch. Eine kurze Unterbrechung wird nicht erkannt: Lassen Sie es eine volle Sekunde ausgeschaltet.</translation></message>
-    <message><source>Switch the board off for at least one second. Waiting for the board to stop responding …</source>
-        <translation>Schalten Sie das Board für mindestens eine Sekunde aus. Warten, bis das Board nicht mehr antwortet …</translation></message>
-    <message><source>The board is still not responding. Check its power and the cable. If both are fine, disconnect and press “Find…”, which tries every setting.</source>
-        <translation>Das Board antwortet noch immer nicht. Prüfen Sie seine Stromversorgung und das Kabel. Wenn beides in Ordnung ist, trennen Sie die Verbindung und klicken Sie auf „Suchen…“; damit wird jede Einstellung versucht.</translation></message>
     <message><source>The program then reconnects at {0}.</source>
         <translation>Das Programm verbindet sich dann neu mit {0}.</translation></message>
-    <message><source>The line was closed. Switch the board off and on, then connect again; “Find…” tries every setting.</source>
-        <translation>Die Leitung wurde geschlossen. Schalten Sie das Board aus und ein und verbinden Sie es dann wieder; „Suchen…“ versucht jede Einstellung.</translation></message>
-    <message><source>Connected again. The program cannot detect whether the board was switched off meanwhile: confirm it, or switch the board off and on now.</source>
-        <translation>Wieder verbunden. Das Programm kann nicht erkennen, ob das Board inzwischen ausgeschaltet war: Bestätigen Sie es, oder schalten Sie das Board jetzt aus und ein.</translation></message>
-    <message><source>The board is back, and all stored settings are active.</source>
-        <translation>Das Board ist wieder da, und alle gespeicherten Einstellungen sind aktiv.</translation></message>
     <message><source>Left wheel, forward</source>
         <translation>Linkes Rad, vorwärts</translation></message>
-    <message><source>Left wheel, backward</source>
-        <translation>Linkes Rad, rückwärts</translation></message>
     <message><source>Right wheel, forward</source>
         <translation>Rechtes Rad, vorwärts</translation></message>
+    <message><source>Left wheel, backward</source>
+        <translation>Linkes Rad, rückwärts</translation></message>
     <message><source>Right wheel, backward</source>
         <translation>Rechtes Rad, rückwärts</translation></message>
+    <message><source>Nothing</source>
+        <translation>Nichts</translation></message>
     <message><source>front</source>
         <translation>vorn</translation></message>
     <message><source>Read the settings from the board and discard the edits made here?</source>
@@ -4415,8 +4395,6 @@ bisher {1}</translation></message>
         <translation>Angewendete Einstellungen, {0}</translation></message>
     <message><source>Sample: {0}</source>
         <translation>Beispiel: {0}</translation></message>
-    <message><source>Nothing</source>
-        <translation>Nichts</translation></message>
     <message><source>Swap the pair of wires of motor 1 with that of motor 2 (keep their order).</source>
         <translation>Vertauschen Sie das Drahtpaar von Motor 1 mit dem von Motor 2 (Reihenfolge beibehalten).</translation></message>
     <message><source>Swap the two wires of the left motor.</source>
@@ -4435,8 +4413,6 @@ bisher {1}</translation></message>
         <translation>Der Knüppel ist jetzt ganz &amp;vorn</translation></message>
     <message><source>Both sticks are fully &amp;forward now</source>
         <translation>Beide Knüppel sind jetzt ganz &amp;vorn</translation></message>
-    <message><source>Channel 1 is for left and right of the stick, channel 2 for forward and back.</source>
-        <translation>Kanal 1 gehört zu links und rechts am Knüppel, Kanal 2 zu vor und zurück.</translation></message>
     <message><source>Nothing &amp;moved</source>
         <translation>N&amp;ichts hat sich bewegt</translation></message>
     <message><source>Wir&amp;es swapped – test again</source>
@@ -4455,8 +4431,8 @@ bisher {1}</translation></message>
         <translation>Das Board lernt Ihre Knüppel</translation></message>
     <message><source>&amp;Learn channels…</source>
         <translation>Kanäle &amp;einlernen…</translation></message>
-    <message><source>Channel 1 is for motor 1, channel 2 for motor 2.</source>
-        <translation>Kanal 1 ist für Motor 1, Kanal 2 für Motor 2.</translation></message>
+    <message><source>Each is connected to an output of your receiver.</source>
+        <translation>Jeder Kanal ist mit einem Ausgang Ihres Empfängers verbunden.</translation></message>
     <message><source>Channel 1 (motor 1)</source>
         <translation>Kanal 1 (Motor 1)</translation></message>
     <message><source>Channel 2 (motor 2)</source>
@@ -4499,14 +4475,12 @@ bisher {1}</translation></message>
         <translation>Nichts hat sich gedreht: Die Impulse bleiben unter der Höchstgeschwindigkeit der Seite „Motoren“. Erhöhen Sie diese, oder prüfen Sie die Batterie und die Drähte dieses Motors.</translation></message>
     <message><source>Two motors cannot drive the same wheel: try both buttons again.</source>
         <translation>Zwei Motoren können nicht dasselbe Rad antreiben: Versuchen Sie beide Schaltflächen erneut.</translation></message>
-    <message><source>Each is connected to an output of your receiver.</source>
-        <translation>Jeder Kanal ist mit einem Ausgang Ihres Empfängers verbunden.</translation></message>
-    <message><source>Is the transmitter on?</source>
-        <translation>Ist der Sender eingeschaltet?</translation></message>
     <message><source>Hold to turn motor {0}</source>
         <translation>Gedrückt halten: Motor {0} dreht</translation></message>
     <message><source>What did motor {0} move?</source>
         <translation>Was hat Motor {0} bewegt?</translation></message>
+    <message><source>Is the transmitter on?</source>
+        <translation>Ist der Sender eingeschaltet?</translation></message>
     <message><source>Motor &amp;{0}</source>
         <translation>Motor &amp;{0}</translation></message>
     <message numerus="yes"><source>Next adds %n change(s). Nothing is written before you apply them.</source>
@@ -4531,8 +4505,6 @@ bisher {1}</translation></message>
         <translation>Jeder Schritt kann übersprungen werden. Nichts wird geschrieben, bevor Sie es am Ende anwenden.</translation></message>
     <message><source>Schematic: the user's guide shows where your board has them.</source>
         <translation>Schema: Das Benutzerhandbuch zeigt, wo Ihr Board sie hat.</translation></message>
-    <message><source>This board was started in {0} mode. Switch it off, remove the mode jumper and switch it on again.</source>
-        <translation>Dieses Board wurde im Modus {0} gestartet. Schalten Sie es aus, ziehen Sie den Modus-Jumper ab und schalten Sie es wieder ein.</translation></message>
     <message><source>The mix jumper is on: remove it, then push a stick.</source>
         <translation>Der Mix-Jumper ist gesteckt: Ziehen Sie ihn ab und bewegen Sie dann einen Knüppel.</translation></message>
     <message><source>The mix jumper is off: put it on, then push a stick.</source>
@@ -5329,6 +5301,8 @@ bisher {1}</translation></message>
         <translation>Noch keine Ereignisse. Stopps, „Anwenden“, Störungen und Grenzen werden hier aufgelistet.</translation></message>
     <message><source>Select the curves to draw</source>
         <translation>Wählen Sie die Kurven aus, die gezeichnet werden</translation></message>
+    <message><source>Now</source>
+        <translation>Jetzt</translation></message>
     <message><source>Newest value; ⚠ means 80 % of the limit or more</source>
         <translation>Neuester Wert; ⚠ bedeutet 80 % der Grenze oder mehr</translation></message>
     <message><source>Peak</source>

@@ -1631,6 +1631,8 @@
         <translation>{0} Un essai nécessite la commande par liaison série.</translation></message>
     <message><source>Bring the motors to rest first ({0}).</source>
         <translation>Mettez d'abord les moteurs au repos ({0}).</translation></message>
+    <message><source>Beyond its rest position the motor speeds up again, whatever the sign: at {0} to {1} of {2}.</source>
+        <translation>Au-delà de la position de repos, le moteur accélère de nouveau, quel que soit le signe : à {0}, jusqu'à {1} sur {2}.</translation></message>
     <message><source>Active above {0}, halfway between neutral and maximum (inferred).</source>
         <translation>Active au-dessus de {0}, à mi-chemin entre le neutre et le maximum (déduit).</translation></message>
     <message><source>Active below {0}, halfway between neutral and minimum (inferred).</source>
@@ -1639,10 +1641,6 @@
         <translation>Au repos, elle est active.</translation></message>
     <message><source>At rest it is off.</source>
         <translation>Au repos, elle est inactive.</translation></message>
-    <message><source>Above its rest position the motor speeds up again, whatever the sign: at {0} to {1} of {2}.</source>
-        <translation>Au-dessus de la position de repos, le moteur accélère de nouveau, quel que soit le signe : à {0}, jusqu'à {1} sur {2}.</translation></message>
-    <message><source>Below its rest position the motor speeds up again, whatever the sign: at {0} to {1} of {2}.</source>
-        <translation>En dessous de la position de repos, le moteur accélère de nouveau, quel que soit le signe : à {0}, jusqu'à {1} sur {2}.</translation></message>
     <message><source>Cannot continue: the motors could not be confirmed as stopped. {0}</source>
         <translation>Impossible de continuer : l'arrêt des moteurs n'a pas pu être confirmé. {0}</translation></message>
     <message><source>Learn channels</source>
@@ -1657,6 +1655,10 @@
         <translation>La carte a accepté l'arrêt, mais {0}. Contrôlez les moteurs : si l'un d'eux tourne, autre chose le commande, par exemple un autre contrôleur sur cette liaison ; coupez l'alimentation de ce moteur. Ne continuez que s'ils ne tournent pas.</translation></message>
     <message><source>What was learned is stored.</source>
         <translation>Ce qui a été appris est enregistré.</translation></message>
+    <message><source>The board is in {0} mode: the sticks drive the motors, and it rejects settings. Switch it off, remove the mode jumper and switch it on.</source>
+        <translation>La carte est en mode {0} : les manches commandent les moteurs, et elle rejette les réglages. Coupez son alimentation, retirez le cavalier de mode et remettez l'alimentation.</translation></message>
+    <message><source>The board is in {0} mode. Channel 5 has given the motors to the serial line, but with the next move of its switch the sticks drive the motors again; and the board rejects settings. Switch it off, remove the mode jumper and switch it on.</source>
+        <translation>La carte est en mode {0}. La voie 5 a cédé les moteurs à la liaison série, mais au prochain mouvement de son interrupteur, les manches commanderont de nouveau les moteurs ; de plus, la carte rejette les réglages. Coupez son alimentation, retirez le cavalier de mode et remettez l'alimentation.</translation></message>
     <message><source>Connect to a board first.</source>
         <translation>Connectez d'abord une carte.</translation></message>
     <message><source>The board has stopped responding: its power or its cable was cut.</source>
@@ -1669,10 +1671,6 @@
         <translation>Les moteurs ont été activés ; l'opération est donc terminée.</translation></message>
     <message><source>The sticks drive the motors now: the channels are in control.</source>
         <translation>Les manches commandent maintenant les moteurs : la commande est passée aux voies.</translation></message>
-    <message><source>The board is in {0} mode. Channel 5 has given the motors to the serial line, but with the next move of its switch the sticks drive the motors again; and the board rejects settings. Switch it off, remove the mode jumper and switch it on.</source>
-        <translation>La carte est en mode {0}. La voie 5 a cédé les moteurs à la liaison série, mais au prochain mouvement de son interrupteur, les manches commanderont de nouveau les moteurs ; de plus, la carte rejette les réglages. Coupez son alimentation, retirez le cavalier de mode et remettez l'alimentation.</translation></message>
-    <message><source>The board is in {0} mode: the sticks drive the motors, and it rejects settings. Switch it off, remove the mode jumper and switch it on.</source>
-        <translation>La carte est en mode {0} : les manches commandent les moteurs, et elle rejette les réglages. Coupez son alimentation, retirez le cavalier de mode et remettez l'alimentation.</translation></message>
     <message><source>motor {0} draws {1:.1f} A</source>
         <translation>le moteur {0} consomme {1:.1f} A</translation></message>
     <message><source> and </source>
@@ -1775,8 +1773,6 @@
         <translation>Le maximum est au-delà de la valeur atteinte ({0}) : il n'y a pas de sortie maximale.</translation></message>
     <message><source>Minimum is beyond the {0} that was reached: there is no full output.</source>
         <translation>Le minimum est au-delà de la valeur atteinte ({0}) : il n'y a pas de sortie maximale.</translation></message>
-    <message><source>Beyond its rest position the motor speeds up again, whatever the sign: at {0} to {1} of {2}.</source>
-        <translation>Au-delà de la position de repos, le moteur accélère de nouveau, quel que soit le signe : à {0}, jusqu'à {1} sur {2}.</translation></message>
     <message><source>Check that no trim and no broken wire can bring it there.</source>
         <translation>Vérifiez qu'aucun trim ni aucun fil coupé ne peut l'y amener.</translation></message>
     <message><source>Its rest position ({0}) is too close to its switching point ({1}).</source>
@@ -1997,8 +1993,6 @@
         <translation><numerusform>Application de %n réglage</numerusform><numerusform>Application de %n réglages</numerusform></translation></message>
     <message><source>{0} set</source>
         <translation>{0} : réglé</translation></message>
-    <message><source>The board is in {0} mode, so the sticks control the motors and not this program. Skip this step, or switch the board off, remove the mode jumper and switch it on.</source>
-        <translation>La carte est en mode {0} : ce sont les manches qui commandent les moteurs, et non ce programme. Passez cette étape, ou coupez l'alimentation de la carte, retirez le cavalier de mode et remettez l'alimentation.</translation></message>
     <message><source>Joint mode: both outputs drive one motor, so there is nothing to find.</source>
         <translation>Mode jumelé : les deux sorties alimentent un seul moteur, il n'y a donc rien à identifier.</translation></message>
     <message><source>Lift the robot so that its wheels turn freely, then confirm that here.</source>
@@ -2007,8 +2001,6 @@
         <translation>Les roues touchent peut-être le sol.</translation></message>
     <message><source>No board is connected, so nothing can be changed.</source>
         <translation>Aucune carte n'est connectée, rien ne peut donc être modifié.</translation></message>
-    <message><source>The board is in {0} mode and rejects settings: go back to the jumpers, or skip.</source>
-        <translation>La carte est en mode {0} et rejette les réglages : revenez aux cavaliers, ou passez cette étape.</translation></message>
     <message><source>The assistant was closed.</source>
         <translation>L'assistant a été fermé.</translation></message>
     <message><source>Another step of the assistant was opened.</source>
@@ -2645,20 +2637,12 @@
         <translation>ce nombre est illisible ; {0}</translation></message>
     <message><source>merge keys (&lt;&lt;) are not allowed; {0}</source>
         <translation>les clés de fusion (&lt;&lt;) ne sont pas autorisées ; {0}</translation></message>
-    <message><source>Channel input</source>
-        <translation>Entrée de la voie</translation></message>
-    <message><source>{value}, {distance} above neutral</source>
-        <translation>{value}, {distance} au-dessus du neutre</translation></message>
     <message><source>{value}, {distance} below neutral</source>
         <translation>{value}, {distance} en dessous du neutre</translation></message>
-    <message><source>Output</source>
-        <translation>Sortie</translation></message>
+    <message><source>{value}, {distance} above neutral</source>
+        <translation>{value}, {distance} au-dessus du neutre</translation></message>
     <message><source>{value} of {full}</source>
         <translation>{value} sur {full}</translation></message>
-    <message><source>min</source>
-        <translation>min</translation></message>
-    <message><source>max</source>
-        <translation>max</translation></message>
     <message><source>{value}, neutral</source>
         <translation>{value}, neutre</translation></message>
     <message><source>Runs the test while it is held, with the mouse or the space bar</source>
@@ -3251,8 +3235,6 @@
         <translation>Le TReX répond avec les réglages d'usine.</translation></message>
     <message><source>Restores the serial settings of the factory (inferred). If the LEDs alternate for three seconds only, begin again.</source>
         <translation>Rétablit les réglages série d'usine (déduit). Si les LED n'alternent que pendant trois secondes, recommencez.</translation></message>
-    <message><source>Board does not respond</source>
-        <translation>La carte ne répond pas</translation></message>
     <message><source>19200 baud, without parity and CRC, whatever the device number</source>
         <translation>19200 bauds, sans parité ni CRC, quel que soit le numéro d'appareil</translation></message>
     <message><source>&amp;Connect at factory settings</source>
@@ -3265,6 +3247,8 @@
         <translation>Ce que reçoit cet ordinateur</translation></message>
     <message><source>&amp;Find now</source>
         <translation>Rec&amp;hercher maintenant</translation></message>
+    <message><source>Board does not respond</source>
+        <translation>La carte ne répond pas</translation></message>
     <message><source>LEDs</source>
         <translation>LED</translation></message>
     <message><source>&amp;Next</source>
@@ -3517,16 +3501,14 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>La carte rejetterait les valeurs de la voie {0} : modifiez-les, ou décochez sa case.</translation></message>
     <message><source>Check the new values. Nothing is written yet.</source>
         <translation>Vérifiez les nouvelles valeurs. Rien n'est encore écrit.</translation></message>
-    <message><source>Test the sticks</source>
-        <translation>Tester les manches</translation></message>
+    <message><source>Stop the motors</source>
+        <translation>Arrêter les moteurs</translation></message>
     <message><source>Hands off</source>
         <translation>Lâcher</translation></message>
     <message><source>All ends</source>
         <translation>Extrémités</translation></message>
     <message><source>Review</source>
         <translation>Vérifier</translation></message>
-    <message><source>Stop the motors</source>
-        <translation>Arrêter les moteurs</translation></message>
     <message><source>Sample &amp;again</source>
         <translation>Re&amp;faire la mesure</translation></message>
     <message><source>Start this step &amp;again</source>
@@ -3545,6 +3527,8 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Rien à tester : la carte ignore cette entrée (« Voies ignorées »).</translation></message>
     <message><source>The channels are good. But in {0} mode the motors would not start. {1}</source>
         <translation>Les voies sont bonnes. Mais en mode {0}, les moteurs ne démarreraient pas. {1}</translation></message>
+    <message><source>Test the sticks</source>
+        <translation>Tester les manches</translation></message>
     <message><source>Stop the motors and &amp;test</source>
         <translation>Arrêter les moteurs et &amp;tester</translation></message>
     <message><source>The motors are stopped: co&amp;ntinue</source>
@@ -3587,10 +3571,10 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>au repos : {0}, bruit {1}</translation></message>
     <message><source>Output of channel {0}</source>
         <translation>Sortie de la voie {0}</translation></message>
-    <message><source>Input now {0}; output {1}.</source>
-        <translation>Entrée actuelle {0} ; sortie {1}.</translation></message>
     <message numerus="yes"><source>%n earlier pending edit(s) will be written, too.</source>
         <translation><numerusform>%n modification antérieure en attente sera également écrite.</numerusform><numerusform>%n modifications antérieures en attente seront également écrites.</numerusform></translation></message>
+    <message><source>Input now {0}; output {1}.</source>
+        <translation>Entrée actuelle {0} ; sortie {1}.</translation></message>
     <message><source>&amp;Minimum</source>
         <translation>&amp;Minimum</translation></message>
     <message><source>&amp;Neutral</source>
@@ -3607,6 +3591,8 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>&amp;Inversée</translation></message>
     <message><source>unknown</source>
         <translation>inconnu</translation></message>
+    <message><source>proposed</source>
+        <translation>proposé</translation></message>
     <message><source>as it was</source>
         <translation>avant</translation></message>
     <message><source>Its new values will be used.</source>
@@ -3615,18 +3601,14 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>La voie a été omise.</translation></message>
     <message><source>This replaces a pending edit of the channel.</source>
         <translation>Ceci remplace une modification en attente de la voie.</translation></message>
-    <message><source>proposed, as it was</source>
-        <translation>proposé, comme avant</translation></message>
-    <message><source>proposed</source>
-        <translation>proposé</translation></message>
+    <message><source>Channels</source>
+        <translation>Voies</translation></message>
     <message><source>No signal now: the output is 0.</source>
         <translation>Pas de signal actuellement : la sortie est à 0.</translation></message>
     <message><source>proposed {0}</source>
         <translation>proposé {0}</translation></message>
     <message><source>as it was {0}</source>
         <translation>avant {0}</translation></message>
-    <message><source>Channels</source>
-        <translation>Voies</translation></message>
     <message><source>Nothing was learned.</source>
         <translation>Rien n'a été appris.</translation></message>
     <message><source>Keeps its old values.</source>
@@ -3797,16 +3779,12 @@ avant {1}</translation></message>
         <translation>Neutre</translation></message>
     <message><source>Maximum</source>
         <translation>Maximum</translation></message>
+    <message><source>Output</source>
+        <translation>Sortie</translation></message>
     <message><source>Its handles can be dragged; the fields below set the same values.</source>
         <translation>Vous pouvez faire glisser ses poignées ; les champs ci-dessous règlent les mêmes valeurs.</translation></message>
     <message><source>Curve of the channel</source>
         <translation>Courbe de la voie</translation></message>
-    <message><source>Now</source>
-        <translation>Maintenant</translation></message>
-    <message><source>Input of the last 10 seconds</source>
-        <translation>Entrée des 10 dernières secondes</translation></message>
-    <message><source>The input of the last 10 seconds; the newest is at the top</source>
-        <translation>L'entrée des 10 dernières secondes ; la plus récente est en haut</translation></message>
     <message><source>flip on</source>
         <translation>retournement actif</translation></message>
     <message><source>override on</source>
@@ -4239,6 +4217,20 @@ avant {1}</translation></message>
         <translation>Ouvrir un &amp;défaut ou un arrêt…</translation></message>
     <message><source>Open fault or stop</source>
         <translation>Ouvrir un défaut ou un arrêt</translation></message>
+    <message><source>Switch the board off for at least one second. Waiting for the board to stop responding …</source>
+        <translation>Coupez l'alimentation de la carte pendant au moins une seconde. Attente que la carte cesse de répondre …</translation></message>
+    <message><source>The board still responds. A short interruption is not detected: leave the power off for a full second.</source>
+        <translation>La carte répond encore. Une coupure brève n'est pas détectée : laissez l'alimentation coupée une seconde entière.</translation></message>
+    <message><source>Switch it on again. Waiting for it to respond again …</source>
+        <translation>Remettez-la sous tension. Attente qu'elle réponde de nouveau …</translation></message>
+    <message><source>The board is still not responding. Check its power and the cable. If both are fine, disconnect and press “Find…”, which tries every setting.</source>
+        <translation>La carte ne répond toujours pas. Vérifiez son alimentation et le câble. Si les deux sont en ordre, déconnectez et cliquez sur « Rechercher… », qui essaie tous les réglages.</translation></message>
+    <message><source>The line was closed. Switch the board off and on, then connect again; “Find…” tries every setting.</source>
+        <translation>La liaison a été fermée. Coupez et remettez l'alimentation de la carte, puis reconnectez ; « Rechercher… » essaie tous les réglages.</translation></message>
+    <message><source>Connected again. The program cannot detect whether the board was switched off meanwhile: confirm it, or switch the board off and on now.</source>
+        <translation>De nouveau connecté. Le programme ne peut pas détecter si l'alimentation de la carte a été coupée entre-temps : confirmez-le, ou coupez et remettez son alimentation maintenant.</translation></message>
+    <message><source>The board is back, and all stored settings are active.</source>
+        <translation>La carte est de retour et tous les réglages enregistrés sont actifs.</translation></message>
     <message><source>I have &amp;switched it off and on</source>
         <translation>J'ai &amp;coupé et remis l'alimentation</translation></message>
     <message><source>The board has to be switched off and on.</source>
@@ -4253,32 +4245,20 @@ avant {1}</translation></message>
         <translation>Alimentation coupée et remise.</translation></message>
     <message><source>Not active until the board is switched off and on: {0}.</source>
         <translation>Inactif tant que l'alimentation de la carte n'a pas été coupée puis remise : {0}.</translation></message>
-    <message><source>Switch it on again. Waiting for it to respond again …</source>
-        <translation>Remettez-la sous tension. Attente qu'elle réponde de nouveau …</translation></message>
     <message><source>The board is back, but these settings are still not active: {0}.</source>
         <translation>La carte est de retour, mais ces réglages ne sont toujours pas actifs : {0}.</translation></message>
-    <message><source>The board still responds. A short interruption is not detected: leave the power off for a full second.</source>
-        <translation>La carte répond encore. Une coupure brève n'est pas détectée : laissez l'alimentation coupée une seconde entière.</translation></message>
-    <message><source>Switch the board off for at least one second. Waiting for the board to stop responding …</source>
-        <translation>Coupez l'alimentation de la carte pendant au moins une seconde. Attente que la carte cesse de répondre …</translation></message>
-    <message><source>The board is still not responding. Check its power and the cable. If both are fine, disconnect and press “Find…”, which tries every setting.</source>
-        <translation>La carte ne répond toujours pas. Vérifiez son alimentation et le câble. Si les deux sont en ordre, déconnectez et cliquez sur « Rechercher… », qui essaie tous les réglages.</translation></message>
     <message><source>The program then reconnects at {0}.</source>
         <translation>Le programme se reconnecte ensuite à {0}.</translation></message>
-    <message><source>The line was closed. Switch the board off and on, then connect again; “Find…” tries every setting.</source>
-        <translation>La liaison a été fermée. Coupez et remettez l'alimentation de la carte, puis reconnectez ; « Rechercher… » essaie tous les réglages.</translation></message>
-    <message><source>Connected again. The program cannot detect whether the board was switched off meanwhile: confirm it, or switch the board off and on now.</source>
-        <translation>De nouveau connecté. Le programme ne peut pas détecter si l'alimentation de la carte a été coupée entre-temps : confirmez-le, ou coupez et remettez son alimentation maintenant.</translation></message>
-    <message><source>The board is back, and all stored settings are active.</source>
-        <translation>La carte est de retour et tous les réglages enregistrés sont actifs.</translation></message>
     <message><source>Left wheel, forward</source>
         <translation>Roue gauche, vers l'avant</translation></message>
-    <message><source>Left wheel, backward</source>
-        <translation>Roue gauche, vers l'arrière</translation></message>
     <message><source>Right wheel, forward</source>
         <translation>Roue droite, vers l'avant</translation></message>
+    <message><source>Left wheel, backward</source>
+        <translation>Roue gauche, vers l'arrière</translation></message>
     <message><source>Right wheel, backward</source>
         <translation>Roue droite, vers l'arrière</translation></message>
+    <message><source>Nothing</source>
+        <translation>Rien</translation></message>
     <message><source>front</source>
         <translation>avant</translation></message>
     <message><source>Read the settings from the board and discard the edits made here?</source>
@@ -4415,8 +4395,6 @@ avant {1}</translation></message>
         <translation>Réglages appliqués {0}</translation></message>
     <message><source>Sample: {0}</source>
         <translation>Exemple : {0}</translation></message>
-    <message><source>Nothing</source>
-        <translation>Rien</translation></message>
     <message><source>Swap the pair of wires of motor 1 with that of motor 2 (keep their order).</source>
         <translation>Permutez la paire de fils du moteur 1 avec celle du moteur 2 (gardez leur ordre).</translation></message>
     <message><source>Swap the two wires of the left motor.</source>
@@ -4435,8 +4413,6 @@ avant {1}</translation></message>
         <translation>Le manche est poussé à fond vers l'a&amp;vant maintenant</translation></message>
     <message><source>Both sticks are fully &amp;forward now</source>
         <translation>Les deux manches sont poussés à fond vers l'a&amp;vant maintenant</translation></message>
-    <message><source>Channel 1 is for left and right of the stick, channel 2 for forward and back.</source>
-        <translation>La voie 1 est pour la gauche et la droite du manche, la voie 2 pour l'avant et l'arrière.</translation></message>
     <message><source>Nothing &amp;moved</source>
         <translation>Rien n'a &amp;bougé</translation></message>
     <message><source>Wir&amp;es swapped – test again</source>
@@ -4455,8 +4431,8 @@ avant {1}</translation></message>
         <translation>La carte apprend vos manches</translation></message>
     <message><source>&amp;Learn channels…</source>
         <translation>Apprendre les &amp;voies…</translation></message>
-    <message><source>Channel 1 is for motor 1, channel 2 for motor 2.</source>
-        <translation>La voie 1 est pour le moteur 1, la voie 2 pour le moteur 2.</translation></message>
+    <message><source>Each is connected to an output of your receiver.</source>
+        <translation>Chacune est reliée à une sortie de votre récepteur.</translation></message>
     <message><source>Channel 1 (motor 1)</source>
         <translation>Voie 1 (moteur 1)</translation></message>
     <message><source>Channel 2 (motor 2)</source>
@@ -4499,14 +4475,12 @@ avant {1}</translation></message>
         <translation>Rien n'a tourné : les impulsions restent sous la vitesse maximale de la page Moteurs. Augmentez-la, ou vérifiez la batterie et les fils de ce moteur.</translation></message>
     <message><source>Two motors cannot drive the same wheel: try both buttons again.</source>
         <translation>Deux moteurs ne peuvent pas entraîner la même roue : essayez à nouveau les deux boutons.</translation></message>
-    <message><source>Each is connected to an output of your receiver.</source>
-        <translation>Chacune est reliée à une sortie de votre récepteur.</translation></message>
-    <message><source>Is the transmitter on?</source>
-        <translation>L'émetteur est-il allumé ?</translation></message>
     <message><source>Hold to turn motor {0}</source>
         <translation>Maintenir : le moteur {0} tourne</translation></message>
     <message><source>What did motor {0} move?</source>
         <translation>Qu'est-ce que le moteur {0} a fait bouger ?</translation></message>
+    <message><source>Is the transmitter on?</source>
+        <translation>L'émetteur est-il allumé ?</translation></message>
     <message><source>Motor &amp;{0}</source>
         <translation>Moteur &amp;{0}</translation></message>
     <message numerus="yes"><source>Next adds %n change(s). Nothing is written before you apply them.</source>
@@ -4531,8 +4505,6 @@ avant {1}</translation></message>
         <translation>Chaque étape peut être passée. Rien n'est écrit avant que vous l'appliquiez à la fin.</translation></message>
     <message><source>Schematic: the user's guide shows where your board has them.</source>
         <translation>Schéma : le guide d'utilisation montre où ils se trouvent sur votre carte.</translation></message>
-    <message><source>This board was started in {0} mode. Switch it off, remove the mode jumper and switch it on again.</source>
-        <translation>Cette carte a démarré en mode {0}. Coupez son alimentation, retirez le cavalier de mode et remettez l'alimentation.</translation></message>
     <message><source>The mix jumper is on: remove it, then push a stick.</source>
         <translation>Le cavalier Mix est en place : retirez-le, puis poussez un manche.</translation></message>
     <message><source>The mix jumper is off: put it on, then push a stick.</source>
@@ -5329,6 +5301,8 @@ avant {1}</translation></message>
         <translation>Aucun événement pour l'instant. Les arrêts, les réglages appliqués, les défauts et les limites apparaîtront ici.</translation></message>
     <message><source>Select the curves to draw</source>
         <translation>Sélectionner les courbes à tracer</translation></message>
+    <message><source>Now</source>
+        <translation>Maintenant</translation></message>
     <message><source>Newest value; ⚠ means 80 % of the limit or more</source>
         <translation>Valeur la plus récente ; ⚠ signifie 80 % de la limite ou plus</translation></message>
     <message><source>Peak</source>

@@ -62,8 +62,7 @@ class DriveBlocker(Enum):
     FAULT = (
         Effect.STOPS,
         tr_noop(
-            "Motor {0} is off: its driver shut down (too hot, a short circuit, or low "
-            "voltage)."
+            "Motor {0} is off: its driver shut down (too hot, a short circuit, or low voltage)."
         ),
         tr_noop("Reduce the load, check wires and battery, and let it cool."),
     )

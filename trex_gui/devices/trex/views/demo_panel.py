@@ -430,7 +430,7 @@ class Drawing(BoardRows):
         def update(snapshot: DemoSnapshot) -> None:
             motor = snapshot.motors[number - 1]
             turns = {"forward": 1, "reverse": -1}.get(motor.direction, 0)
-            made.show_speed(0 if motor.fault else turns * motor.speed)
+            made.speed = 0 if motor.fault else turns * motor.speed
             current = f"{Number(motor.current):.1f}\u00a0A"
             fault, alarm = (tr("Fault"), "danger") if motor.fault else (tr("no fault"), "")
             made.show_lines(name, motor_text(motor), current, fault, alarm=alarm)
