@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from enum import Enum
 
-from PySide6.QtCore import Slot
+from PySide6.QtCore import Qt, Slot
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from trex_gui.core.translation import Number, tr, tr_noop
@@ -130,6 +130,7 @@ class EndSign(QLabel):
     def __init__(self, name: str, object_name: str, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName(object_name)
+        self.setTextFormat(Qt.TextFormat.PlainText)
         self._name = name
         self._state: EndState | None = None
         widest = f"{name} MM"

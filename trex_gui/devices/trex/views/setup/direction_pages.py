@@ -5,7 +5,7 @@ from itertools import chain
 
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QPushButton, QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
@@ -132,8 +132,7 @@ class WiringPage(Page):
         self._setup = setup
         self._motor = 1  # the motor whose movement a click answers
         side = self.side
-        self._question = ui.named(QLabel(self), "setupQuestion")
-        ui.set_bold(self._question)
+        self._question = ui.label(self, "setupQuestion", bold=True)
         self._robot = RobotView(self, asks=True)
         self._robot.wheel_clicked.connect(self._note)
         text = tr("Nothing &moved")
