@@ -116,5 +116,4 @@ class Diagnostics(Place):
 
     @Slot(int)
     def _show_count(self, count: int) -> None:
-        title = f"{tr('Problems')} ({count})" if count else tr("Problems")
-        self._workspace.set_page_title("errors", title)
+        self._workspace.set_page_count("errors", count)

@@ -2,12 +2,20 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QRect, QRectF, QSize, Qt
-from PySide6.QtGui import QFont, QKeyEvent, QPaintEvent, QPen, QResizeEvent
+from PySide6.QtCore import QPoint, QRect, QRectF, QSize, Qt
+from PySide6.QtGui import (
+    QFont,
+    QFontMetrics,
+    QKeyEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QResizeEvent,
+)
 from PySide6.QtWidgets import QTabBar, QTabWidget, QWidget
 
 from trex_gui.ui.theme.icons import icon
-from trex_gui.ui.theme.theme import follow_theme, theme
+from trex_gui.ui.theme.theme import follow_theme, scaled_font, theme
 from trex_gui.ui.widgets.builders import Margins, column, named
 from trex_gui.ui.widgets.painted import Painter
 
@@ -22,6 +30,7 @@ class PlaceBar(QTabBar):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self.icons: Sequence[str] = ()  # their names, in the order of the tabs
+        self._counts: dict[int, int] = {}  # index of a tab → number on it
         self.setMouseTracking(True)
         self.setExpanding(False)
         self.setUsesScrollButtons(False)
@@ -37,7 +46,15 @@ class PlaceBar(QTabBar):
         """Show the names as they are now, in the tabs or in their tool tips."""
         for index in range(self.count()):  # the tabs ask for their sizes
             self.setTabText(index, self.tabText(index))
-            self.setTabToolTip(index, self.tabText(index) if self.is_narrow else "")
+            name = counted(self.tabText(index), self._counts.get(index, 0))
+            self.setAccessibleTabName(index, name)
+            self.setTabToolTip(index, name if self.is_narrow else "")
+
+    def set_count(self, index: int, count: int) -> None:
+        """Show a number on a tab, or none for 0. No tab moves."""
+        if count != self._counts.get(index, 0):
+            self._counts[index] = count
+            self.show_names()
 
     def tabSizeHint(self, _index: int) -> QSize:  # noqa: N802 - of Qt
         metrics = self.fontMetrics()
@@ -45,7 +62,8 @@ class PlaceBar(QTabBar):
         if self.is_narrow:
             return QSize(_ICON + 3 * _AROUND, height)
         texts = (metrics.horizontalAdvance(self.tabText(i)) for i in range(self.count()))
-        return QSize(round(1.1 * max(texts)) + _ICON + 6 * _AROUND, height)
+        room = _ICON + 6 * _AROUND + metrics.height()  # with a number behind the name
+        return QSize(round(1.1 * max(texts)) + room, height)
 
     def minimumTabSizeHint(self, index: int) -> QSize:  # noqa: N802 - of Qt
         return self.tabSizeHint(index)
@@ -87,6 +105,8 @@ class PlaceBar(QTabBar):
                     sign.moveCenter(place.center())
                 color = "accent" if is_current else "muted"
                 icon(self.icons[index], color).paint(painter, sign)
+                if count := self._counts.get(index):
+                    self._paint_count(painter, place, count)
                 if self.is_narrow:
                     continue
                 font = QFont(self.font())
@@ -95,6 +115,26 @@ class PlaceBar(QTabBar):
                 painter.setPen(theme().color("window_text" if is_current else "muted"))
                 text = QRect(sign.right() + 12, place.top(), place.width(), place.height())
                 painter.drawText(text, Qt.AlignmentFlag.AlignVCenter, self.tabText(index))
+
+    def _paint_count(self, painter: QPainter, place: QRect, count: int) -> None:
+        font = scaled_font(self.font(), 0.8)
+        side = QFontMetrics(font).height()
+        badge = QRect(place.right() - side - 2, 0, side + 2, side)
+        badge.moveCenter(QPoint(badge.center().x(), place.center().y()))
+        if self.is_narrow:
+            badge.moveTop(place.top())
+        painter.setFont(font)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(theme().color("accent"))
+        painter.drawRoundedRect(badge, side / 2, side / 2)
+        painter.setPen(theme().color("primary_text"))
+        text = str(count) if count < 10 else "9+"
+        painter.drawText(badge, Qt.AlignmentFlag.AlignCenter, text)
+
+
+def counted(title: str, count: int) -> str:
+    """Return a title with a number behind it: `Problems (2)`."""
+    return f"{title} ({count})" if count else title
 
 
 class Places(QTabWidget):

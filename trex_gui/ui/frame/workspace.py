@@ -11,7 +11,7 @@ from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu, QStackedWidget, QTabWidget, QWidget
 
 from trex_gui.core.translation import tr
-from trex_gui.ui.frame.places import Place, Places
+from trex_gui.ui.frame.places import Place, Places, counted
 from trex_gui.ui.help.messages import MessageHelp
 from trex_gui.ui.help.search import Findable, Kind
 from trex_gui.ui.log import Log
@@ -206,19 +206,14 @@ class Workspace(QWidget):
         if (place := self._infos[number].place) is not None:
             self.pages.setCurrentWidget(place)
 
-    def set_page_title(self, key: str, title: str) -> None:
-        """Change the title on the tab of a page, and what follows it on that of its place.
-
-        Its entry in the Window menu stays.
-        """
+    def set_page_count(self, key: str, count: int) -> None:
+        """Show a number on the tab of a page and on that of its place, or none for 0."""
         number = self._number_of(key)
         (holder, index), info = self._holders[number], self._infos[number]
-        if holder.tabText(index) != title:
-            holder.setTabText(index, title)
-            if info.place is not None:
-                more = title.removeprefix(info.title.replace("&", ""))
-                self.pages.setTabText(self.pages.indexOf(info.place), f"{info.place.title}{more}")
-                self.pages.bar.show_names()
+        if info.place is not None:
+            holder.setTabText(index, counted(info.title.replace("&", ""), count))
+            index = self.pages.indexOf(info.place)
+        self.pages.bar.set_count(index, count)
 
     def _number_of(self, key: str) -> int:
         return [info.key for info in self._infos].index(key)

@@ -344,6 +344,7 @@ class TrexWorkspace(Workspace):
             texts = record, *undo_titles(undo.undoText(), undo.redoText())
             for key, text in zip(("record", "undo", "redo"), texts, strict=True):
                 self._actions[key].setText(text)
+            self.set_page_count("parameters", self._device.draft.pending)
             self._actions["demo"].setChecked(self._demo.wanted)
             self._actions["record_with_run"].setChecked(self.recordings.starts_with_run)
             self._actions["keep_events"].setChecked(self.recordings.events.is_on)
