@@ -11,9 +11,9 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.window import LEFT, WindowDriver
 from trex_gui.devices.aracna.views.robot.joint_widgets import JointSlider
-from trex_gui.devices.trex.views.bars import OutputBar
 from trex_gui.devices.trex.views.pages.motors.drive_control import SpeedSlider
 from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
+from trex_gui.ui.frame.wiring_sketch import WiringSketch
 from trex_gui.ui.plotting.canvas import PlotCanvas
 from trex_gui.ui.widgets.labels import LiveLabel
 from trex_gui.ui.widgets.painted import Painted
@@ -37,7 +37,9 @@ def test_window_mirrors_no_painted_widget_slider_or_number(window: WindowDriver)
     kinds = Painted, LiveLabel, QSlider, QAbstractSpinBox
     widgets = [widget for widget in window.find_all(QWidget) if isinstance(widget, kinds)]
     assert len(widgets) > 50
-    assert {DrivePad, SpeedSlider, JointSlider, OutputBar, StickSlider} <= set(map(type, widgets))
+    assert {DrivePad, SpeedSlider, JointSlider, WiringSketch, StickSlider} <= set(
+        map(type, widgets)
+    )
     mirrored = [one for one in widgets if one.layoutDirection() is not Direction.LeftToRight]
     assert not mirrored
 
