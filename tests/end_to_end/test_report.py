@@ -56,7 +56,7 @@ def test_report_is_shown_before_it_is_saved(
     assert "Board: TReX 1.2, device 7" in contents["status.txt"]
     assert "\nPackets: compact\nRequests: " in contents["status.txt"]
     assert "\nMotor 1 fault: " in contents["status.txt"]
-    assert "\nMotors: Motor 1 has no drive" in contents["status.txt"]
+    assert "\nMotors: Motor 1 is off" in contents["status.txt"]
     assert "\nArmed: no, may be moving: no\n" in contents["status.txt"]
     assert "serial_timeout: 0" in contents["settings.txt"]
     assert "serial_timeout: 15" in contents["settings_edited.txt"]

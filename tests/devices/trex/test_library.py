@@ -215,7 +215,7 @@ def test_program_knows_why_motors_do_not_run_and_how_good_the_line_is(
             assert board.line_quality.is_noisy is None
             quick_simulator.do("fault 2 on")
             board.wait(12)
-            assert board.motor_status()[0].startswith("Motor 2 has no drive")
+            assert board.motor_status()[0].startswith("Motor 2 is off")
             assert board.line_quality.is_noisy is False
 
     Program(virtual_time, run).end()

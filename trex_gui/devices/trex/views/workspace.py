@@ -124,7 +124,10 @@ class TrexWorkspace(Workspace):
         settings.parameter_wanted.connect(self._show_parameter)
         for reviewed in (bar.apply_requested, self._learn.apply_requested):
             reviewed.connect(settings.review.review)
-        learning.stored.connect(settings.review.close_if_verified)  # the test of the sticks follows
+        # The test of the sticks follows, once the review has its result.
+        learning.stored.connect(
+            settings.review.close_if_verified, Qt.ConnectionType.QueuedConnection
+        )
         controller.demo_board.rejected.connect(self.notifier.error)
         for changed in (
             self.recordings.changed,
@@ -234,7 +237,9 @@ class TrexWorkspace(Workspace):
         factory = partial(settings.review.review_defaults, serial_only=False)
         serial = partial(settings.review.review_defaults, serial_only=True)
         plot_title = tr("Plot of currents in its o&wn window")
-        open_guide = partial(QDesktopServices.openUrl, QUrl(GUIDE))
+
+        def open_guide() -> None:
+            QDesktopServices.openUrl(QUrl(GUIDE))
 
         return {
             Menu.FILE: (
