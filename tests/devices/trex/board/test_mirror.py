@@ -245,10 +245,17 @@ def test_lasting_fault_is_one_event_and_recurring_fault_two(watched: Watched) ->
     ]
 
 
-def test_serial_timeout_is_an_event_and_framing_error_is_not(watched: Watched) -> None:
-    watched.sample(LatchedStatus(1, Status.UART_ERROR, UartError.FRAMING))
-    watched.sample(LatchedStatus(2, Status.UART_ERROR, UartError.TIMEOUT))
-    assert watched.logged == [(2, "timeout", "Serial timeout")]
+def test_serial_error_is_one_event_until_it_is_cleared(watched: Watched) -> None:
+    for second in range(1, 8):
+        watched.sample(LatchedStatus(second, Status.UART_ERROR, UartError.FRAMING))
+        if second == 5:
+            watched.board.errors.clear(UartError.FRAMING)
+    watched.sample(LatchedStatus(9, Status.UART_ERROR, UartError.TIMEOUT))
+    assert watched.logged == [
+        (1, "link", "Framing error"),
+        (6, "link", "Framing error"),
+        (9, "timeout", "Serial timeout"),
+    ]
 
 
 def shut_down(watched: Watched, status: Status, uart: UartError) -> str:

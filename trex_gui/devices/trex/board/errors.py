@@ -113,6 +113,11 @@ class ErrorCounts:
             key=lambda one: -one.seen_at,
         )
 
+    @property
+    def known(self) -> set[Status | UartError]:
+        """The bits that were reported since the user cleared them."""
+        return {entry.bit for entry in self.entries if entry.is_uncleared}
+
     @staticmethod
     def is_active(entry: ErrorEntry, now: float) -> bool:
         return now - entry.seen_at < ACTIVE_FOR

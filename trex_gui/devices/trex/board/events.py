@@ -1,6 +1,6 @@
 """Events of a board, as its log shows them."""
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 
 from trex_gui.core.events import Event, EventKind
 from trex_gui.core.translation import tr
@@ -25,16 +25,20 @@ class StatusEvents:
     def __init__(self) -> None:
         self._seen: dict[str, float] = {}
 
-    def of(self, latched: LatchedStatus) -> Iterator[Event]:
+    def of(self, latched: LatchedStatus, known: Container[Status | UartError]) -> Iterator[Event]:
+        """Yield the events of a status; serial errors that are `known` are none."""
         if latched.is_earlier:
             yield _earlier(latched)
             return
         for bit, kind in _KINDS.items():
             if latched.status & bit:
                 yield from self._of_bit(kind, STATUS_MEANING[bit][0], latched.time)
-        if latched.uart & UartError.TIMEOUT:
-            name = UART_MEANING[UartError.TIMEOUT][0]
-            yield from self._of_bit(EventKind.TIMEOUT, name, latched.time)
+        for error in latched.uart:
+            name = UART_MEANING[error][0]
+            if error is UartError.TIMEOUT:
+                yield from self._of_bit(EventKind.TIMEOUT, name, latched.time)
+            elif error not in known:  # a noisy line repeats them without an end
+                yield Event(latched.time, EventKind.LINK, tr(name), is_problem=True)
 
     def _of_bit(self, kind: EventKind, name: str, time: float) -> Iterator[Event]:
         before = self._seen.get(name)
