@@ -13,6 +13,7 @@ from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
 from trex_gui.ui.files import write_in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.traffic.model import MOST_KEPT, TrafficModel
+from trex_gui.ui.traffic.table import TrafficTable
 from trex_gui.ui.workers.session_thread import SessionThread
 
 POLL, ANSWER = b"\x8f", b"\x02\x00"
@@ -100,6 +101,17 @@ def test_telemetry_does_not_displace_a_write(setup: TrafficSetup) -> None:
     newest = [row.number for row in everything.since(MOST_KEPT - 1)]
     assert newest == [MOST_KEPT, MOST_KEPT + 1]
     assert len(everything.since(0)) == len(everything.rows)
+
+
+def test_faults_are_listed_with_polling_as_without(setup: TrafficSetup) -> None:
+    setup.log(POLL)
+    setup.log(POLL, ANSWER)
+    setup.traffic.pull()
+    setup.traffic.everything.clear()  # as if many polls had displaced it
+    table = TrafficTable(setup.traffic)
+    for polling in (False, True):
+        table.set_filter(polling=polling, faults=True, text="")
+        assert table.rowCount() == 1
 
 
 def test_units_follow_the_identified_board(setup: TrafficSetup) -> None:

@@ -67,7 +67,9 @@ class TrafficTable(QAbstractTableModel):
 
     @property
     def _source(self) -> RowBuffer:
-        return self._traffic.everything if self._polling else self._traffic.without_polling
+        # Polls soon displace a fault among everything.
+        all_are_wanted = self._polling and not self._faults
+        return self._traffic.everything if all_are_wanted else self._traffic.without_polling
 
     def set_filter(self, *, polling: bool, faults: bool, text: str) -> None:
         """List polls, too, or only faults, or only rows that contain `text`."""
