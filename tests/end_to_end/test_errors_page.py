@@ -84,6 +84,7 @@ def test_card_leads_to_more_about_the_problem(
     window.wait(window.help.isVisible)
     page.click("FRAMINGShow")
     assert window.find(QTabWidget, "diagnosticsTabs").currentIndex() == 2
+    assert window.find(QPlainTextEdit, "transcriptDetails").toPlainText(), "a row is selected"
 
 
 def test_log_keeps_what_happened_over_disconnects(

@@ -112,6 +112,7 @@ def test_faults_are_listed_with_polling_as_without(setup: TrafficSetup) -> None:
     for polling in (False, True):
         table.set_filter(polling=polling, faults=True, text="")
         assert table.rowCount() == 1
+    assert table.row_near(99, "no such text") == 0
 
 
 def test_units_follow_the_identified_board(setup: TrafficSetup) -> None:

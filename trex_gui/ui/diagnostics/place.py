@@ -8,10 +8,11 @@ from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.ui.diagnostics.log_page import LogPage
-from trex_gui.ui.diagnostics.problems import ProblemsPage
+from trex_gui.ui.diagnostics.problems import Problem, ProblemsPage
 from trex_gui.ui.frame.places import Place
 from trex_gui.ui.frame.workspace import PageInfo, Workspace
 from trex_gui.ui.theme.theme import follow_theme, set_look
+from trex_gui.ui.traffic.page import TrafficPage
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import PageHead
 from trex_gui.ui.widgets.scroll_box import ScrollBox
@@ -69,7 +70,7 @@ class Diagnostics(Place):
 
         def make_problems() -> QWidget:
             page = self._joined(problems())
-            page.page_wanted.connect(owner.show_page)
+            page.page_wanted.connect(self._show_more)
             page.help_wanted.connect(self._show_help)
             page.counted.connect(self._show_count)
             page.show_problems()
@@ -108,6 +109,12 @@ class Diagnostics(Place):
     def _on_searched(self, text: str) -> None:
         if self._view is not None:
             self._view.search(text)
+
+    @Slot(object)
+    def _show_more(self, problem: Problem) -> None:
+        self._workspace.show_page(problem.page)
+        if isinstance(self._view, TrafficPage):
+            self._view.show_moment(problem.seen_at, problem.name)
 
     @Slot()
     def _copy(self) -> None:

@@ -34,6 +34,8 @@ class Problem:
     is_cleared: bool = False  # since it was last reported
     page: str = ""  # key of the page with more about it, if there is one
     topic: str = ""  # of the help, if there is one
+    name: str = ""  # as the traffic spells it
+    seen_at: float = 0.0  # when last, in seconds of the program's monotonic clock
 
     @property
     def line(self) -> str:
@@ -68,7 +70,7 @@ class ProblemCard(ui.Card):
             )
         ]
         set_look(self._explain, "link")
-        self._show.clicked.connect(lambda: page.page_wanted.emit(self.problem.page))
+        self._show.clicked.connect(lambda: page.page_wanted.emit(self.problem))
         self._clear.clicked.connect(lambda: page.clear(self.problem.key))
         self._explain.clicked.connect(lambda: page.help_wanted.emit(self.problem.topic))
         texts = ui.column(self._name, self._text, self._times, spacing=4)
@@ -178,7 +180,7 @@ class RoundTrips(Painted):
 class ProblemsPage(View):
     """Problems, the newest first, and below them the connection."""
 
-    page_wanted = Signal(str)  # the key of the page
+    page_wanted = Signal(object)  # the `Problem` about which it says more
     help_wanted = Signal(str)  # its topic
     counted = Signal(int)  # problems that are not cleared, whenever problems were shown
 

@@ -166,6 +166,14 @@ class TrafficPage(View):
             self._show_current()
         self._summarize()
 
+    def show_moment(self, time: float, text: str) -> None:
+        """Select the row of the line's `time` that says `text`, else the one nearest to it."""
+        row = self._table.row_near(time, text)
+        self._view.selectRow(row)
+        self._view.scrollTo(self._table.index(row, 0), TrafficView.ScrollHint.PositionAtCenter)
+        self._view.setFocus()
+        self._paused.setChecked(self._polling.isChecked())  # else it would scroll away at once
+
     def _summarize(self) -> None:
         traffic, count = self._traffic, QLocale().toString
         parts = [

@@ -138,6 +138,19 @@ class TrafficTable(QAbstractTableModel):
         texts = (words.text, shown(row.sent), shown(row.received))
         return any(self._text in text.casefold() for text in texts)
 
+    def row_near(self, time: float, text: str) -> int:
+        """Return the row nearest to a time, of those within a second one that says `text`.
+
+        It is -1 without rows.
+        """
+
+        def rank(number: int) -> tuple[bool, float]:
+            row = self.rows[number]
+            away = abs(row.time - time)
+            return away > 1 or text not in self._decoder.decoded(row).text, away
+
+        return min(range(len(self.rows)), key=rank, default=-1)
+
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 - Qt's signature
         return 0 if parent.isValid() else len(self.rows)
 

@@ -117,4 +117,6 @@ class ErrorsPage(ProblemsPage):
             is_cleared=not entry.is_uncleared,
             page="transcript" if isinstance(bit, UartError) else "currents",
             topic=message_topic(_BLOCKERS.get(bit, DriveBlocker.LINE_ERROR).text),
+            name=tr(entry.name),
+            seen_at=entry.seen_at,
         )
