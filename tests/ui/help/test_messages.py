@@ -11,6 +11,7 @@ from trex_gui.core.recording.kinds import RecordingError
 from trex_gui.core.recording.store import _NOT_OPENED
 from trex_gui.devices.aracna.session.errors import ErrorCode as RobotErrorCode
 from trex_gui.devices.aracna.views import help as aracna
+from trex_gui.devices.trex.board.errors import UNSEEN
 from trex_gui.devices.trex.driving.blockers import DriveBlocker, Reason
 from trex_gui.devices.trex.protocol.errors import ErrorCode, Rejected, ResultCode, TrexError
 from trex_gui.devices.trex.settings import reader
@@ -32,11 +33,19 @@ def coded() -> set[str]:
     texts = [*texts_of(ErrorCode), *texts_of(RobotErrorCode), *texts_of(PortFault)]
     texts += _MESSAGES.values()
     texts += [blocker.text for blocker in DriveBlocker]
+    texts += [entry.name for entry in UNSEEN]
     return {heading for text in texts if (heading := heading_of(text))}
 
 
 def test_every_message_is_explained_and_every_explanation_has_a_message() -> None:
     assert explained() == coded()
+
+
+def test_problems_are_explained_as_on_their_cards() -> None:
+    (page,) = (page for page in pages() if page.name == MESSAGES)
+    texts = {section.title: section.text for section in page.sections}
+    for entry in UNSEEN:
+        assert texts[entry.name].startswith(f"{entry.meaning} {entry.remedy}")
 
 
 def test_every_code_of_settings_files_is_explained() -> None:

@@ -114,9 +114,10 @@ class ErrorCounts:
         )
 
     @property
-    def known(self) -> set[Status | UartError]:
-        """The bits that were reported since the user cleared them."""
-        return {entry.bit for entry in self.entries if entry.is_uncleared}
+    def known(self) -> set[UartError]:
+        """The UART errors that were reported since the user cleared them."""
+        uncleared = (entry.bit for entry in self.entries if entry.is_uncleared)
+        return {bit for bit in uncleared if isinstance(bit, UartError)}
 
     @staticmethod
     def is_active(entry: ErrorEntry, now: float) -> bool:
@@ -168,9 +169,9 @@ class ErrorCounts:
 
     def clear(self, bit: Status | UartError) -> None:
         """Take an error as known; its count stays, and if it is active it is reported again."""
-        known = {bit, Status.UART_ERROR} if isinstance(bit, UartError) else {bit}
-        self.entries = tuple(
-            replace(entry, is_uncleared=False) if entry.bit in known else entry
+        other = Status.UART_ERROR if isinstance(bit, UartError) else bit
+        self.entries = tuple(  # identity, since bits of both bytes have the same numbers
+            replace(entry, is_uncleared=False) if entry.bit is bit or entry.bit is other else entry
             for entry in self.entries
         )
         self._changed()

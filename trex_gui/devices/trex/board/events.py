@@ -25,7 +25,7 @@ class StatusEvents:
     def __init__(self) -> None:
         self._seen: dict[str, float] = {}
 
-    def of(self, latched: LatchedStatus, known: Container[Status | UartError]) -> Iterator[Event]:
+    def of(self, latched: LatchedStatus, known: Container[UartError]) -> Iterator[Event]:
         """Yield the events of a status; serial errors that are `known` are none."""
         if latched.is_earlier:
             yield _earlier(latched)

@@ -1,6 +1,7 @@
 """Topics of the help on the pages, dialogs and messages of a TReX."""
 
 from trex_gui.core.errors import PortFault
+from trex_gui.devices.trex.board.errors import UNSEEN
 from trex_gui.devices.trex.driving.blockers import DriveBlocker
 from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.ui.help.messages import MessageHelp, texts_of
@@ -56,5 +57,5 @@ TOPICS = {  # by object names
 
 
 def message_help() -> MessageHelp:
-    blockers = [blocker.text for blocker in DriveBlocker]
-    return MessageHelp([*texts_of(ErrorCode), *texts_of(PortFault), *blockers])
+    others = [*(blocker.text for blocker in DriveBlocker), *(entry.name for entry in UNSEEN)]
+    return MessageHelp([*texts_of(ErrorCode), *texts_of(PortFault), *others])

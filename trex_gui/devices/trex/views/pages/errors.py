@@ -9,23 +9,13 @@ from PySide6.QtWidgets import QWidget
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.board.errors import UNSEEN, ErrorEntry, error_names
 from trex_gui.devices.trex.board.quality import quality_text
-from trex_gui.devices.trex.driving.blockers import DriveBlocker
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.protocol.flags import Status, UartError, stops_motors
+from trex_gui.devices.trex.protocol.flags import UartError, stops_motors
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.ui.diagnostics.problems import Problem, ProblemsPage, Reading
 from trex_gui.ui.help.messages import message_topic
 from trex_gui.ui.runtime import now
 from trex_gui.ui.widgets import builders as ui
-
-_BLOCKERS = {
-    Status.MOTOR1_FAULT: DriveBlocker.FAULT,
-    Status.MOTOR2_FAULT: DriveBlocker.FAULT,
-    Status.MOTOR1_OVER_LIMIT: DriveBlocker.OVER_LIMIT,
-    Status.MOTOR2_OVER_LIMIT: DriveBlocker.OVER_LIMIT,
-    UartError.TIMEOUT: DriveBlocker.TIMEOUT,
-}
-"""Topics of the help on these errors. The others are serial errors."""
 
 
 class ErrorsPage(ProblemsPage):
@@ -116,7 +106,7 @@ class ErrorsPage(ProblemsPage):
             is_active=is_active,
             is_cleared=not entry.is_uncleared,
             page="transcript" if isinstance(bit, UartError) else "currents",
-            topic=message_topic(_BLOCKERS.get(bit, DriveBlocker.LINE_ERROR).text),
+            topic=message_topic(entry.name),
             name=tr(entry.name),
             seen_at=entry.seen_at,
         )
