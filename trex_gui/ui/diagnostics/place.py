@@ -31,6 +31,8 @@ class Diagnostics(Place):
         """`name` begins the object names. `show_help` opens a topic of the help."""
         super().__init__(f"{name}Page", tr("Diagnostics"), workspace)
         self._workspace, self._show_help = workspace, show_help
+        hint = tr("Search (Ctrl+F)")
+        self._search = ui.search_field(self, f"{name}Search", hint, hint)
         copy = ui.button(
             self,
             f"{name}Copy",
@@ -47,11 +49,9 @@ class Diagnostics(Place):
             tip=tr("Save a report for support; it is shown before it is written"),
             on_click=lambda: workspace.trigger("report"),
         )
-        self._head = ui.named(PageHead(tr("Diagnostics"), self, copy, report), f"{name}Head")
+        head = PageHead(tr("Diagnostics"), self, self._search, copy, report)
+        self._head = ui.named(head, f"{name}Head")
         self.add_tabs(self._head, margins=(16, 16, 16, 0))
-        hint = tr("Search (Ctrl+F)")
-        self._search = ui.search_field(self, f"{name}Search", hint, hint)
-        self.tabs.setCornerWidget(self._search)
         set_look(self.tabs.tabBar(), "choices")
         self.tabs.tabBar().setDrawBase(False)
         follow_theme(self._search, "room", self._make_room)
@@ -99,9 +99,8 @@ class Diagnostics(Place):
 
     @Slot()
     def _on_page_changed(self) -> None:
-        """Show what was searched on this page, before which Tab reaches the search."""
+        """Show what was searched on this page."""
         if self._view is not None:
-            ui.tab_order(self.tabs.tabBar(), self._search, self._view)
             with QSignalBlocker(self._search):
                 self._search.setText(self._view.searched)
 
