@@ -70,7 +70,7 @@ class LogPage(View):
 
     def _summarize(self) -> None:
         shown, every = len(self.lines()), len(self._log.entries)
-        self.summarized.emit(tr("shown: {0} of {1}").format(shown, every))
+        self.summarized.emit(tr("{0} of {1} shown").format(shown, every))
 
     @property
     def _topic(self) -> str:

@@ -176,18 +176,18 @@ class TrafficPage(View):
 
     def _summarize(self) -> None:
         traffic, count = self._traffic, QLocale().toString
+        shown = tr("{0} of {1} shown")
         parts = [
-            tr("shown: {0}").format(count(self._table.rowCount())),
-            tr("transactions: {0}").format(count(traffic.everything.count)),
-            tr("faults: {0}").format(count(traffic.faults)),
+            shown.format(count(self._table.rowCount()), count(traffic.everything.count)),
+            tr("%n fault(s)", "", traffic.faults) if traffic.faults else tr("no faults"),
         ]
         if not self._polling.isChecked():
-            parts.append(tr("polling is hidden"))
+            parts.append(tr("polling hidden"))
         if self._paused.isChecked():
             parts.append(tr("paused"))
         if lost := traffic.log.lost:  # the GUI thread was blocked for too long
             parts.append(tr("events lost: {0}").format(count(lost)))
-        self.summarized.emit(" · ".join(parts))
+        self.summarized.emit(", ".join(parts))
         self._view.set_placeholder(self._placeholder())
 
     def _placeholder(self) -> str:
