@@ -141,16 +141,17 @@ class RoundTrips(Painted):
         super().__init__(parent)
         self._traffic = traffic
         self._seconds = dict[int, float]()  # by the number of the slot
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Expanding)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
 
     @property
     def longest(self) -> float:
         return max(self._seconds.values(), default=0.0)
 
     def sizeHint(self) -> QSize:
-        return QSize(0, 3 * self.fontMetrics().height())
+        return QSize(0, 8 * self.fontMetrics().height())
 
-    minimumSizeHint = sizeHint
+    def minimumSizeHint(self) -> QSize:
+        return QSize(0, 3 * self.fontMetrics().height())
 
     def refresh(self) -> None:
         self._seconds.clear()
@@ -214,7 +215,7 @@ class ProblemsPage(View):
         more.setVisible(bool(kinds))
         self.note_row = ui.row((self._note, 1), more)
         self._connection = Connection(name, traffic, self)
-        parts = self._column, self.note_row, listed, (self._connection, 1)
+        parts = self._column, self.note_row, listed, self._connection, 1
         ui.column(*parts, into=self, margins=(0, 12, 0, 16), spacing=12)
 
     def problems(self) -> Sequence[Problem]:
@@ -254,16 +255,17 @@ class ProblemsPage(View):
     @only_when_visible
     def refresh(self) -> None:
         self.show_problems()
+        self._connection.setVisible(self.since() is not None)
         self._connection.show_readings(self.readings())
         active = sum(problem.is_active for problem in self._shown)
         self.summarized.emit(tr("%n problem(s) active now", "", active) if active else "")
 
     def _note_text(self) -> str:
         since = self.since()
-        if since is None:
-            return tr("Nothing is connected.")
         text = tr("Nothing has gone wrong since {0:%H:%M}.")
-        if self._shown:
+        if since is None:
+            text = tr("Nothing is connected.")
+        elif self._shown:
             text = tr("Nothing else has gone wrong since {0:%H:%M}.")
         kinds = tr("The board can report {0} kinds of problem.").format(self._kinds)
         return f"{text.format(since)} {kinds if self._kinds else ''}".rstrip()
