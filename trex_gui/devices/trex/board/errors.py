@@ -113,12 +113,6 @@ class ErrorCounts:
             key=lambda one: -one.seen_at,
         )
 
-    @property
-    def known(self) -> set[UartError]:
-        """The UART errors that were reported since the user cleared them."""
-        uncleared = (entry.bit for entry in self.entries if entry.is_uncleared)
-        return {bit for bit in uncleared if isinstance(bit, UartError)}
-
     @staticmethod
     def is_active(entry: ErrorEntry, now: float) -> bool:
         return now - entry.seen_at < ACTIVE_FOR

@@ -1,10 +1,10 @@
 """Events of a board, as its log shows them."""
 
-from collections.abc import Container, Iterator
+from collections.abc import Iterable, Iterator
 
 from trex_gui.core.events import Event, EventKind
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.board.errors import UNSEEN, is_latched
+from trex_gui.devices.trex.board.errors import UNSEEN, ErrorEntry, is_latched
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.protocol.flags import STATUS_MEANING, UART_MEANING, Status, UartError
 from trex_gui.devices.trex.session.messages import Connected, ReadReason
@@ -25,8 +25,8 @@ class StatusEvents:
     def __init__(self) -> None:
         self._seen: dict[str, float] = {}
 
-    def of(self, latched: LatchedStatus, known: Container[UartError]) -> Iterator[Event]:
-        """Yield the events of a status; serial errors that are `known` are none."""
+    def of(self, latched: LatchedStatus, before: Iterable[ErrorEntry]) -> Iterator[Event]:
+        """Yield the events of a status; a serial error is none until it is cleared."""
         if latched.is_earlier:
             yield _earlier(latched)
             return
@@ -37,7 +37,7 @@ class StatusEvents:
             name = UART_MEANING[error][0]
             if error is UartError.TIMEOUT:
                 yield from self._of_bit(EventKind.TIMEOUT, name, latched.time)
-            elif error not in known:  # a noisy line repeats them without an end
+            elif not any(one.bit is error and one.is_uncleared for one in before):
                 yield Event(latched.time, EventKind.LINK, tr(name), is_problem=True)
 
     def _of_bit(self, kind: EventKind, name: str, time: float) -> Iterator[Event]:

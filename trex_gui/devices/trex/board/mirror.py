@@ -332,7 +332,7 @@ class BoardMirror:
         has_crc = self.settings is not None and self.settings.line.has_crc
         for sample in batch.samples:
             if isinstance(sample, LatchedStatus):
-                yield from self._events.of(sample, self.errors.known)
+                yield from self._events.of(sample, self.errors.entries)
                 self.errors.take(sample, now, utc, is_doubtful=has_failed and not has_crc)
                 if reason := self._why_stopped(sample):
                     yield MotorsShutDown(reason)
