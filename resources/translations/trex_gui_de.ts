@@ -4889,8 +4889,8 @@ bisher {1}</translation></message>
         <translation>Die Hilfe zur Meldung in der Zeile mit dem Cursor zeigen</translation></message>
     <message><source>Log</source>
         <translation>Protokoll</translation></message>
-    <message><source>shown: {0} of {1}</source>
-        <translation>angezeigt: {0} von {1}</translation></message>
+    <message><source>{0} of {1} shown</source>
+        <translation>{0} von {1} angezeigt</translation></message>
     <message><source>Search (Ctrl+F)</source>
         <translation>Suchen (Strg+F)</translation></message>
     <message><source>Diagnostics</source>
@@ -4919,10 +4919,10 @@ bisher {1}</translation></message>
         <translation>A&amp;lle auflisten</translation></message>
     <message><source>Nothing is connected.</source>
         <translation>Nichts ist verbunden.</translation></message>
-    <message><source>Nothing else has gone wrong since {0:%H:%M}.</source>
-        <translation>Seit {0:%H:%M} ist kein weiteres Problem aufgetreten.</translation></message>
     <message numerus="yes"><source>%n problem(s) active now</source>
         <translation><numerusform>%n Problem jetzt aktiv</numerusform><numerusform>%n Probleme jetzt aktiv</numerusform></translation></message>
+    <message><source>Nothing else has gone wrong since {0:%H:%M}.</source>
+        <translation>Seit {0:%H:%M} ist kein weiteres Problem aufgetreten.</translation></message>
     <message><source>The board can report {0} kinds of problem.</source>
         <translation>Das Board kann {0} Arten von Problemen melden.</translation></message>
     <message numerus="yes"><source>%n time(s), last at {0:%H:%M:%S}</source>
@@ -5475,20 +5475,18 @@ bisher {1}</translation></message>
         <translation>Als &amp;Arduino-Sketch kopieren</translation></message>
     <message><source>Sa&amp;ve as text…</source>
         <translation>Als Te&amp;xt speichern…</translation></message>
-    <message><source>polling is hidden</source>
-        <translation>Abfrage ist ausgeblendet</translation></message>
+    <message numerus="yes"><source>%n fault(s)</source>
+        <translation><numerusform>%n Fehler</numerusform><numerusform>%n Fehler</numerusform></translation></message>
+    <message><source>no faults</source>
+        <translation>keine Fehler</translation></message>
+    <message><source>polling hidden</source>
+        <translation>Abfrage ausgeblendet</translation></message>
     <message><source>paused</source>
         <translation>angehalten</translation></message>
     <message><source>No traffic yet. While {0} is connected, this page lists every byte on the line and its meaning.</source>
         <translation>Noch kein Datenverkehr. Solange {0} verbunden ist, listet diese Seite jedes Byte auf der Leitung und seine Bedeutung auf.</translation></message>
     <message><source>No rows to save.</source>
         <translation>Keine Zeilen zum Speichern.</translation></message>
-    <message><source>shown: {0}</source>
-        <translation>angezeigt: {0}</translation></message>
-    <message><source>transactions: {0}</source>
-        <translation>Transaktionen: {0}</translation></message>
-    <message><source>faults: {0}</source>
-        <translation>Fehler: {0}</translation></message>
     <message><source>events lost: {0}</source>
         <translation>verlorene Ereignisse: {0}</translation></message>
     <message><source>Send &amp;bytes</source>

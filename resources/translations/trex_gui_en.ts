@@ -95,6 +95,8 @@
         <translation><numerusform>{0} sample written to {1}.</numerusform><numerusform>{0} samples written to {1}.</numerusform></translation></message>
     <message numerus="yes"><source>{0} row(s) written to {1}.</source>
         <translation><numerusform>{0} row written to {1}.</numerusform><numerusform>{0} rows written to {1}.</numerusform></translation></message>
+    <message numerus="yes"><source>%n fault(s)</source>
+        <translation><numerusform>%n fault</numerusform><numerusform>%n faults</numerusform></translation></message>
     <message numerus="yes"><source>took      {0:.1f} ms; %n byte(s) need {1:.1f} ms on this wire</source>
         <translation><numerusform>took      {0:.1f} ms; %n byte needs {1:.1f} ms on this wire</numerusform><numerusform>took      {0:.1f} ms; %n bytes need {1:.1f} ms on this wire</numerusform></translation></message>
     <message numerus="yes"><source>%n line(s) copied.</source>

@@ -4889,8 +4889,8 @@ avant {1}</translation></message>
         <translation>Afficher l'aide sur le message de la ligne où se trouve le curseur</translation></message>
     <message><source>Log</source>
         <translation>Journal</translation></message>
-    <message><source>shown: {0} of {1}</source>
-        <translation>affichées : {0} sur {1}</translation></message>
+    <message><source>{0} of {1} shown</source>
+        <translation>{0} sur {1} affichées</translation></message>
     <message><source>Search (Ctrl+F)</source>
         <translation>Rechercher (Ctrl+F)</translation></message>
     <message><source>Diagnostics</source>
@@ -4919,10 +4919,10 @@ avant {1}</translation></message>
         <translation>Les li&amp;ster</translation></message>
     <message><source>Nothing is connected.</source>
         <translation>Rien n'est connecté.</translation></message>
-    <message><source>Nothing else has gone wrong since {0:%H:%M}.</source>
-        <translation>Aucun autre problème depuis {0:%H:%M}.</translation></message>
     <message numerus="yes"><source>%n problem(s) active now</source>
         <translation><numerusform>%n problème actif</numerusform><numerusform>%n problèmes actifs</numerusform></translation></message>
+    <message><source>Nothing else has gone wrong since {0:%H:%M}.</source>
+        <translation>Aucun autre problème depuis {0:%H:%M}.</translation></message>
     <message><source>The board can report {0} kinds of problem.</source>
         <translation>La carte peut signaler {0} sortes de problèmes.</translation></message>
     <message numerus="yes"><source>%n time(s), last at {0:%H:%M:%S}</source>
@@ -5475,20 +5475,18 @@ avant {1}</translation></message>
         <translation>Copier en sketch &amp;Arduino</translation></message>
     <message><source>Sa&amp;ve as text…</source>
         <translation>Enregistrer en te&amp;xte…</translation></message>
-    <message><source>polling is hidden</source>
-        <translation>l'interrogation est masquée</translation></message>
+    <message numerus="yes"><source>%n fault(s)</source>
+        <translation><numerusform>%n défaut</numerusform><numerusform>%n défauts</numerusform></translation></message>
+    <message><source>no faults</source>
+        <translation>aucun défaut</translation></message>
+    <message><source>polling hidden</source>
+        <translation>interrogation masquée</translation></message>
     <message><source>paused</source>
         <translation>en pause</translation></message>
     <message><source>No traffic yet. While {0} is connected, this page lists every byte on the line and its meaning.</source>
         <translation>Pas encore de trafic. Pendant la connexion avec {0}, cette page liste chaque octet sur la liaison et sa signification.</translation></message>
     <message><source>No rows to save.</source>
         <translation>Aucune ligne à enregistrer.</translation></message>
-    <message><source>shown: {0}</source>
-        <translation>affichées : {0}</translation></message>
-    <message><source>transactions: {0}</source>
-        <translation>transactions : {0}</translation></message>
-    <message><source>faults: {0}</source>
-        <translation>défauts : {0}</translation></message>
     <message><source>events lost: {0}</source>
         <translation>événements perdus : {0}</translation></message>
     <message><source>Send &amp;bytes</source>

@@ -22,7 +22,7 @@ from trex_gui.ui.widgets.leds import Lamp
 _NOT_CONNECTED, _OTHER = "not connected", "other"
 
 _PORT = 18  # characters
-_LEAST, _STATE, _QUALITY, _CONNECT, _WIDEST = 12, 12, 11, 15, 116  # widths, average characters
+_LEAST, _STATE, _QUALITY, _CONNECT, _WIDEST = 10, 6, 11, 14, 116  # widths, average characters
 
 
 class ConnectionBar(QFrame):
