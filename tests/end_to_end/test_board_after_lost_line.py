@@ -41,9 +41,9 @@ def test_pages_warn_of_motors_behind_a_lost_line(
         assert page.is_enabled("reconnectAndStop")
         assert f"{grave} {remedy}" in window.text("motorStateLabel")
         page = window.open_page("boardPage")
-        assert page.has("boardLost")
         assert page.text("boardLost").startswith(f"{grave} {remedy}")
-
+        assert page.is_enabled("reconnectAndStop")
+        assert not page.has("startPanel")
         assert window.text("bannerText").startswith(f"{grave} {remedy}")
         assert window.is_enabled("stopButton")
         runtime().sleep(1.0)
@@ -56,9 +56,8 @@ def test_pages_warn_of_motors_behind_a_lost_line(
         window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
         assert window.text("bannerText").startswith(f"{grave} {remedy}"), "it was not reached"
         board.do("line plug")
-        window.open_page("motorsPage").click("reconnectAndStop")
+        page.click("reconnectAndStop")
         window.wait(lambda: not window.device.may_move)
-        window.open_page("boardPage")
         window.wait_for_text("bannerText", "It has confirmed the stop.")
         assert not page.has("boardLost")
         window.disconnect()

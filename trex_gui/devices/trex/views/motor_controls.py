@@ -140,6 +140,33 @@ class TimeoutNotice(QWidget):
             self._device.writer.set_serial_timeout(self._seconds)
 
 
+class LostPanel(QFrame):
+    """Covers other parts of a page while motors may be turning that no stop can reach."""
+
+    def __init__(self, device: Device, name: str, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._device = device
+        self.hide()
+        set_look(self, "message")
+        set_style_property(self, "danger", True)
+        center = Qt.AlignmentFlag.AlignCenter
+        self._text = ui.label(self, name, wrap=True, size="heading")
+        self._text.setAlignment(center)
+        text, press = tr("Reconnect and stop"), device.press_stop
+        self._button = ui.button(self, "reconnectAndStop", text, default=False, on_click=press)
+        ui.column(1, self._text, (self._button, 0, center), 1, into=self, spacing=16)
+
+    def show_loss(self, text: str) -> bool:
+        """Show a text while motors are lost; return whether they are."""
+        device = self._device
+        is_lost = device.may_stop_matter and not device.is_connected
+        if is_lost:
+            self._text.setText(text)
+            self._button.setEnabled(device.link is ConnectionState.DISCONNECTED)
+        self.setVisible(is_lost)
+        return is_lost
+
+
 class StopButton(RedButton):
     """The same text, colour and effect everywhere. Esc does the same."""
 

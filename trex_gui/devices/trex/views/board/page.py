@@ -10,13 +10,13 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.board.drive_status import DriveStatus, drive_statuses
 from trex_gui.devices.trex.board.mirror import SetUp
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.driving.blockers import DriveBlocker, Effect
+from trex_gui.devices.trex.driving.blockers import Effect
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import drive_inputs
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.views.board.view import BoardView
-from trex_gui.devices.trex.views.motor_controls import TimeoutNotice
+from trex_gui.devices.trex.views.motor_controls import LostPanel, TimeoutNotice
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import keep_room, only_when_visible
@@ -70,7 +70,7 @@ class BoardPage(QWidget):
         self._device = device
         self._start = start
         self._report = QWidget(self)
-        self._lost = ui.named(Note(0, self), "boardLost")
+        self._lost = LostPanel(device, "boardLost", self)
         self._reasons = Reasons(self._report)
         self._facts = ui.named(Muted("", self._report), "boardFacts")
         drawing = ui.named(ui.Card("", self._report), "boardDrawing", accessible=tr("The board"))
@@ -93,7 +93,7 @@ class BoardPage(QWidget):
         ui.column((self._problems, 1), (show, 0, Qt.AlignmentFlag.AlignLeft), into=problems)
         cards = ui.row((set_up, 1), (cable, 1), (problems, 1), spacing=16)
         ui.column(self._reasons, (drawing, 1), cards, into=self._report, margins=0, spacing=12)
-        ui.column(self._lost, start, (self._report, 1), into=self, margins=16)
+        ui.column((self._lost, 1), start, (self._report, 1), into=self, margins=16)
 
         for changed in (device.link_changed, device.state_changed):
             changed.connect(self._on_device_changed)
@@ -108,10 +108,9 @@ class BoardPage(QWidget):
         state, settings = self._device.state, self._device.settings
         is_idle = self._device.link is ConnectionState.DISCONNECTED
         status, *_ = self._show_motors()
-        is_lost = status.blocker is DriveBlocker.LOST
-        self._lost.show_note(f"{status.text} {status.remedy}" if is_lost else "", alarming=True)
-        self._start.setVisible(is_idle)
-        self._report.setVisible(not is_idle)
+        is_lost = self._lost.show_loss(f"{status.text} {status.remedy}".strip())
+        self._start.setVisible(is_idle and not is_lost)
+        self._report.setVisible(not is_idle and not is_lost)
         self._set_up.setEnabled(self._device.is_connected)
         facts, set_up = "", self._device.board.set_up if self._device.is_connected else None
         if state is not None and settings is not None and self._device.is_connected:

@@ -5,7 +5,7 @@ from html import escape
 
 from PySide6.QtCore import QEvent, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QHideEvent, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QBoxLayout, QFrame, QSizePolicy, QWidget
+from PySide6.QtWidgets import QBoxLayout, QSizePolicy, QWidget
 
 from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.board.drive_status import (
@@ -29,14 +29,14 @@ from trex_gui.devices.trex.model.momentary_drive import MomentaryDrive
 from trex_gui.devices.trex.model.setup.wiring import Side
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.views.motor_controls import LostPanel
 from trex_gui.devices.trex.views.pages.motors.current_strip import CurrentStrip
 from trex_gui.devices.trex.views.pages.motors.drive_control import DriveControl
 from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
 from trex_gui.devices.trex.views.pages.motors.key_driver import KeyDriver
 from trex_gui.devices.trex.views.pages.motors.options import DriveWith, Options, SpeedCeiling
-from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import new_timer
-from trex_gui.ui.theme.theme import set_look, set_style_property, theme
+from trex_gui.ui.theme.theme import set_look, theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.bar import NO_VALUE, WARNING_SIGN
 from trex_gui.ui.widgets.behaviour import only_when_visible
@@ -70,7 +70,9 @@ class MotorsPage(QWidget):
         self._drive_box = drive_box = QWidget(self)
         pad_card = ui.Card("", drive_box)
         self._pad = DrivePad(pad_card)
-        self._lost = LostPanel(device, pad_card)
+        self._lost = LostPanel(device, "motorsLost", pad_card)
+        ignored = QSizePolicy.Policy.Ignored
+        self._lost.setSizePolicy(ignored, ignored)
         self._controls = {
             1: DriveControl(tr("Motor 1"), "motor1", parent=drive_box),
             2: DriveControl(tr("Motor 2"), "motor2", parent=drive_box),
@@ -355,32 +357,6 @@ class MotorsPage(QWidget):
             self._dragged = None
         if self._motors.holder != self._holder:
             self._holder = ""
-
-
-class LostPanel(QFrame):
-    """Covers the pad while motors may be turning that no stop can reach."""
-
-    def __init__(self, device: Device, parent: QWidget) -> None:
-        super().__init__(parent)
-        self._device = device
-        self.hide()
-        set_look(self, "message")
-        set_style_property(self, "danger", True)
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
-        center = Qt.AlignmentFlag.AlignCenter
-        self._text = ui.label(self, "motorsLost", wrap=True, size="heading")
-        self._text.setAlignment(center)
-        text, press = tr("Reconnect and stop"), device.press_stop
-        self._button = ui.button(self, "reconnectAndStop", text, default=False, on_click=press)
-        ui.column(1, self._text, (self._button, 0, center), 1, into=self, spacing=16)
-
-    def show_loss(self, text: str) -> None:
-        device = self._device
-        is_lost = device.may_stop_matter and not device.is_connected
-        if is_lost:
-            self._text.setText(text)
-            self._button.setEnabled(device.link is ConnectionState.DISCONNECTED)
-        self.setVisible(is_lost)
 
 
 def _name(number: int) -> str:
