@@ -175,7 +175,8 @@ def test_leaving_page_with_held_control_stops_and_disarms(keys: MotorsPage) -> N
     keys.drag("motor1Slider", 60)
     keys.wait_for_targets(sixty, None)
     keys.let_nothing_happen(0.02)
-    keys.open_page("boardPage")
+    sign = keys.open_page("boardPage").find(QLabel, "motorsSign")
+    assert sign.accessibleName() == "Now"
     keys.let_nothing_happen(0.1)
     assert keys.target(1) == sixty, "a slider that was released drives on"
     assert keys.is_armed()

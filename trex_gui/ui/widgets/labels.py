@@ -25,6 +25,7 @@ from trex_gui.ui.widgets.builders import column, named, plain, row, set_bold
 from trex_gui.ui.widgets.painted import never_mirror
 
 _SIGN_ROOM = 2  # pixels beyond the height of a line
+PAGE_MARGINS = 16, 12, 16, 12  # pixels around a page with a `PageHead`
 _TITLE_SIZE, _LONG_TITLE = 1.6, 48  # times the size of the font, characters
 
 
@@ -180,7 +181,9 @@ class PageHead(QWidget):
         self._state = named(ElidedLabel("", self), "pageState")
         self.show_title(title)
         set_style_property(self._state, "textSize", "caption")
-        texts = column(self.title, self._state, margins=0, spacing=2)
+        self.sign = Sign(self)  # beside the title
+        title = row(self.title, self.sign, 1, margins=0)
+        texts = column(title, self._state, margins=0, spacing=2)
         row((texts, 1), *controls, into=self, margins=0)
 
     def show_title(self, text: str) -> None:

@@ -1,7 +1,5 @@
 """Page of the board: who controls the motors, the board drawn, what is open, what failed."""
 
-from html import escape
-
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
@@ -10,7 +8,7 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.board.drive_status import DriveStatus, drive_statuses
 from trex_gui.devices.trex.board.mirror import SetUp
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.driving.blockers import Effect
+from trex_gui.devices.trex.driving.blockers import DriveBlocker, Effect
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import drive_inputs
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -19,8 +17,8 @@ from trex_gui.devices.trex.views.board.view import BoardView
 from trex_gui.devices.trex.views.motor_controls import LostPanel, TimeoutNotice
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import keep_room, only_when_visible
-from trex_gui.ui.widgets.labels import Muted, Note, Sign
+from trex_gui.ui.widgets.behaviour import only_when_visible
+from trex_gui.ui.widgets.labels import PAGE_MARGINS, Muted, Note, PageHead
 
 SIGNS = {
     Effect.STOPS: ("warning", "warning"),
@@ -30,33 +28,28 @@ SIGNS = {
 }
 
 
-class Reasons(QWidget):
-    """Every reason why the motors do what they do; the one that matters most is the heading."""
+class Reasons(PageHead):
+    """Every reason why the motors do what they do; the one that matters most is the title."""
 
     def __init__(self, parent: QWidget) -> None:
-        super().__init__(parent)
+        super().__init__("", parent)
         self._statuses: tuple[DriveStatus, ...] = ()
-        self._sign = Sign(self)
-        self._first = ui.label(self, "motorsReason1", wrap=True, selectable=True, size="title")
-        self._remedy = ui.named(Muted("", self), "motorsRemedy")
-        self._others = ui.label(self, "motorsReasons", wrap=True, rich=True)
-        keep_room(self._others)  # what is below does not move
-        sign = ui.column(self._sign, 1, margins=0)
-        texts = ui.column(self._first, self._remedy, self._others, margins=0, spacing=2)
-        ui.row(sign, (texts, 1), into=self, margins=0, spacing=8)
+        ui.named(self.title, "motorsReason1")
+        ui.named(self.sign, "motorsSign")
 
     def show_statuses(self, statuses: tuple[DriveStatus, ...]) -> None:
         if statuses == self._statuses:
             return
         self._statuses = statuses
         first, *others = statuses
-        self._sign.show_sign(*SIGNS[first.blocker.effect])
-        self._first.setText(first.text)
-        self._first.setAccessibleName(f"{first.text} {first.remedy}".rstrip())
-        self._remedy.setText(first.remedy)
-        rows = (f"<b>{escape(one.text)}</b> {escape(one.remedy)}" for one in others)
-        self._others.setText("<br>".join(rows))
-        self._others.setVisible(bool(others))
+        is_armed = first.blocker is DriveBlocker.RUNNING
+        sign = ("run", "warning") if is_armed else SIGNS[first.blocker.effect]
+        self.sign.show_sign(*sign)
+        self.show_title(first.text)
+        more = (first.remedy, *(f"{one.text} {one.remedy}" for one in others))
+        state = " ".join(filter(None, map(str.strip, more)))
+        self.show_state(state)
+        self.title.setAccessibleName(f"{first.text} {state}".rstrip())
 
 
 class BoardPage(QWidget):
@@ -92,8 +85,9 @@ class BoardPage(QWidget):
         show.clicked.connect(lambda: self.page_wanted.emit("errors"))
         ui.column((self._problems, 1), (show, 0, Qt.AlignmentFlag.AlignLeft), into=problems)
         cards = ui.row((set_up, 1), (cable, 1), (problems, 1), spacing=16)
-        ui.column(self._reasons, (drawing, 1), cards, into=self._report, margins=0, spacing=12)
-        ui.column((self._lost, 1), start, (self._report, 1), into=self, margins=16)
+        ui.column(self._reasons, (drawing, 1), cards, into=self._report, margins=0, spacing=8)
+        parts = (self._lost, 1), start, (self._report, 1)
+        ui.column(*parts, into=self, margins=PAGE_MARGINS)
 
         for changed in (device.link_changed, device.state_changed):
             changed.connect(self._on_device_changed)

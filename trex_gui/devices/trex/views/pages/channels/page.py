@@ -25,7 +25,7 @@ from trex_gui.ui.theme.theme import set_look, set_style_property
 from trex_gui.ui.units import units
 from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.builders import button, column, label, named, plain, row
-from trex_gui.ui.widgets.labels import ElidedLabel, LiveLabel, PageHead
+from trex_gui.ui.widgets.labels import PAGE_MARGINS, ElidedLabel, LiveLabel, PageHead
 
 
 class ChannelsPage(PlotPage):
@@ -71,13 +71,8 @@ class ChannelsPage(PlotPage):
 
         above = self._role, self._findings, self._other
         card.lay_out(self._learned, above, self._live, self._learn, self._change)
-        column(
-            self._head,
-            (row((self._strips, 3), (card, 5), spacing=12), 1),
-            into=self,
-            margins=12,
-            spacing=8,
-        )
+        parts = self._head, (row((self._strips, 3), (card, 5), spacing=12), 1)
+        column(*parts, into=self, margins=PAGE_MARGINS, spacing=8)
 
         self._strips.chosen.connect(self._refresh)
         learn_all.clicked.connect(lambda: self.learn_requested.emit(CHANNELS))

@@ -40,7 +40,7 @@ from trex_gui.ui.theme.theme import set_look, theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.bar import NO_VALUE, WARNING_SIGN
 from trex_gui.ui.widgets.behaviour import only_when_visible
-from trex_gui.ui.widgets.labels import LinkLabel, PageHead
+from trex_gui.ui.widgets.labels import PAGE_MARGINS, LinkLabel, PageHead
 
 _UNLIMITED = 16_777_215  # the height of widgets without a limit, QWIDGETSIZE_MAX in C++
 _ANYWHERE = Qt.AlignmentFlag(0)
@@ -104,9 +104,8 @@ class MotorsPage(QWidget):
         ui.row((self._stored, 1), (ceiling, 1), into=stored, margins=0, spacing=24)
         self._body = ui.grid(margins=0, spacing=(_GAP, _GAP), stretch=((0, 5), (1, 2)))
         self._body.setRowStretch(0, 1)
-        ui.column(
-            self._head, (self._body, 1), stored, into=self, margins=(16, 12, 16, 12), spacing=_GAP
-        )
+        parts = self._head, (self._body, 1), stored
+        ui.column(*parts, into=self, margins=PAGE_MARGINS, spacing=_GAP)
         self._place_side()
 
         for number, control in self._controls.items():
