@@ -74,6 +74,7 @@ def test_slider_entry_and_brake_button_drive_their_motor(armed: MotorsPage) -> N
     armed.type_into("motor2Entry", "-45")
     armed.wait_for_targets(None, ("reverse", 45))
     assert armed.slider_value("motor2Slider") == -45
+    assert "right 41\u00a0%" in spoken_state(armed.pad)
 
     armed.drag("auxSlider", 70)
     armed.wait(lambda: armed.auxiliary_target == 70)

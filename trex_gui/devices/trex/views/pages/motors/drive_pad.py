@@ -64,10 +64,11 @@ class DrivePad(RobotView):
             self._ceiling = ceiling
             self.update()
 
-    @Slot(float, float)
-    def show_position(self, forward: float, turn: float) -> None:
+    def show_setpoints(self, left: int, right: int) -> None:
+        """Show where it would be held for these speeds, unless it is held."""
         if not self.held:
-            self._put(forward, turn)
+            full = 2 * max(self._ceiling, abs(left), abs(right))
+            self._put((left + right) / full, (left - right) / full)
 
     @Slot()
     def release(self) -> None:
@@ -151,8 +152,10 @@ class DrivePad(RobotView):
         return forward, turn if self._can_turn else 0.0
 
     def _put(self, forward: float, turn: float) -> None:
-        self._forward, self._turn = forward, turn if self._can_turn else 0.0
-        self.update()
+        way = forward, turn if self._can_turn else 0.0
+        if way != (self._forward, self._turn):
+            self._forward, self._turn = way
+            self.update()
 
     def spoken_state(self) -> str:
         turning = tr("Hold an arrow key to drive while the pad has the focus.")

@@ -1,6 +1,6 @@
 """Arrow keys or WASD drive while they are held."""
 
-from PySide6.QtCore import QEvent, QObject, Qt, Signal, Slot
+from PySide6.QtCore import QEvent, QObject, Qt, Slot
 from PySide6.QtGui import QKeyEvent, QWindow
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -50,9 +50,6 @@ class KeyDriver(QObject):
     it was pressed, after a switch of the layout or with Num Lock. All keys count as released when
     an unknown one is released, and when a key like Shift changes.
     """
-
-    # Forward and turn of the held keys, -1 to 1 each; 0, 0 at the end
-    steered = Signal(float, float)
 
     def __init__(self, drive: MomentaryDrive, motors: Motors, page: QWidget, pad: QWidget) -> None:
         super().__init__(page)
@@ -133,16 +130,12 @@ class KeyDriver(QObject):
         forward, turn = keys_setpoint(self._keys.values())
         if self._drive.steer(forward, turn):
             self._watch.begin()
-            self.steered.emit(forward, turn)
         else:
             self._forget()
 
     def _forget(self) -> None:
-        had_keys = bool(self._keys)
         self._keys.clear()
         self._watch.end()
-        if had_keys:
-            self.steered.emit(0.0, 0.0)
 
     @Slot()
     def _on_holder_changed(self) -> None:

@@ -115,7 +115,6 @@ class MotorsPage(QWidget):
             control.slider.released.connect(partial(self._on_released, number))
         self._pad.steered.connect(self._on_pad_steered)
         self._pad.released.connect(self._pad_drive.release)
-        self._keys.steered.connect(self._pad.show_position)
         self._drive_with.keys.toggled.connect(self._keys.set_enabled)
         self._drive_with.more.toggled.connect(self._options.setVisible)
         self._drive_with.more.toggled.connect(currents.setHidden)
@@ -267,14 +266,17 @@ class MotorsPage(QWidget):
         by_channels = board is not None and not board.by_serial
         ceiling = FULL_SCALE if by_channels else self._motors.ceiling
         self._pad.set_ceiling(ceiling)
+        speeds = []
         for number, control in self._controls.items():
             control.set_ceiling(ceiling)
             speed, text = self._setpoint_of(number, inputs)
             control.show_setpoint(speed, text)
             if number != AUXILIARY:
                 side = Side.LEFT if number == 1 else Side.RIGHT
+                speeds.append(speed)
                 motor = 1 if self._is_unused(number) else number
                 self._pad.show_wheel(side, speed / FULL_SCALE, f"motor{motor}")
+        self._pad.show_setpoints(*speeds)
 
     def _setpoint_of(self, number: int, inputs: DriveInputs) -> tuple[int, str]:
         """Return the speed at which a motor is set to turn, and words for it."""
