@@ -98,6 +98,7 @@ def test_controls_hold_still_while_armed(
 def test_currents_are_shown_with_their_limits(
     page: MotorsPageDriver, start_simulator: StartSimulator
 ) -> None:
+    assert page.text("motor1Reported") == "–"
     simulator = start_simulator("--unpaced")
     simulator.do("eeprom motor2_current_limit 20", "current 1 3.0", "current 2 4.5")
     page.connect(simulator.url)

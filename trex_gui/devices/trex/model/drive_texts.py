@@ -10,6 +10,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
+from trex_gui.devices.trex.protocol.parameters import MotorParameter
 from trex_gui.devices.trex.session.polling import survives_a_loss
 from trex_gui.ui.runtime import now
 
@@ -57,6 +58,14 @@ def report_text(device: Device, motor: int) -> str:
         value = abs(value) if motor == 3 else value
         parts.append(tr("channel {0} at {1} (overridden)").format(motor, signed_text(value)))
     return ", ".join(parts)
+
+
+def limit_text(device: Device, motor: int) -> str:
+    """Current limit that the board stores for motor 1 or 2, in words."""
+    if MotorParameter.CURRENT_LIMIT.of(motor) not in device.parameters.values.stored:
+        return "–"
+    limit = device.current_limit(motor)
+    return tr("no limit") if limit is None else tr("limit {0:.1f} A").format(Number(limit))
 
 
 # --- The serial timeout -----------------------------------------------------------------

@@ -19,7 +19,7 @@ from trex_gui.devices.trex.board.quality import quality_text
 from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, PACKETS, led_patterns
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import drive_inputs
-from trex_gui.devices.trex.model.drive_texts import direction_text, setpoint_text
+from trex_gui.devices.trex.model.drive_texts import direction_text, limit_text, setpoint_text
 from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode, Status, UartError
 from trex_gui.devices.trex.views.bars import input_axis
 from trex_gui.devices.trex.views.board.parts import (
@@ -300,12 +300,9 @@ class BoardView(QWidget):
             part.show_lines(*lines, alarm=alarm)
 
     def _current_texts(self, motor: int) -> tuple[str, str]:
-        currents, limit = self._device.telemetry.motor_currents, self._device.current_limit(motor)
+        currents = self._device.telemetry.motor_currents
         current = "–" if currents is None else f"{Number(currents[motor - 1]):.2f} A"
-        limited = tr("no limit")
-        if limit is not None:
-            limited = tr("limit {0:.1f} A").format(Number(limit))
-        return current, limited
+        return current, limit_text(self._device, motor)
 
     # --- What moves ---------------------------------------------------------------------
 

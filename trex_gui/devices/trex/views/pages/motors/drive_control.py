@@ -267,13 +267,12 @@ class DriveControl(ui.Card):
         self._entry.set_limits(-ceiling if self._two_way else 0, ceiling)
 
     def show_current(self, amps: float | None, limit: float | None, report: str) -> None:
-        """Show a current in A, and its limit unless there is a report of the board."""
+        """Show a current with its limit, in A, and a report of the board."""
         state = limit_state(amps, limit)
         sign = "" if state is LimitState.BELOW else f"{WARNING_SIGN} "
         self._current.setText("–" if amps is None else f"{sign}{Number(amps):.2f} A")
         set_text_color(self._current, state.value or "window_text")
-        limited = tr("no limit") if limit is None else tr("limit {0:.1f} A").format(Number(limit))
-        self._report.show_text(report or limited)
+        self._report.show_text(report)
 
     def show_setpoint(self, speed: int, text: str) -> None:
         if not self.slider.isSliderDown():

@@ -20,6 +20,7 @@ from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import drive_inputs
 from trex_gui.devices.trex.model.drive_texts import (
+    limit_text,
     report_text,
     setpoint_text,
     share_text,
@@ -313,10 +314,9 @@ class MotorsPage(QWidget):
         is_sensed = device.is_connected and not device.board.is_joint
         for number, control in self._controls.items():
             report = "" if self._is_unused(number) else report_text(device, number)
-            if number == AUXILIARY:
-                report = report or tr("one way")
+            usual = tr("one way") if number == AUXILIARY else limit_text(device, number)
             amps = currents.get(number) if is_sensed else None
-            control.show_current(amps, device.current_limit(number), report)
+            control.show_current(amps, device.current_limit(number), report or usual)
         self._strip.draw()
 
     def _show_status(self) -> None:
