@@ -73,6 +73,7 @@ def test_board_in_serial_mode(drawing: Drawing, quick_simulator: SimulatedDevice
     quick_simulator.do("fault 1 on")
     drawing.wait(lambda: "Motor 1 fault" in drawing.said("Motor1"))
     assert motor.alarm == "danger"
+    assert motor.speed == 0
 
 
 def test_channels_drive_in_rc_mode(drawing: Drawing, quick_simulator: SimulatedDevice) -> None:

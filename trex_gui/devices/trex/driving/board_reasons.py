@@ -45,6 +45,11 @@ class BoardInputs:
     timeout: str = "off"  # the board's serial timeout as text
 
     @property
+    def shut_down(self) -> frozenset[int]:
+        """Motors that are certainly off, whatever they are told."""
+        return frozenset(self.faults) - frozenset(self.doubtful)
+
+    @property
     def lacks_signal(self) -> bool:
         """Whether a channel that the board requires has no signal: that begins safe-start."""
         return any(one.blocker is DriveBlocker.CHANNEL_SILENT for one in self.safe_start)

@@ -275,6 +275,8 @@ class BoardView(QWidget):
             sent = 0 if drive is None else drive.signed
             sent = motors.auxiliary if number == AUXILIARY else sent
             setpoint = motor_setpoint(number, inputs, device.board.newest, sent)
+            is_off = inputs.board is not None and number in inputs.board.shut_down
+            speed = 0 if is_off else setpoint.speed
             lines, alarm = [part.accessibleName()], ""
             if text := _SOURCES.get(setpoint.source):
                 lines.append(tr(text))
@@ -283,7 +285,7 @@ class BoardView(QWidget):
             elif setpoint.source is SetpointSource.SERIAL and (drive is None or drive.is_brake):
                 lines.append(setpoint_text(drive))
             else:
-                lines.append(direction_text(setpoint.speed))
+                lines.append(direction_text(speed))
             faults = []
             if number != AUXILIARY and not device.board.is_joint:
                 lines += self._current_texts(number)
@@ -296,7 +298,7 @@ class BoardView(QWidget):
             elif setpoint.may_turn:
                 lines.append(tr("may still turn"))
                 alarm = "danger"
-            part.speed = 0 if alarm == "danger" else setpoint.speed
+            part.speed = 0 if setpoint.may_turn else speed
             part.show_lines(*lines, alarm=alarm)
 
     def _current_texts(self, motor: int) -> tuple[str, str]:

@@ -266,13 +266,16 @@ class DriveControl(ui.Card):
             widget.setToolTip(ui.plain(tr("Up to {0}, the speed ceiling").format(ceiling)))
         self._entry.set_limits(-ceiling if self._two_way else 0, ceiling)
 
-    def show_current(self, amps: float | None, limit: float | None, report: str) -> None:
+    def show_current(
+        self, amps: float | None, limit: float | None, report: str, *, alarming: bool
+    ) -> None:
         """Show a current with its limit, in A, and a report of the board."""
         state = limit_state(amps, limit)
         sign = "" if state is LimitState.BELOW else f"{WARNING_SIGN} "
         self._current.setText("–" if amps is None else f"{sign}{Number(amps):.2f} A")
         set_text_color(self._current, state.value or "window_text")
         self._report.show_text(report)
+        set_style_property(self._report, "danger", alarming)
 
     def show_setpoint(self, speed: int, text: str) -> None:
         if not self.slider.isSliderDown():

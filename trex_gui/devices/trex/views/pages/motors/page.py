@@ -276,7 +276,8 @@ class MotorsPage(QWidget):
                 side = Side.LEFT if number == 1 else Side.RIGHT
                 speeds.append(speed)
                 motor = 1 if self._is_unused(number) else number
-                self._pad.show_wheel(side, speed / FULL_SCALE, f"motor{motor}")
+                turns = 0 if board and motor in board.shut_down else speed
+                self._pad.show_wheel(side, turns / FULL_SCALE, f"motor{motor}")
         self._pad.show_setpoints(*speeds)
 
     def _setpoint_of(self, number: int, inputs: DriveInputs) -> tuple[int, str]:
@@ -310,13 +311,16 @@ class MotorsPage(QWidget):
     def _on_text_due(self) -> None:
         device = self._device
         self._show_status()
+        board = drive_inputs(device).board
         currents = dict(enumerate(device.telemetry.motor_currents or (), 1))
         is_sensed = device.is_connected and not device.board.is_joint
         for number, control in self._controls.items():
             report = "" if self._is_unused(number) else report_text(device, number)
             usual = tr("one way") if number == AUXILIARY else limit_text(device, number)
             amps = currents.get(number) if is_sensed else None
-            control.show_current(amps, device.current_limit(number), report or usual)
+            is_off = board is not None and number in board.shut_down
+            limit = device.current_limit(number)
+            control.show_current(amps, limit, report or usual, alarming=is_off)
         self._strip.draw()
 
     def _show_status(self) -> None:
