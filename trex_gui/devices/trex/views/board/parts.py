@@ -91,6 +91,11 @@ class ChannelPart(BoardPart):
     _count: int | None = None
     _calibration: Calibration | None = None
 
+    @property
+    def height_of_bar(self) -> int:
+        """Return where the middle of the bar is."""
+        return self.fontMetrics().height() + 11
+
     def show_input(
         self, axis: tuple[int, int], count: int | None, calibration: Calibration | None
     ) -> None:
@@ -105,7 +110,7 @@ class ChannelPart(BoardPart):
         write(painter, line, title, "window_text", bold=True)
         write(painter, line.adjusted(beside, 0, -taken, 0), role, "muted")
         write(painter, line, value, "window_text", bold=True, align=Qt.AlignmentFlag.AlignRight)
-        track = QRectF(room.left(), line.bottom() + 4, room.width(), 10)
+        track = QRectF(room.left(), self.height_of_bar - 5, room.width(), 10)
         paint_input(painter, track, self._axis, self._count, self._calibration)
 
 

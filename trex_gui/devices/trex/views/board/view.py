@@ -145,7 +145,8 @@ class BoardView(QWidget):
         serial = 4 * line
         body_height = height - serial + line
         self._body = QRect(left + channels + wire, top, body, body_height)
-        self._place_column(self._channels, QRect(left, top, channels, body_height), 2 * line + 14)
+        beside = QRect(left, top, channels, body_height - 8)  # its blocks are between the holes
+        self._place_column(self._channels, beside, 2 * line + 14)
         right = self._body.right() + wire
         self._place_column(
             self._motors, QRect(right, top, motors, body_height), round(body_height / 3) - 4
@@ -177,7 +178,7 @@ class BoardView(QWidget):
         with Painter(self) as painter:
             painter.setPen(QPen(theme().color("board_edge"), 5))
             for part in self._channels.values():
-                y = part.geometry().bottom() - 8
+                y = part.y() + part.height_of_bar
                 painter.drawLine(QPointF(part.geometry().right() + 8, y), QPointF(body.left(), y))
             for motor in self._motors.values():
                 y = motor.geometry().center().y()
@@ -185,7 +186,7 @@ class BoardView(QWidget):
             painter.setFont(self._serial.font())
             paint_body(painter, body, self._name())
             for part in self._channels.values():
-                y = part.geometry().bottom() - 8
+                y = part.y() + part.height_of_bar
                 paint_block(painter, QRectF(body.left() - 6, y - 9, 12, 18))
             for motor in self._motors.values():
                 y = motor.geometry().center().y()
