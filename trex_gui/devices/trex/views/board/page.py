@@ -170,5 +170,5 @@ def _open_text(done: SetUp) -> str:
         tr("current limits"): done.limits,
         tr("serial timeout"): done.timeout,
     }
-    words = (f"{'✓' if is_done else '•'} {text}" for text, is_done in steps.items())
+    words = (f"{'✓' if is_done else '○'} {text}" for text, is_done in steps.items())
     return "   ".join(each.replace(" ", "\N{NO-BREAK SPACE}") for each in words)
