@@ -68,7 +68,7 @@ def test_plot_in_its_own_window_is_drawn_beside_another_page(
     model = WidgetDriver(shown, page.qtbot).find(QTableView, "traceTable").model()
     page.wait(lambda: model.index(0, TraceColumn.NOW).data() == "6.00 A")
     assert page.panel.plot.span.length == 30, "each has choices of its own"
-    note = WidgetDriver(shown, page.qtbot).find(QLabel, "currentsNote")
+    note = WidgetDriver(shown, page.qtbot).find(QLabel, "pageState")
     assert "One count of this board is 150 mA" in note.text()
     shown.resize(shown.minimumSizeHint())
     page.wait(lambda: note.height() < 2 * note.fontMetrics().lineSpacing())

@@ -290,7 +290,7 @@ def test_layout_is_saved_opened_remembered_and_reset(
     button.save(path)
     panel.wait_for_files()
     assert 'motor1 = "pink"' in path.read_text(encoding="utf-8")
-    assert "saved in" in panel.text("currentsNote")
+    assert "saved in" in panel.text("pageState")
 
     again = TracePanel()
     qtbot.addWidget(again)
@@ -311,7 +311,7 @@ def test_layout_is_saved_opened_remembered_and_reset(
     path.write_text("version = 2", encoding="utf-8")
     button.open(path)
     panel.wait_for_files()
-    assert "has the version 2" in panel.text("currentsNote")
+    assert "has the version 2" in panel.text("pageState")
     assert usual.traces[0].color == "pink"
 
 
@@ -514,7 +514,7 @@ def test_unwritable_file_is_reported(panel: TracePanelDriver, qtbot: QtBot, tmp_
     assert "was not written" in str(refused.args)
     with qtbot.waitSignal(panel.notifier.error):
         panel.export.save_picture(tmp_path / "none" / "picture.png")
-    assert "there is no folder" in panel.text("currentsNote")
+    assert "there is no folder" in panel.text("pageState")
 
 
 def test_picture_has_axes_legend_and_a_light_background(

@@ -275,6 +275,10 @@ class TraceTableView(QTableView):
             if self.isColumnHidden(column) == self._table.is_needed(column):
                 self.setColumnHidden(column, not self._table.is_needed(column))
 
+    def sizeHintForColumn(self, column: int) -> int:
+        """Return more than Qt, which takes the boxes to be smaller than the style paints them."""
+        return super().sizeHintForColumn(column) + _PADDING
+
     def _height_of(self, rows: float) -> int:
         return self.horizontalHeader().sizeHint().height() + round(rows * self._row)
 

@@ -21,6 +21,7 @@ from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.builders import button, column, combo_box, label, row, splitter, tab_order
+from trex_gui.ui.widgets.labels import PageHead
 
 _WINDOWS = (10, 30, 60, 300, 600, 1800, 3600)  # seconds that can be chosen to be shown
 _USUAL_SECONDS = 30.0
@@ -43,7 +44,14 @@ class TracePanel(QWidget):
         self._usual = PlotLayout(_USUAL_SECONDS, 0, {})
         self._usual_colors: dict[str, str] = {}
 
-        self._note = label(self, "currentsNote", wrap=True)
+        self.plot: TracePlot = TracePlot(self)
+        self.notifier = Notifier(self)
+        self.layout_button = LayoutButton(
+            self.plot, self.notifier, self, layout=self.shown_layout, use=self._use_layout
+        )
+        self.export = ExportButton(self.plot, self.notifier, self)
+        title = tr("C&urrents").replace("&", "")
+        self._head = PageHead(title, self, self.layout_button, self.export)
         self._window = combo_box(
             self,
             "currentsWindow",
@@ -76,12 +84,6 @@ class TracePanel(QWidget):
             checkable=True,
             on_toggle=self._on_hold_toggled,
         )
-        self.plot: TracePlot = TracePlot(self)
-        self.notifier = Notifier(self)
-        self.layout_button = LayoutButton(
-            self.plot, self.notifier, self, layout=self.shown_layout, use=self._use_layout
-        )
-        self.export = ExportButton(self.plot, self.notifier, self)
         self._table = TraceTable(self.plot, self)
         self._view = TraceTableView(self._table, self)
         self._list = EventList(self.plot, self)
@@ -90,12 +92,12 @@ class TracePanel(QWidget):
         self._below = below = splitter(self, "figuresSplitter", ways.Horizontal, *figures)
         parts = splitter(self, "tracesSplitter", ways.Vertical, (self.plot, 1), (below, 0))
         bar = row(
-            *(window_label, self._window, top_label, self._top, self._pause, self._hold),
-            *(self.layout_button, self.export, 1),
+            *(window_label, self._window, top_label, self._top, self._pause, self._hold, 1),
             spacing=4,
         )
-        column(bar, self._note, (parts, 1), into=self, margins=0)
-        tab_order(self._hold, self.layout_button, self.export, self.plot, self._view, self._list)
+        column(self._head, bar, (parts, 1), into=self, margins=0)
+        controls = self._window, self._top, self._pause, self._hold
+        tab_order(self._head, *controls, self.plot, self._view, self._list)
         self._restore_layout(parts, "plot_splitter")
         self._restore_layout(below, "figures_splitter")
         seconds = self._store.real(f"{self._key}window", _USUAL_SECONDS, MIN_SPAN, MAX_SPAN)
@@ -152,7 +154,7 @@ class TracePanel(QWidget):
 
     @Slot(str)
     def set_note(self, text: str) -> None:
-        self._note.setText(text)
+        self._head.show_state(text)
 
     @Slot()
     @only_when_visible

@@ -5,6 +5,7 @@ from PySide6.QtWidgets import QWidget
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.ui.plotting.page import PlotPage
 from trex_gui.ui.widgets.builders import column
+from trex_gui.ui.widgets.labels import PAGE_MARGINS
 
 
 class CurrentsPage(PlotPage):
@@ -18,4 +19,4 @@ class CurrentsPage(PlotPage):
             CurrentsPanel,
         )
 
-        column(CurrentsPanel(self._device, self), into=self)
+        column(CurrentsPanel(self._device, self), into=self, margins=PAGE_MARGINS)
