@@ -13,7 +13,7 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.views.pages.motors.drive_control import SpeedEntry
 from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
 from trex_gui.ui.preferences import Preferences
-from trex_gui.ui.theme.theme import set_look
+from trex_gui.ui.theme.theme import set_look, set_style_property
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import ElidedLabel
 
@@ -52,7 +52,10 @@ class SpeedCeiling(QWidget):
         self._entry = ui.named(entry, "ceilingEntry", accessible=accessible, tip=tip)
         self._note = ui.named(ElidedLabel("", self), "ceilingNote")
         title = ui.label(self, "", text, tip=tip, buddy=entry, size="caption")
-        ui.column(title, ui.row(entry, (self._note, 1)), 1, into=self, margins=0, spacing=2)
+        set_style_property(self._note, "textSize", "caption")
+        self._note.setWordWrap(True)
+        beside = ui.row(entry, (self._note, 1), spacing=8)
+        ui.column(title, beside, 1, into=self, margins=0, spacing=2)
         motors.options_changed.connect(self._on_options_changed)
         self._on_options_changed()
 

@@ -90,6 +90,7 @@ class MotorsPage(QWidget):
         self._drive_with = DriveWith(device, side)
         stored = ui.Card(tr("What the board does with them"), self)
         self._stored = LinkLabel("motorsStored", stored)
+        self._stored.setAlignment(Qt.AlignmentFlag.AlignTop)
         ceiling = SpeedCeiling(device.motors, stored)
         self._keys = KeyDriver(self._key_drive, device.motors, self, self._pad)
 
@@ -102,7 +103,7 @@ class MotorsPage(QWidget):
         ui.column(heading, (self._strip, 1), into=currents, margins=0, spacing=0)
         cards = (currents, 1), (self._options, 1), self._drive_with
         self._beside = ui.column(*cards, into=side, margins=0, spacing=_GAP)
-        ui.row((self._stored, 1), (ceiling, 1), into=stored, margins=0, spacing=24)
+        ui.row((self._stored, 3), (ceiling, 2), into=stored, margins=0, spacing=24)
         self._body = ui.grid(margins=0, spacing=(_GAP, _GAP), stretch=((0, 5), (1, 2)))
         self._body.setRowStretch(0, 1)
         parts = self._head, (self._body, 1), stored
@@ -406,7 +407,8 @@ def _table(facts: _Facts, *, linked: bool) -> str:
     """Return the titles above their values, which are links to their parameters if `linked`."""
 
     def link(text: str, key: str) -> str:
-        style = f"color:{theme().color('link').name()}; text-decoration:none"
+        color = theme().color("warning" if WARNING_SIGN in text else "link").name()
+        style = f"color:{color}; text-decoration:none"
         return f'<a href="{key}" style="{style}">{escape(text)}</a>' if linked else escape(text)
 
     cell = '<td style="padding-right:28px; white-space:pre; {0}">{1}</td>'
@@ -414,4 +416,5 @@ def _table(facts: _Facts, *, linked: bool) -> str:
     texts = (" · ".join(link(*value) for value in values.items()) for values in facts.values())
     row = "".join(cell.format("font-weight:600", text) for text in texts)
     muted = theme().color("muted").name()
-    return f'<table cellspacing="0"><tr style="color:{muted}">{titles}</tr><tr>{row}</tr></table>'
+    rows = f'<tr style="color:{muted}">{titles}</tr><tr>{row}</tr>'
+    return f'<table cellspacing="0" width="100%">{rows}</table>'
