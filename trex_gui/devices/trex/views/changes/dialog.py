@@ -217,6 +217,8 @@ class ChangesDialog(ReusedDialog):
         self.findings.set_can_accept(changes.can_accept)
         self._findings_area.setVisible(bool(changes.remarks))
         self.action.setText(changes.action or self.action.text())
+        if not changes.action and not self.action.isHidden():
+            self._close.setFocus()  # else the focus would go to `Details`
         self.action.setVisible(bool(changes.action))
         self.action.setEnabled(changes.can_act)
         is_primary = bool(changes.action) and changes.can_act and not changes.closes_first
@@ -224,6 +226,7 @@ class ChangesDialog(ReusedDialog):
         set_look(self.action, "primary" if bool(changes.action) and changes.can_act else "")
         self._close.setText(changes.close or tr("Cancel"))
         self._close.setDefault(not is_primary)
+        set_look(self._close, "" if changes.action else "primary")
         self.question.reconsider()
 
     @Slot()
