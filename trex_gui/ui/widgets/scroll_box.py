@@ -38,7 +38,9 @@ class ScrollBox(QScrollArea):
         """As high as the content is by itself at the width that there is."""
         hint, layout = self._content.sizeHint(), self._content.layout()
         if layout is not None and layout.hasHeightForWidth() and self.isVisible():
-            hint.setHeight(layout.heightForWidth(self.maximumViewportSize().width()))
+            room = self.maximumViewportSize()
+            around = self.height() - room.height()
+            hint.setHeight(layout.heightForWidth(room.width()) + around)
         return hint
 
     def minimumSizeHint(self) -> QSize:

@@ -45,8 +45,7 @@ class FindingsList(QWidget):
         self._with_lines = False
         self._can_accept = True
         self._lines: list[QWidget] = []
-        self._layout = column(into=self, margins=0)
-        self._layout.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self._layout = column(1, into=self, margins=0)
         self.hide()
 
     def follow(
@@ -83,8 +82,8 @@ class FindingsList(QWidget):
         if more > 0:
             shown += (tr("and %n more", "", more),)
         self._lines = [self._line(*numbered) for numbered in enumerate(shown)]
-        for line in self._lines:
-            self._layout.addWidget(line)
+        for number, line in enumerate(self._lines):
+            self._layout.insertWidget(number, line)
         self.setVisible(bool(self._lines))
         tab_order(self._after, self)
 
