@@ -301,17 +301,18 @@ class Review(QObject):
                 close="" if self._is_cancellable else tr("Close"),
             )
         rows, stored = self._changes(), self._device.draft.stored
+        if not rows.rows:
+            text, why, close = tr("Nothing to write."), self._obstacle(), tr("Close")
+            return Changes(text, rows=rows, summary=" ", trouble=why, close=close)
         ticked = ticked_of(rows)
         count = len(ticked)
         if stored is not None:
             wanted = settings_after(stored, ((row.key, row.after) for row in ticked))
             self._findings = self._linter.check(wanted)
-        heading = self._title or tr("Write %n setting(s) to the board", "", count)
-        if not rows.rows:
-            heading = tr("There is nothing to write.")
+        text = tr("Write %n setting(s) to the board", "", count)
         return Changes(
-            heading,
-            caption=self._caption(),
+            self._title or (text if count else tr("Nothing to write.")),
+            caption=self._caption() if count else self._board_text(),
             rows=rows,
             sides=(tr("Board now"), after),
             summary=" ",
