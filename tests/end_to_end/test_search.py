@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QCompleter, QLineEdit, QMenu
+from PySide6.QtWidgets import QApplication, QCompleter, QLineEdit, QMenu, QWidget
 
 from tests.support.window import WindowDriver
 
@@ -55,6 +55,7 @@ def test_enter_opens_the_selected_hit(search: SearchDriver) -> None:
     search.press(ENTER)
     assert search.page == "Parameters"
     assert search.text("parameterTitle") == "Serial Timeout"
+    assert QApplication.focusWidget() is search.find(QWidget, "parametersView")
 
     search.type("the guardian")
     search.press(ENTER)

@@ -46,7 +46,7 @@ class SearchField(QLineEdit):
         completer.setMaxVisibleItems(_VISIBLE)
         completer.setPopup(self._hits)
         completer.setWidget(self)
-        completer.activated.connect(lambda: self._hits.currentIndex().data(_FOUND).show())
+        completer.activated.connect(self._on_chosen)
         self.textEdited.connect(self._show_hits)
         follow_theme(self, "width", self._limit_width)
 
@@ -79,6 +79,12 @@ class SearchField(QLineEdit):
         self._completer.complete(QRect(self.width() - width, 0, width, self.height()))
         self._hits.setColumnWidth(0, _TITLE * character)
         self._hits.setCurrentIndex(self._hits.model().index(0, 0))
+
+    @Slot()
+    def _on_chosen(self) -> None:
+        found = self._hits.currentIndex().data(_FOUND)
+        self._hits.hide()  # gives the focus back, which the hit may take
+        found.show()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Hide and watched is self._hits:

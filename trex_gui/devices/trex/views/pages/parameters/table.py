@@ -83,10 +83,11 @@ class ParameterTable(QWidget):
         self._card.set_can_edit(enabled)
 
     def show_parameter(self, key: str) -> None:
-        """Select a parameter, which may be filtered out."""
+        """Select a parameter, which may be filtered out, so that typing edits it."""
         if self._model.index_of(key).isValid():
             self._show_all()
             self._view.setCurrentIndex(self._model.index_of(key))
+            self._view.setFocus()
 
     @Slot(QModelIndex)
     def _on_current_changed(self, current: QModelIndex) -> None:
