@@ -12,6 +12,8 @@ from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets.builders import button, column, label, named, row, search_field
 
+_CLEAR = 20  # pixels of the frame of the search field
+
 
 class ParameterTable(QWidget):
     """The parameters of a board or of a file. Has no access to a board."""
@@ -33,6 +35,7 @@ class ParameterTable(QWidget):
 
         title = tr("Search parameters")
         self._words = search_field(self, "parameterSearch", title, title)
+        self._words.setMinimumWidth(self._words.fontMetrics().horizontalAdvance(title) + _CLEAR)
         self._choice = named(QTabBar(self), "parameterChoice", accessible=tr("Parameters"))
         set_look(self._choice, "switch")
         self._choice.setDrawBase(False)

@@ -53,7 +53,7 @@ from trex_gui.ui.widgets.behaviour import ENTER
 
 _PRESS = ENTER | {Qt.Key.Key_Space, Qt.Key.Key_Select}
 _CLICKS = {QEvent.Type.MouseButtonRelease, QEvent.Type.MouseButtonDblClick}
-_NAME, _VALUE = (20, 44), 30  # characters: least and most of the names, and the longest value
+_LEAST = 20  # characters of the names
 _PINNED = "parameters/pinned"
 _ICON = 16
 _SIGNS = {"warning": "warning", "edited": "dirty", "power": "icon"}  # and their colours
@@ -241,19 +241,28 @@ class ParameterView(QTableView):
         self.setEditTriggers(triggers.DoubleClicked | typed)
         self.setWordWrap(False)
         self.horizontalHeader().setStretchLastSection(True)
+        self.horizontalHeader().setMinimumSectionSize(1)
         self._set_up_menu()
         follow_theme(self, "columns", self._fit_columns)
         model.modelReset.connect(self._span_rows)
+        model.dataChanged.connect(self._fit_columns)
         self._span_rows()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._fit_columns()
 
+    @Slot()
     def _fit_columns(self) -> None:
-        room, character = self.viewport().width(), self.fontMetrics().averageCharWidth()
-        least, most = (each * character for each in _NAME)
-        name = min(max(room - 2 * _VALUE * character, least), most)
+        """Give the names what they need, if both motors' values leave it, and the rest to values."""
+        room, index, width = self.viewport().width(), self._model.index, self.sizeHintForIndex
+        names, values = [0], [0]
+        for number, row in enumerate(self._model.rows):
+            names += [width(index(number, ParameterColumn.NAME)).width()] if row.keys else []
+            both = range(1, 3 if len(row.keys) > 1 else 0)
+            values += [width(index(number, column)).width() for column in both]
+        least = _LEAST * self.fontMetrics().averageCharWidth()
+        name = max(min(max(names), room - 2 * max(values)), least)
         self.setColumnWidth(ParameterColumn.NAME, name)
         self.setColumnWidth(ParameterColumn.MOTOR1, (room - name) // 2)
 
@@ -265,6 +274,7 @@ class ParameterView(QTableView):
         for number, row in enumerate(self._model.rows):
             if len(row.keys) < 2:
                 self.setSpan(number, len(row.keys), 1, len(ParameterColumn) - len(row.keys))
+        self._fit_columns()
 
     def show_rows(self, wanted: ParameterFilter) -> bool:
         """Show the rows that match. Return whether others than before are visible."""
