@@ -4,7 +4,7 @@ from html import escape
 
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QAction, QResizeEvent
-from PySide6.QtWidgets import QBoxLayout, QPushButton, QWidget
+from PySide6.QtWidgets import QBoxLayout, QPushButton, QSizePolicy, QWidget
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
@@ -37,7 +37,8 @@ class ParameterCard(ui.Card):
         ui.named(self, "aboutParameters", accessible=tr("Selected parameter"))
         self._model, self._view, self._can_edit = draft.parameters, view, True
         self._facts = facts = ui.named(QWidget(self), "parameterFacts")
-        box = ScrollBox(facts, self)
+        box, policy = ScrollBox(facts, self), QSizePolicy.Policy
+        box.setSizePolicy(policy.Preferred, policy.Maximum)  # the rest follows directly below
         self._heading = ui.label(facts, "parameterTitle", wrap=True, size="heading")
         self._value = ui.label(facts, "parameterValue", wrap=True, bold=True)
         self._picture = ParameterPicture(facts)
@@ -70,7 +71,7 @@ class ParameterCard(ui.Card):
         notes = ui.column(note, self._note, spacing=2)
         ui.column(head, *parts, self._wire, notes, 1, into=facts, margins=0)
         self._tools = ui.row(ui.row(default, pin), undo, 1)
-        ui.column((box, 1), self._both, self._tools, into=self)
+        ui.column(box, self._both, self._tools, 1, into=self)
 
         def fit() -> None:
             texts = _WIDTH * self.fontMetrics().averageCharWidth()

@@ -69,8 +69,9 @@ def _ramp(spec: ParameterSpec, wire: int, _values: ParameterValues) -> Picture:
     top = 0.1 + 0.7 * seconds / _window(seconds, 0.6, 3, 16)
     end: Points = (0.9, 0.8), (0.9, 0), (1, 0)
     command = Line(((0.1, 0), (0.1, 0.8), *end), "muted", _DASHED)
+    speed = Line(((0, 0), (0.1, 0), (top, 0.8), *end))
     text = tr("Speed after an accelerate command: {0}. It slows down at once.").format(value)
-    return Picture(text, value, (command, Line(((0, 0), (0.1, 0), (top, 0.8), *end))))
+    return Picture(text, value, (command, speed) if wire else (speed,))
 
 
 def _reversal(spec: ParameterSpec, wire: int, values: ParameterValues) -> Picture:
@@ -99,7 +100,7 @@ def _limit(spec: ParameterSpec, wire: int, _values: ParameterValues) -> Picture:
     lines = Line(demand, "muted", _DASHED), Line((*shown, (1, min(0.34, limit))))
     text = tr("Current of a motor that starts, limit: {0}").format(value)
     if not wire:
-        return Picture(text, value, lines)
+        return Picture(text, value, lines[1:])
     edge = Line(((0, limit), (1, limit)), "limit")
     return Picture(text, value, (edge, *lines), place=(0.08, limit + 0.03))
 
