@@ -254,7 +254,7 @@ class ParameterView(QTableView):
 
     @Slot()
     def _fit_columns(self) -> None:
-        """Give the names what they need, if both motors' values leave it, and the rest to values."""
+        """Give the names what they need and both motors' values leave, and the values the rest."""
         room, index, width = self.viewport().width(), self._model.index, self.sizeHintForIndex
         names, values = [0], [0]
         for number, row in enumerate(self._model.rows):
@@ -264,7 +264,8 @@ class ParameterView(QTableView):
         least = _LEAST * self.fontMetrics().averageCharWidth()
         name = max(min(max(names), room - 2 * max(values)), least)
         self.setColumnWidth(ParameterColumn.NAME, name)
-        self.setColumnWidth(ParameterColumn.MOTOR1, (room - name) // 2)
+        for motor in (ParameterColumn.MOTOR1, ParameterColumn.MOTOR2):
+            self.setColumnWidth(motor, (room - name) // 2)
 
     @Slot()
     def _span_rows(self) -> None:
