@@ -18,6 +18,7 @@ from trex_gui.devices.trex.views.snapshot_pane import SnapshotPane
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Answer, Notifier
 from trex_gui.ui.runtime import new_timer
+from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.behaviour import ReusedDialog
@@ -37,6 +38,7 @@ class HistoryDialog(ReusedDialog):
         super().__init__(parent)
         self.setObjectName("historyDialog")
         self.setWindowTitle(tr("History"))
+        set_look(self, "sheet")
         self.setWindowFlags(Qt.WindowType.Window)
         self._history = device.writer.history
         self._table = SnapshotTable(device.writer.history, self)
@@ -64,7 +66,7 @@ class HistoryDialog(ReusedDialog):
         bar = ActionBar(device, "historyStopButton", self)
         self._bound = _BoundField(self._history, self._question, notifier, self)
         self._folder = button("openFolderButton", tr("&Open folder"), icon="folder")
-        close = button("closeHistoryButton", tr("&Close"), on_click=self.close)
+        self._close = button("closeHistoryButton", tr("&Close"), on_click=self.close)
         text = tr(
             "There are no snapshots yet.\n\nBefore settings are applied or defaults restored, "
             "in this window or with trexcmd, everything that the board stores is saved here. "
@@ -83,9 +85,11 @@ class HistoryDialog(ReusedDialog):
         self._pages = QStackedWidget(self)
         self._pages.addWidget(halves)
         self._pages.addWidget(nothing)
-        ui.row(bar.stop, self._bound, 1, self._folder, close, into=bar)
-        messages = MessageRoom(self, self._banner, self._question)
-        ui.column(messages, (self._pages, 1), bar, into=self)
+        ui.row(bar.stop, self._bound, 1, self._folder, self._close, into=bar, margins=8)
+        messages = MessageRoom(self, self._banner, self._question)  # over the heading
+        head = ui.label(self, text=tr("History"), size="title")
+        parts = ui.column(head, messages, (self._pages, 1), margins=(8, 8, 8, 0))
+        ui.column((parts, 1), bar, into=self, margins=8)
         halves.setSizes([560, 620])
         restore_geometry(self, "history", 1180, 640)
 
@@ -206,6 +210,8 @@ class HistoryDialog(ReusedDialog):
         self._later.stop()
         chosen, listing = self._chosen, self._table.listing
         self._pages.setCurrentIndex(int(listing is not None and not listing.snapshots))
+        if self.focusWidget() is self._pages.currentWidget():  # from the list that was left
+            self._close.setFocus()
         self._folder.setEnabled(listing is not None and listing.has_folder)
         self._pane.show_chosen(chosen)
         self._save.setEnabled(len(chosen) == 1 and not self._table.problem_of(chosen[0]))

@@ -22,6 +22,7 @@ from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.labels import Note
@@ -72,7 +73,8 @@ class SnapshotPane(QWidget):
         label = ui.label(self, text=tr("Compare &with:"), buddy=self._box)
         self._rows = ComparisonView(self)
         self._note = ui.named(Note(2, self), "restoreNote")
-        self._restore = ui.button(self, "restoreButton", icon="undo", default=False)
+        self._restore = ui.button(self, "restoreButton", default=False)
+        set_look(self._restore, "primary")
 
         below = ui.row((self._note, 1), (self._restore, 0, Qt.AlignmentFlag.AlignTop))
         above = self._title, self._details, ui.row(label, (self._box, 1)), (self._rows, 1)
