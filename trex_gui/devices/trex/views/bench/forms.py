@@ -5,7 +5,7 @@ from functools import partial
 from typing import TypeVar
 
 from PySide6.QtCore import QSignalBlocker, Qt, Slot
-from PySide6.QtWidgets import QDoubleSpinBox, QFormLayout, QLabel, QSpinBox, QWidget
+from PySide6.QtWidgets import QDoubleSpinBox, QFormLayout, QLabel, QSizePolicy, QSpinBox, QWidget
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
@@ -20,6 +20,7 @@ from trex_gui.ui.widgets import builders as ui
 
 WidgetT = TypeVar("WidgetT", bound=QWidget)
 
+_POLICY = QSizePolicy.Policy
 _WIDEST = "127 per 100 ms (127 ms)"
 
 
@@ -29,6 +30,14 @@ def _form(parent: QWidget | None = None) -> QFormLayout:
     form.setVerticalSpacing(3)
     form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
     return form
+
+
+def _align(form: QFormLayout) -> None:
+    """Put each title beside the middle of its field: Qt makes a title lower than a high field."""
+    for number in range(form.rowCount()):
+        item = form.itemAt(number, QFormLayout.ItemRole.LabelRole)
+        if item is not None and (title := item.widget()) is not None:
+            title.setSizePolicy(_POLICY.Preferred, _POLICY.Expanding)
 
 
 class PlanForm(ui.Card):
@@ -90,6 +99,7 @@ class PlanForm(ui.Card):
         form.addRow(self._at_limit)
         for box in (self._speed, self._duration, self._period, self._abort):
             box.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        _align(form)
         ui.column(form, into=self)
 
         bench.changed.connect(self._on_bench_changed)
@@ -225,6 +235,7 @@ class TuningForm(ui.Card):
             self._form.addRow(label, editor)
             editor.valueChanged.connect(partial(self._on_edited, key))
             self._fields[key] = label, editor
+        _align(self._form)
         ui.tab_order(self.apply, *(editor for _, editor in self._fields.values()), self.apply)
 
     def _on_edited(self, key: str, wire: int) -> None:

@@ -54,11 +54,11 @@ class BenchPlot(Painted):
             canvas.unhovered.connect(self._on_unhovered)
         dash = Qt.PenStyle.DashLine
         self._planned = self._speeds.add_curve("muted", 1, dash)
-        self._setpoints = self._speeds.add_curve("motor1")
+        self._setpoints = self._speeds.add_curve("window_text")
         self._abort_line = self._currents.add_line("danger", dash)
         self._limit_line = self._currents.add_line("warning", dash)
         self._drawn_before = self._currents.add_curve("muted")
-        self._drawn = self._currents.add_curve("motor2")
+        self._drawn = self._currents.add_curve("accent")
         both = canvases.values()
         self._ends = [canvas.add_line("neutral", dash, vertical=True) for canvas in both]
         self._cursors = [canvas.add_line("pointer", vertical=True) for canvas in both]
@@ -66,9 +66,9 @@ class BenchPlot(Painted):
         self._before_key = LegendKey(tr("Compared"), "muted", self)
         self._abort_key = LegendKey("", "danger", self, dash)
         self._limit_key = LegendKey("", "warning", self, dash)
-        setpoint = LegendKey(tr("Setpoint"), "motor1", self)
+        setpoint = LegendKey(tr("Setpoint"), "window_text", self)
         planned = LegendKey(tr("Planned"), "muted", self, dash)
-        current = LegendKey(tr("Current"), "motor2", self)
+        current = LegendKey(tr("Current"), "accent", self)
         keys = setpoint, planned, current, self._before_key, self._abort_key, self._limit_key
         gap = self.fontMetrics().averageCharWidth() * 2
         legend = row(*keys, 1, self._values, spacing=gap)
