@@ -182,8 +182,8 @@ class PageHead(QWidget):
         self.show_title(title)
         set_style_property(self._state, "textSize", "caption")
         self.sign = Sign(self)  # beside the title
-        title = row(self.title, self.sign, 1, margins=0)
-        texts = column(title, self._state, margins=0, spacing=2)
+        heading = row(self.title, self.sign, 1, margins=0)
+        texts = column(heading, self._state, margins=0, spacing=2)
         row((texts, 1), *controls, into=self, margins=0)
 
     def show_title(self, text: str) -> None:

@@ -76,7 +76,7 @@ class TextPage(QWidget):
         top = row((self._notice, 1), (self._check, 0, at_top), (self._repair, 0, at_top))
         parts = (self.editor, 3), (self._findings_area, 2)
         both = splitter(self, "", Qt.Orientation.Vertical, *parts)
-        column(top, (both, 1), into=self)
+        column(top, (both, 1), into=self, margins=16)
 
         self._check.clicked.connect(self._on_check_clicked)
         self._repair.clicked.connect(self._on_repair_clicked)

@@ -30,7 +30,7 @@ from trex_gui.ui.files import in_background
 from trex_gui.ui.frame.workspace import SEPARATOR, Entry, fill_menu_bar
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.widgets import file_questions
-from trex_gui.ui.widgets.builders import column, named, row
+from trex_gui.ui.widgets.builders import action_row, column, named
 from trex_gui.ui.widgets.document_saver import DocumentSaver
 from trex_gui.ui.widgets.file_questions import SaveAnswer
 from trex_gui.ui.widgets.messages import Banner, MessageRoom
@@ -66,6 +66,7 @@ class SettingsEditor(QMainWindow):
         self._banner = Banner(self)
         self.tabs = named(QTabWidget(self), "editorTabs", accessible=tr("Pages"))
         self.tabs.setDocumentMode(True)
+        self.tabs.tabBar().setDrawBase(False)  # the tool bar has a line
         parameters = ParameterTable(document.draft, self._linter, self)
         self._text = TextPage(document, self)
         frame = QWidget(self)
@@ -75,10 +76,10 @@ class SettingsEditor(QMainWindow):
         self.tabs.addTab(ScrollBox(channels, self), tr("Channels"))
         self._text_index = self.tabs.addTab(self._text, tr("Text"))
         bar = ActionBar(device, "editorStopButton", self)
-        row(bar.stop, 1, into=bar)
+        action_row(bar, bar.stop, 1)
         frame = QWidget(self)
         messages = MessageRoom(frame, self._banner)
-        column(messages, (self.tabs, 1), bar, into=frame)
+        column((self.tabs, 1), messages, bar, into=frame, margins=0, spacing=0)
         self.setCentralWidget(frame)
         self._actions = self._build_menus()
         self._build_tool_bar()
