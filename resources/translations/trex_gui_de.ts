@@ -1517,6 +1517,8 @@
         <translation>Das Board wurde neu gestartet, daher wurden die Motoren gestoppt.</translation></message>
     <message><source>coast</source>
         <translation>auslaufen</translation></message>
+    <message><source>no limit</source>
+        <translation>keine Grenze</translation></message>
     <message><source>Serial timeout is off: motors keep turning if the cable or this computer fails.</source>
         <translation>Das serielle Timeout ist aus: Die Motoren drehen sich weiter, wenn das Kabel oder dieser Computer ausfällt.</translation></message>
     <message><source>Serial timeout is off, and the guardian process could not be started: motors keep turning if the cable, this computer or this program fails.</source>
@@ -1529,6 +1531,8 @@
         <translation>rückwärts</translation></message>
     <message><source>no current sensing in joint mode</source>
         <translation>keine Strommessung im Parallelbetrieb</translation></message>
+    <message><source>limit {0:.1f} A</source>
+        <translation>Grenze {0:.1f} A</translation></message>
     <message><source>Serial timeout is on, but it did not stop the motors of this board when it was tried: they keep turning if the cable or this computer fails.</source>
         <translation>Das serielle Timeout ist an, hat die Motoren dieses Boards bei dem Versuch aber nicht gestoppt: Sie drehen sich weiter, wenn das Kabel oder dieser Computer ausfällt.</translation></message>
     <message><source>channel {0} at {1} (overridden)</source>
@@ -2883,8 +2887,6 @@
         <translation>vom Sicherheitsstart gehalten</translation></message>
     <message><source>not armed</source>
         <translation>nicht freigegeben</translation></message>
-    <message><source>no limit</source>
-        <translation>keine Grenze</translation></message>
     <message><source>Mode jumper</source>
         <translation>Modus-Jumper</translation></message>
     <message><source>Mix jumper</source>
@@ -2935,8 +2937,6 @@
         <translation>Analog</translation></message>
     <message><source>channel 5 hands over</source>
         <translation>Kanal 5 übergibt</translation></message>
-    <message><source>limit {0:.1f} A</source>
-        <translation>Grenze {0:.1f} A</translation></message>
     <message><source>Channel {0}, {1}</source>
         <translation>Kanal {0}, {1}</translation></message>
     <message><source>may still turn</source>
@@ -3105,6 +3105,8 @@
         <translation>Bei seinem nächsten Start setzt das Board alle Parameter zurück, auch die hier abgewählten. Seine jetzigen Einstellungen werden zuvor gesichert (Datei, Verlauf). Nicht angewendete Änderungen werden verworfen; „Rückgängig“ stellt sie wieder her.</translation></message>
     <message><source>It gets device number {0}, which another board on this line has: both would reply at once, and neither could be read. Give that board another number first.</source>
         <translation>Es erhält die Gerätenummer {0}, die ein anderes Board an dieser Leitung hat: Beide würden gleichzeitig antworten, und keine der Antworten wäre lesbar. Geben Sie jenem Board zuerst eine andere Nummer.</translation></message>
+    <message numerus="yes"><source>Write %n setting(s) to the board</source>
+        <translation><numerusform>%n Einstellung in das Board schreiben</numerusform><numerusform>%n Einstellungen in das Board schreiben</numerusform></translation></message>
     <message><source>Writing. Leave the power on.</source>
         <translation>Schreiben läuft. Lassen Sie die Stromversorgung eingeschaltet.</translation></message>
     <message><source>A snapshot of all settings is saved first. Each value is read back.</source>
@@ -3123,10 +3125,6 @@
         <translation>Vorher</translation></message>
     <message><source>After</source><comment>value</comment>
         <translation>Nachher</translation></message>
-    <message numerus="yes"><source>Write %n setting(s) to the board</source>
-        <translation><numerusform>%n Einstellung in das Board schreiben</numerusform><numerusform>%n Einstellungen in das Board schreiben</numerusform></translation></message>
-    <message><source>There is nothing to write.</source>
-        <translation>Es gibt nichts zu schreiben.</translation></message>
     <message numerus="yes"><source>%n setting(s) written and verified.</source>
         <translation><numerusform>%n Einstellung geschrieben und geprüft.</numerusform><numerusform>%n Einstellungen geschrieben und geprüft.</numerusform></translation></message>
     <message><source>Saving a snapshot. Nothing is written yet.</source>
@@ -3143,6 +3141,8 @@
         <translation>Werkseinstellungen wiederherstellen</translation></message>
     <message><source>Restore serial defaults</source>
         <translation>Serielle Standardwerte wiederherstellen</translation></message>
+    <message><source>Nothing to write.</source>
+        <translation>Nichts zu schreiben.</translation></message>
     <message numerus="yes"><source>&amp;Write %n setting(s)</source>
         <translation><numerusform>%n Einstellung &amp;schreiben</numerusform><numerusform>%n Einstellungen &amp;schreiben</numerusform></translation></message>
     <message><source>The channel calibrations stay.</source>
@@ -3665,6 +3665,8 @@ bisher {1}</translation></message>
         <translation>Motoren freigeben</translation></message>
     <message><source>Writing …</source>
         <translation>Schreiben läuft …</translation></message>
+    <message><source>Reconnect and stop</source>
+        <translation>Neu verbinden und stoppen</translation></message>
     <message><source>Stop motors</source>
         <translation>Motoren stoppen</translation></message>
     <message><source>Stop both motors and the auxiliary now (Esc, anywhere)</source>
@@ -4051,16 +4053,14 @@ bisher {1}</translation></message>
         <translation>Was das Board damit macht</translation></message>
     <message><source>Armed: these controls move the motors.</source>
         <translation>Freigegeben: Diese Bedienelemente bewegen die Motoren.</translation></message>
-    <message><source>Reconnect and stop</source>
-        <translation>Neu verbinden und stoppen</translation></message>
     <message><source>Motor (joint)</source>
         <translation>Motor (Parallelbetrieb)</translation></message>
     <message><source>Brake with {0}</source>
         <translation>Mit {0} bremsen</translation></message>
-    <message><source>The Motors page was left while a control was held.</source>
-        <translation>Die Seite „Motoren“ wurde verlassen, während ein Bedienelement gehalten wurde.</translation></message>
     <message><source>one way</source>
         <translation>eine Richtung</translation></message>
+    <message><source>The Motors page was left while a control was held.</source>
+        <translation>Die Seite „Motoren“ wurde verlassen, während ein Bedienelement gehalten wurde.</translation></message>
     <message><source>The Motors page was left.</source>
         <translation>Die Seite „Motoren“ wurde verlassen.</translation></message>
     <message><source>keep turning</source>
@@ -4603,8 +4603,6 @@ bisher {1}</translation></message>
         <translation>Zu diesem Schritt gehen</translation></message>
     <message><source>Then, by hand:</source>
         <translation>Danach von Hand:</translation></message>
-    <message><source>Nothing to write.</source>
-        <translation>Nichts zu schreiben.</translation></message>
     <message><source>{0} Then test the motors again.</source>
         <translation>{0} Testen Sie dann die Motoren erneut.</translation></message>
     <message><source>checked</source>

@@ -1517,6 +1517,8 @@
         <translation>La carte a été redémarrée ; les moteurs ont donc été arrêtés.</translation></message>
     <message><source>coast</source>
         <translation>roue libre</translation></message>
+    <message><source>no limit</source>
+        <translation>sans limite</translation></message>
     <message><source>Serial timeout is off: motors keep turning if the cable or this computer fails.</source>
         <translation>Le délai série est désactivé : les moteurs continuent de tourner si le câble ou cet ordinateur tombe en panne.</translation></message>
     <message><source>Serial timeout is off, and the guardian process could not be started: motors keep turning if the cable, this computer or this program fails.</source>
@@ -1529,6 +1531,8 @@
         <translation>arrière</translation></message>
     <message><source>no current sensing in joint mode</source>
         <translation>pas de mesure de courant en mode jumelé</translation></message>
+    <message><source>limit {0:.1f} A</source>
+        <translation>limite {0:.1f} A</translation></message>
     <message><source>Serial timeout is on, but it did not stop the motors of this board when it was tried: they keep turning if the cable or this computer fails.</source>
         <translation>Le délai série est activé, mais il n'a pas arrêté les moteurs de cette carte lors de l'essai : ils continuent de tourner si le câble ou cet ordinateur tombe en panne.</translation></message>
     <message><source>channel {0} at {1} (overridden)</source>
@@ -2883,8 +2887,6 @@
         <translation>retenu par le démarrage sûr</translation></message>
     <message><source>not armed</source>
         <translation>non activé</translation></message>
-    <message><source>no limit</source>
-        <translation>sans limite</translation></message>
     <message><source>Mode jumper</source>
         <translation>Cavalier de mode</translation></message>
     <message><source>Mix jumper</source>
@@ -2935,8 +2937,6 @@
         <translation>Analogique</translation></message>
     <message><source>channel 5 hands over</source>
         <translation>la voie 5 passe la main</translation></message>
-    <message><source>limit {0:.1f} A</source>
-        <translation>limite {0:.1f} A</translation></message>
     <message><source>Channel {0}, {1}</source>
         <translation>Voie {0}, {1}</translation></message>
     <message><source>may still turn</source>
@@ -3105,6 +3105,8 @@
         <translation>À son prochain démarrage, la carte réinitialisera tous les paramètres, y compris ceux décochés ici. Ses réglages actuels sont d'abord sauvegardés (Fichier, Historique). Les modifications non appliquées sont abandonnées ; « Annuler » les restaure.</translation></message>
     <message><source>It gets device number {0}, which another board on this line has: both would reply at once, and neither could be read. Give that board another number first.</source>
         <translation>Elle prendra le numéro d'appareil {0}, qu'une autre carte de cette liaison porte déjà : les deux répondraient en même temps et aucune ne serait lisible. Donnez d'abord un autre numéro à cette autre carte.</translation></message>
+    <message numerus="yes"><source>Write %n setting(s) to the board</source>
+        <translation><numerusform>Écrire %n réglage dans la carte</numerusform><numerusform>Écrire %n réglages dans la carte</numerusform></translation></message>
     <message><source>Writing. Leave the power on.</source>
         <translation>Écriture en cours. Ne coupez pas l'alimentation.</translation></message>
     <message><source>A snapshot of all settings is saved first. Each value is read back.</source>
@@ -3123,10 +3125,6 @@
         <translation>Avant</translation></message>
     <message><source>After</source><comment>value</comment>
         <translation>Après</translation></message>
-    <message numerus="yes"><source>Write %n setting(s) to the board</source>
-        <translation><numerusform>Écrire %n réglage dans la carte</numerusform><numerusform>Écrire %n réglages dans la carte</numerusform></translation></message>
-    <message><source>There is nothing to write.</source>
-        <translation>Il n'y a rien à écrire.</translation></message>
     <message numerus="yes"><source>%n setting(s) written and verified.</source>
         <translation><numerusform>%n réglage écrit et vérifié.</numerusform><numerusform>%n réglages écrits et vérifiés.</numerusform></translation></message>
     <message><source>Saving a snapshot. Nothing is written yet.</source>
@@ -3143,6 +3141,8 @@
         <translation>Restaurer les réglages d'usine</translation></message>
     <message><source>Restore serial defaults</source>
         <translation>Restaurer les réglages série par défaut</translation></message>
+    <message><source>Nothing to write.</source>
+        <translation>Rien à écrire.</translation></message>
     <message numerus="yes"><source>&amp;Write %n setting(s)</source>
         <translation><numerusform>Écrire %n &amp;réglage</numerusform><numerusform>Écrire %n &amp;réglages</numerusform></translation></message>
     <message><source>The channel calibrations stay.</source>
@@ -3665,6 +3665,8 @@ avant {1}</translation></message>
         <translation>Activer les moteurs</translation></message>
     <message><source>Writing …</source>
         <translation>Écriture en cours …</translation></message>
+    <message><source>Reconnect and stop</source>
+        <translation>Reconnecter et arrêter</translation></message>
     <message><source>Stop motors</source>
         <translation>Arrêter les moteurs</translation></message>
     <message><source>Stop both motors and the auxiliary now (Esc, anywhere)</source>
@@ -4051,16 +4053,14 @@ avant {1}</translation></message>
         <translation>Ce que la carte en fait</translation></message>
     <message><source>Armed: these controls move the motors.</source>
         <translation>Moteurs activés : ces commandes les font tourner.</translation></message>
-    <message><source>Reconnect and stop</source>
-        <translation>Reconnecter et arrêter</translation></message>
     <message><source>Motor (joint)</source>
         <translation>Moteur (jumelé)</translation></message>
     <message><source>Brake with {0}</source>
         <translation>Freiner à {0}</translation></message>
-    <message><source>The Motors page was left while a control was held.</source>
-        <translation>La page Moteurs a été quittée alors qu'une commande était maintenue.</translation></message>
     <message><source>one way</source>
         <translation>un seul sens</translation></message>
+    <message><source>The Motors page was left while a control was held.</source>
+        <translation>La page Moteurs a été quittée alors qu'une commande était maintenue.</translation></message>
     <message><source>The Motors page was left.</source>
         <translation>La page Moteurs a été quittée.</translation></message>
     <message><source>keep turning</source>
@@ -4603,8 +4603,6 @@ avant {1}</translation></message>
         <translation>Aller à cette étape</translation></message>
     <message><source>Then, by hand:</source>
         <translation>Ensuite, à la main :</translation></message>
-    <message><source>Nothing to write.</source>
-        <translation>Rien à écrire.</translation></message>
     <message><source>{0} Then test the motors again.</source>
         <translation>{0} Testez ensuite à nouveau les moteurs.</translation></message>
     <message><source>checked</source>
