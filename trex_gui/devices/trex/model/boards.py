@@ -45,6 +45,11 @@ class LineBoard:
     signature: Signature | None
     presence: Presence
 
+    @property
+    def name(self) -> str:
+        """Number and model: `7 · TReX 1.2`."""
+        return f"{self.number} · {self.signature}" if self.signature else str(self.number)
+
 
 Done = Callable[[StudioError | None], None]  # gets `None`, or why another board was not selected
 

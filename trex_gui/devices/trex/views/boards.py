@@ -2,9 +2,8 @@
 
 from functools import partial
 
-from PySide6.QtCore import Qt, Signal, Slot
+from PySide6.QtCore import QObject, Qt, Signal, Slot
 from PySide6.QtWidgets import (
-    QDialogButtonBox,
     QListWidget,
     QListWidgetItem,
     QSizePolicy,
@@ -15,12 +14,13 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.discovery import NUMBERS
 from trex_gui.devices.trex.model.boards import BoardList, LineBoard, Presence
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.settings.comparison import Comparison, compare, settings_after
+from trex_gui.devices.trex.views.changes.dialog import Changes, ChangesDialog, Names, Rows, TickedOf
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.theme import follow_theme
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.labels import Muted
-from trex_gui.ui.widgets.placement import resize_with_font
 
 _NUMBER = Qt.ItemDataRole.UserRole
 _WIDEST = "00 · TReX Jr 1.2  "
@@ -125,7 +125,7 @@ class BoardPanel(QWidget):
         for row, board in enumerate(shown):
             item = self._list.item(row)
             item.setData(_NUMBER, board.number)
-            item.setText(f"{board_name(board)}\n{self._state_text(board)}")
+            item.setText(f"{board.name}\n{self._state_text(board)}")
             is_selected = board.presence is Presence.SELECTED
             font = self._list.font()
             font.setBold(is_selected)
@@ -157,42 +157,28 @@ class BoardPanel(QWidget):
                 return tr("not asked yet")
 
 
-def board_name(board: LineBoard) -> str:
-    """Return number and model of a board: `7 · TReX 1.2`."""
-    return f"{board.number} · {board.signature}" if board.signature else str(board.number)
-
-
-class NumberDialog(ReusedDialog):
+class NumberDialog(QObject):
     """Gives the selected board another device number. What happens is said in the window."""
 
-    def __init__(self, boards: BoardList, device: Device, parent: QWidget | None = None) -> None:
+    def __init__(self, boards: BoardList, device: Device, parent: QWidget) -> None:
         super().__init__(parent)
-        self.setObjectName("numberDialog")
-        self.setWindowTitle(tr("Change device number"))
         self._boards = boards
         self._device = device
-        text = tr(
-            "Before it is written, the line is asked for the new number: if another board has it, "
-            "nothing is written. A board that is off, or has other serial settings, cannot be "
-            "noticed. The new number takes effect at once, and a snapshot is saved first."
+        field = QWidget(parent)
+        self._number = ui.spin_box(field, "newNumberField", tr("New device number"), 0, NUMBERS - 1)
+        title = ui.label(field, text=tr("&New number:"), buddy=self._number)
+        self._known = ui.named(Muted("", field), "numberKnown")
+        ui.row(title, self._number, (self._known, 1), into=field, margins=0)
+        self._dialog = ChangesDialog(
+            device,
+            parent,
+            names=Names("numberDialog", "number", "writeNumberButton", "closeNumberButton"),
+            describe=self._describe,
+            act=self._on_write_clicked,
+            follows=(boards.changed, device.link_changed, device.motors.arming_changed),
+            above=field,
         )
-        intro = ui.label(self, "", text, wrap=True)
-        self._now = ui.label(self, "numberNow", bold=True)
-        self._number = ui.spin_box(self, "newNumberField", tr("New device number"), 0, NUMBERS - 1)
-        self._number.valueChanged.connect(self._update)
-        self._known = ui.named(Muted("", self), "numberKnown")
-        standard = QDialogButtonBox.StandardButton
-        buttons = QDialogButtonBox(standard.Ok | standard.Cancel, self)
-        self._write = buttons.button(standard.Ok)
-        self._write.setText(tr("&Write number"))
-        buttons.accepted.connect(self._on_accepted)
-        buttons.rejected.connect(self.reject)
-        title = ui.label(self, text=tr("&New number:"), buddy=self._number)
-        number = ui.row(title, self._number, 1)
-        ui.column(self._now, intro, number, self._known, 1, buttons, into=self)
-        resize_with_font(self, 460, 260)
-        for changed in (boards.changed, device.link_changed, device.motors.arming_changed):
-            changed.connect(self._update)
+        self._number.valueChanged.connect(self._dialog.refresh)
 
     def ask(self) -> None:
         """Propose the first number above the present one that no known board has."""
@@ -200,24 +186,36 @@ class NumberDialog(ReusedDialog):
         taken = {one.number for one in self._boards.boards} | {present}
         numbers = [(present + step) % NUMBERS for step in range(1, NUMBERS)]
         self._number.setValue(next((each for each in numbers if each not in taken), present))
-        self._update()
-        self.show_in_front()
+        self._dialog.open_anew()
         self._number.setFocus()
         self._number.selectAll()
 
-    @Slot()
-    def _update(self) -> None:
-        boards, device = self._boards, self._device
-        self._now.setText(device.board_name)
-        new = self._number.value()
+    def _describe(self, _ticked_of: TickedOf) -> Changes | None:
+        boards, stored, new = self._boards, self._device.draft.stored, self._number.value()
         taken = next((one for one in boards.boards if one.number == new), None)
-        text = "" if taken is None else tr("Taken: {0}.").format(board_name(taken))
+        known = "" if taken is None else tr("Taken: {0}.").format(taken.name)
         if new == boards.selected:
-            text = tr("The board has this number already.")
-        self._known.setText(text)
-        self._write.setEnabled(boards.can_change_number and not text)
+            known = tr("The board has this number already.")
+        self._known.setText(known)
+        if stored is None:
+            return None
+        wanted = settings_after(stored, [(ParameterKey.DEVICE_NUMBER, new)])
+        text = tr(
+            "Before it is written, the line is asked for the new number: if another board has it, "
+            "nothing is written. A board that is off, or has other serial settings, cannot be "
+            "noticed. The new number takes effect at once, and a snapshot is saved first."
+        )
+        return Changes(
+            tr("Change device number"),
+            caption=text,
+            rows=Comparison(compare(stored, wanted).differing),
+            sides=(tr("Board now"), tr("After", "value")),
+            with_ticks=False,
+            summary=" ",
+            action=tr("&Write number"),
+            can_act=boards.can_change_number and not known,
+        )
 
-    @Slot()
-    def _on_accepted(self) -> None:
-        self.accept()
+    def _on_write_clicked(self, _rows: Rows) -> None:
+        self._dialog.close()
         self._device.writer.set_device_number(self._number.value())

@@ -11,7 +11,6 @@ from trex_gui.devices.trex.model.boards import BoardList
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.settings.comparison import Comparison
-from trex_gui.devices.trex.views.boards import board_name
 from trex_gui.devices.trex.views.changes.dialog import Changes, ChangesDialog, Names, Rows, TickedOf
 from trex_gui.ui.widgets import builders as ui
 
@@ -85,7 +84,7 @@ class ApplyToSeveral(QObject):
 
     @Slot()
     def _fill(self) -> None:
-        names = {one.number: board_name(one) for one in self._boards.boards}
+        names = {one.number: one.name for one in self._boards.boards}
         plans = self.work.plans
         with QSignalBlocker(self._table):
             self._table.setRowCount(len(plans))
