@@ -2971,14 +2971,12 @@
         <translation>Es hat schon geantwortet. Prüfen Sie seine Stromversorgung und seine Leitungen.</translation></message>
     <message><source>Several boards seem to have this number. Switch off all but one, and give it a number of its own.</source>
         <translation>Mehrere Boards scheinen diese Nummer zu haben. Schalten Sie alle bis auf eines aus und geben Sie diesem eine eigene Nummer.</translation></message>
-    <message><source>Change device number</source>
-        <translation>Gerätenummer ändern</translation></message>
     <message><source>New device number</source>
         <translation>Neue Gerätenummer</translation></message>
-    <message><source>&amp;Write number</source>
-        <translation>Nummer &amp;schreiben</translation></message>
     <message><source>The board has this number already.</source>
         <translation>Das Board hat diese Nummer schon.</translation></message>
+    <message><source>Change device number</source>
+        <translation>Gerätenummer ändern</translation></message>
     <message><source>being left …</source>
         <translation>wird verlassen …</translation></message>
     <message><source>selected, not responding</source>
@@ -2997,10 +2995,16 @@
         <translation>noch nicht abgefragt</translation></message>
     <message><source>&amp;New number:</source>
         <translation>&amp;Neue Nummer:</translation></message>
+    <message><source>&amp;Write number</source>
+        <translation>Nummer &amp;schreiben</translation></message>
     <message><source>Number {0} of {1} …</source>
         <translation>Nummer {0} von {1} …</translation></message>
     <message><source>Taken: {0}.</source>
         <translation>Vergeben: {0}.</translation></message>
+    <message><source>Board now</source>
+        <translation>Board jetzt</translation></message>
+    <message><source>After</source><comment>value</comment>
+        <translation>Nachher</translation></message>
     <message><source>nothing to write</source>
         <translation>nichts zu schreiben</translation></message>
     <message><source>Boards to write to</source>
@@ -3123,8 +3127,6 @@
         <translation>Der Wert, der gerade geschrieben wurde, als die Verbindung verloren ging, kann der alte, der neue oder, nach einem Stromausfall, der Standardwert sein. Er wird erneut gelesen.</translation></message>
     <message><source>Before</source><comment>value</comment>
         <translation>Vorher</translation></message>
-    <message><source>After</source><comment>value</comment>
-        <translation>Nachher</translation></message>
     <message numerus="yes"><source>%n setting(s) written and verified.</source>
         <translation><numerusform>%n Einstellung geschrieben und geprüft.</numerusform><numerusform>%n Einstellungen geschrieben und geprüft.</numerusform></translation></message>
     <message><source>Saving a snapshot. Nothing is written yet.</source>
@@ -3151,8 +3153,6 @@
         <translation>Die Verbindung ist abgebrochen.</translation></message>
     <message><source>{0} of {1}: {2}</source>
         <translation>{0} von {1}: {2}</translation></message>
-    <message><source>Board now</source>
-        <translation>Board jetzt</translation></message>
     <message><source>not attempted</source>
         <translation>nicht versucht</translation></message>
     <message><source>No source confirms the default of: {0}.</source>

@@ -2971,14 +2971,12 @@
         <translation>Elle a répondu auparavant. Vérifiez son alimentation et son câblage.</translation></message>
     <message><source>Several boards seem to have this number. Switch off all but one, and give it a number of its own.</source>
         <translation>Plusieurs cartes semblent avoir ce numéro. Coupez l'alimentation de toutes sauf une, et donnez à celle-ci son propre numéro.</translation></message>
-    <message><source>Change device number</source>
-        <translation>Modifier le numéro d'appareil</translation></message>
     <message><source>New device number</source>
         <translation>Nouveau numéro d'appareil</translation></message>
-    <message><source>&amp;Write number</source>
-        <translation>Écrire le &amp;numéro</translation></message>
     <message><source>The board has this number already.</source>
         <translation>La carte a déjà ce numéro.</translation></message>
+    <message><source>Change device number</source>
+        <translation>Modifier le numéro d'appareil</translation></message>
     <message><source>being left …</source>
         <translation>changement de carte …</translation></message>
     <message><source>selected, not responding</source>
@@ -2997,10 +2995,16 @@
         <translation>pas encore interrogée</translation></message>
     <message><source>&amp;New number:</source>
         <translation>Nouveau n&amp;uméro :</translation></message>
+    <message><source>&amp;Write number</source>
+        <translation>Écrire le &amp;numéro</translation></message>
     <message><source>Number {0} of {1} …</source>
         <translation>Numéro {0} sur {1} …</translation></message>
     <message><source>Taken: {0}.</source>
         <translation>Déjà pris : {0}.</translation></message>
+    <message><source>Board now</source>
+        <translation>Carte actuelle</translation></message>
+    <message><source>After</source><comment>value</comment>
+        <translation>Après</translation></message>
     <message><source>nothing to write</source>
         <translation>rien à écrire</translation></message>
     <message><source>Boards to write to</source>
@@ -3123,8 +3127,6 @@
         <translation>La valeur en cours d'écriture au moment de la perte de connexion peut être l'ancienne, la nouvelle ou, après une coupure d'alimentation, la valeur par défaut. Elle sera relue.</translation></message>
     <message><source>Before</source><comment>value</comment>
         <translation>Avant</translation></message>
-    <message><source>After</source><comment>value</comment>
-        <translation>Après</translation></message>
     <message numerus="yes"><source>%n setting(s) written and verified.</source>
         <translation><numerusform>%n réglage écrit et vérifié.</numerusform><numerusform>%n réglages écrits et vérifiés.</numerusform></translation></message>
     <message><source>Saving a snapshot. Nothing is written yet.</source>
@@ -3151,8 +3153,6 @@
         <translation>La connexion a été perdue.</translation></message>
     <message><source>{0} of {1}: {2}</source>
         <translation>{0} sur {1} : {2}</translation></message>
-    <message><source>Board now</source>
-        <translation>Carte actuelle</translation></message>
     <message><source>not attempted</source>
         <translation>non tenté</translation></message>
     <message><source>No source confirms the default of: {0}.</source>
