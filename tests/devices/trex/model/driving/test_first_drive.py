@@ -3,7 +3,7 @@
 from itertools import pairwise
 
 import pytest
-from PySide6.QtWidgets import QCheckBox
+from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.pads import PAD, HeldPads
@@ -17,7 +17,7 @@ from trex_gui.devices.trex.model.motors import FIRST_CEILING, Motors
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
-from trex_gui.devices.trex.views.pages.motors.options import Options
+from trex_gui.devices.trex.views.pages.motors.options import DriveWith
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now
 
@@ -111,10 +111,9 @@ def test_ceiling_falls_back_when_another_board_takes_over(qtbot: QtBot) -> None:
 def test_inputs_that_drive_are_switched_off_for_another_board(qtbot: QtBot) -> None:
     device = Device()
     motors, gamepad = device.motors, Gamepad(device, HeldPads(PAD))
-    options = Options(motors)
-    qtbot.addWidget(options)
-    keys = options.findChild(QCheckBox, "driveWithKeys")
-    assert keys is not None
+    page = QWidget()
+    qtbot.addWidget(page)
+    keys = DriveWith(device, page).keys
 
     def states() -> tuple[bool, bool, bool]:
         return keys.isChecked(), gamepad.on, motors.linked
