@@ -134,9 +134,9 @@ def _drive(scene: Scene, inject: Inject) -> None:
 def _drive_connected(scene: Scene) -> None:
     page = MotorsPage(scene.window, scene.board)
     page.arm()
-    page.drag("motor1Slider", 60)
-    page.drag("motor2Slider", -60)
-    scene.targets = [("forward", 60), ("reverse", 60)]
+    first, second = page.drag("motor1Slider", 60).value(), page.drag("motor2Slider", -60).value()
+    assert max(abs(first - 60), abs(second + 60)) <= 2, "a low slider has no pixel for each value"
+    scene.targets = [("forward", first), ("reverse", -second)]
     page.wait_for_targets(*scene.targets)
 
 
