@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QCheckBox, QDialog, QLineEdit, QPushButton, QSpinB
 from tests.support.program import trex
 from tests.support.window import WindowDriver
 from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
-from trex_gui.devices.trex.views.review.power_cycle import PowerCycleFlow
+from trex_gui.devices.trex.views.power_cycle import PowerCycleFlow
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 
 

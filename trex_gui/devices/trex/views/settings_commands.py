@@ -15,7 +15,7 @@ from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.views.changes.review import Review
-from trex_gui.devices.trex.views.review.power_cycle import PowerCycleFlow
+from trex_gui.devices.trex.views.power_cycle import PowerCycleFlow
 from trex_gui.devices.trex.views.steps import Steps
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.notifier import Answer

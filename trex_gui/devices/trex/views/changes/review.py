@@ -20,7 +20,7 @@ from trex_gui.devices.trex.settings.comparison import Comparison, compare, setti
 from trex_gui.devices.trex.settings.document import factory_settings, serial_defaults
 from trex_gui.devices.trex.settings.rules import LintFinding
 from trex_gui.devices.trex.views.changes.dialog import Changes, ChangesDialog, Names, Rows, TickedOf
-from trex_gui.devices.trex.views.review.power_cycle import PowerCyclePanel
+from trex_gui.devices.trex.views.power_cycle import PowerCyclePanel
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.notifier import Answer
 from trex_gui.ui.translations import error_sentence

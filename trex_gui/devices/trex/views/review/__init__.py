@@ -1,1 +1,0 @@
-"""After a write: the power cycle."""
