@@ -11,7 +11,7 @@ from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
 @dataclass(frozen=True, slots=True)
 class ScanProgress:
-    """Progress of a scan: `done` of `total` probes; `line` is the next one's."""
+    """Progress of a scan: `done` of `total` probes. `line` belongs to the next one."""
 
     done: int
     total: int
@@ -92,7 +92,7 @@ class Prober(Protocol):
 
 class MakeProber(Protocol):
     def __call__(self, settings: PortSettings, *, full: bool, known: bool) -> Prober:
-        """Try everything if `full`; `known`: the user has said that the port has this kind."""
+        """Try everything if `full`. `known`: the user has said that the port has this kind."""
 
 
 Recall = Callable[[Transport, PortSettings, str], FoundDevice | None]
@@ -108,7 +108,7 @@ def recall_none(wire: Transport, settings: PortSettings, packed: str) -> None:
 
 @dataclass(frozen=True, slots=True)
 class ProberInfo:
-    """One kind of device; `announces_at`: line settings of its start message, if it sends one."""
+    """One kind of device. `announces_at`: line settings of its start message, if it sends one."""
 
     name: str
     begin: MakeProber

@@ -238,7 +238,7 @@ def open_port(kind: str, number: int) -> PortIO:
 
 
 class StopMessage:
-    """What `watch` says; see `StopSequence`."""
+    """Message of `watch`: a `StopSequence` as fields."""
 
     def __init__(self, fields: list[str]) -> None:
         packets, query, size, mask, echo, seconds, note = fields
@@ -333,7 +333,7 @@ class Watchdog:
         self._log(outcome, f"{reason} while motors could move. {result}")
 
     def _supervise(self) -> tuple[StopMessage, str] | None:
-        """Return the stop that is due and why; `None` if the program has ended properly."""
+        """Return the stop that is due and why, or `None` if the program has ended properly."""
         stop: StopMessage | None = None
         while True:
             message = self._next(None if stop is None else self._silence)
@@ -358,7 +358,7 @@ class Watchdog:
                     return None
 
     def _next(self, seconds: float | None) -> str | None:
-        """Return the next message, empty after the last one; `None` if none came in time."""
+        """Return the next message, empty after the last one, or `None` if none came in time."""
         begun = time.monotonic()
         with suppress(queue.Empty):
             return self._messages.get(timeout=seconds)

@@ -43,7 +43,7 @@ class DriveStatus:
 
 
 class SetpointSource(Enum):
-    """What decides the speed at which a motor is set to turn."""
+    """Source of the speed at which a motor is set to turn."""
 
     UNKNOWN = auto()
     JOINT = auto()  # motor 1: both drivers work as one motor
@@ -69,7 +69,10 @@ AUXILIARY = 3  # motor that channel 3 drives
 
 
 def motor_setpoint(motor: int, now: DriveInputs, newest: Newest, sent: int) -> MotorSetpoint:
-    """Return the setpoint of motor 1, 2 or `AUXILIARY`; `sent` is its speed by serial commands."""
+    """Return the setpoint of a motor: 1, 2 or `AUXILIARY`.
+
+    `sent` is its speed by serial commands, -127 to 127.
+    """
     source, speed, board = SetpointSource.UNKNOWN, 0, now.board
     remapped = newest.get(Remapped)
     if now.link is not None or board is None:

@@ -35,7 +35,7 @@ class ErrorEntry:
 
 
 def error_names(entries: Sequence[ErrorEntry]) -> str:
-    """Return the names of errors; they are marked if all may come from corrupted replies."""
+    """Return the names of errors, marked if all may come from corrupted replies."""
     names = ", ".join(tr(entry.name) for entry in entries)
     is_doubtful = all(entry.is_doubtful for entry in entries)
     return tr("{0} (doubtful)").format(names) if is_doubtful else names
@@ -162,7 +162,7 @@ class ErrorCounts:
         self._changed()
 
     def clear(self, bit: Status | UartError) -> None:
-        """Take an error as known; its count stays, and if it is active it is reported again."""
+        """Take an error as known. Its count stays, and it is reported again if it is active."""
         other = Status.UART_ERROR if isinstance(bit, UartError) else bit
         self.entries = tuple(  # identity, since bits of both bytes have the same numbers
             replace(entry, is_uncleared=False) if entry.bit is bit or entry.bit is other else entry

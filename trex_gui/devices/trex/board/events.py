@@ -26,7 +26,7 @@ class StatusEvents:
         self._seen: dict[str, float] = {}
 
     def of(self, latched: LatchedStatus, before: Iterable[ErrorEntry]) -> Iterator[Event]:
-        """Yield the events of a status; a serial error is none until it is cleared."""
+        """Yield the events of a status. A serial error is one again only once it is cleared."""
         if latched.is_earlier:
             yield _earlier(latched)
             return

@@ -158,25 +158,25 @@ class BoardMirror:
 
     @property
     def state(self) -> DeviceState | None:
-        """What the board stores; `None` while none is connected."""
+        """Stored settings of the board, or `None` while none is connected."""
         return self.last if self._was_read else None
 
     @property
     def serial_controls(self) -> bool | None:
-        """Whether motor commands reach the motors; `None` while that is not known."""
+        """True while motor commands reach the motors, or `None` while that is not known."""
         sample = self.newest.get(Control)
         return None if sample is None else sample.by_serial
 
     @property
     def control_text(self) -> str:
-        """Who controls the motors, as a sentence; empty while that is not known."""
+        """Sentence that names who controls the motors, or an empty text."""
         if self.state is None or self.serial_controls is None or not self.is_responding:
             return ""
         return who_controls(self.state.mode, self.serial_controls, joint=self.is_joint)
 
     @property
     def so_ground(self) -> bool | None:
-        """Whether the SO–G jumper is on; `None` while that is not known.
+        """State of the SO–G jumper, or `None` while that is not known.
 
         Inferred: with the jumper no reply would leave SO. RS-232 has pins of its own.
         """
@@ -184,7 +184,7 @@ class BoardMirror:
 
     @property
     def set_up(self) -> SetUp | None:
-        """Steps of the set-up that the board stores; `None` while none is connected."""
+        """Steps of the set-up that the board stores, or `None` while none is connected."""
         if self.state is None:
             return None
         stored = self.state.parameters.get

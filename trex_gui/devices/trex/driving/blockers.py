@@ -8,7 +8,7 @@ from trex_gui.core.translation import tr, tr_noop
 
 
 class Effect(IntEnum):
-    """What a reason does to the motors, the worst first; JSON has the names in lower case."""
+    """Effects of a reason on the motors, the worst first. JSON has the names in lower case."""
 
     STOPS = 0  # the motors are off, or may be, whatever drives them
     BLOCKS = 1  # serial commands do not reach them

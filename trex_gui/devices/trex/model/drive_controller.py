@@ -368,7 +368,7 @@ class DriveController(QObject):
 
 
 def _may_be_same(one: Connected, other: Connected) -> bool:
-    """Whether these are of one board; a simulated one has a name, and is no real one."""
+    """Return whether both may be one board. A simulated board, which has a name, is no real one."""
     is_named_alike = one.settings.name == other.settings.name
     return is_named_alike and may_be_same_board(one.state, other.state)
 

@@ -42,7 +42,7 @@ def speed_text(speed: int) -> str:
 
 
 def report_text(device: Device, motor: int) -> str:
-    """What the board reports of motor 1 or 2, or of the auxiliary (3); empty if nothing.
+    """Return what the board reports of motor 1, 2 or the auxiliary (3), or an empty text.
 
     If channel 5 has handed over to serial, its channel shows what the motor does after that.
     """
