@@ -4177,6 +4177,38 @@ bisher {1}</translation></message>
         <translation>{0}, Sollwert {1}</translation></message>
     <message><source>brake {0}</source>
         <translation>Bremse {0}</translation></message>
+    <message><source>Switch the board off for at least one second. Waiting for the board to stop responding …</source>
+        <translation>Schalten Sie das Board für mindestens eine Sekunde aus. Warten, bis das Board nicht mehr antwortet …</translation></message>
+    <message><source>The board still responds. A short interruption is not detected: leave the power off for a full second.</source>
+        <translation>Das Board antwortet noch. Eine kurze Unterbrechung wird nicht erkannt: Lassen Sie es eine volle Sekunde ausgeschaltet.</translation></message>
+    <message><source>Switch it on again. Waiting for it to respond again …</source>
+        <translation>Schalten Sie es wieder ein. Warten, bis es wieder antwortet …</translation></message>
+    <message><source>The board is still not responding. Check its power and the cable. If both are fine, disconnect and press “Find…”, which tries every setting.</source>
+        <translation>Das Board antwortet noch immer nicht. Prüfen Sie seine Stromversorgung und das Kabel. Wenn beides in Ordnung ist, trennen Sie die Verbindung und klicken Sie auf „Suchen…“; damit wird jede Einstellung versucht.</translation></message>
+    <message><source>The line was closed. Switch the board off and on, then connect again; “Find…” tries every setting.</source>
+        <translation>Die Leitung wurde geschlossen. Schalten Sie das Board aus und ein und verbinden Sie es dann wieder; „Suchen…“ versucht jede Einstellung.</translation></message>
+    <message><source>Connected again. The program cannot detect whether the board was switched off meanwhile: confirm it, or switch the board off and on now.</source>
+        <translation>Wieder verbunden. Das Programm kann nicht erkennen, ob das Board inzwischen ausgeschaltet war: Bestätigen Sie es, oder schalten Sie das Board jetzt aus und ein.</translation></message>
+    <message><source>The board is back, and all stored settings are active.</source>
+        <translation>Das Board ist wieder da, und alle gespeicherten Einstellungen sind aktiv.</translation></message>
+    <message><source>I have &amp;switched it off and on</source>
+        <translation>Ich habe es aus- und &amp;eingeschaltet</translation></message>
+    <message><source>The board has to be switched off and on.</source>
+        <translation>Das Board muss aus- und eingeschaltet werden.</translation></message>
+    <message><source>Switch off</source>
+        <translation>Ausschalten</translation></message>
+    <message><source>Read again</source>
+        <translation>Neu lesen</translation></message>
+    <message><source>Switch the board off and on</source>
+        <translation>Board aus- und einschalten</translation></message>
+    <message><source>Power cycle completed.</source>
+        <translation>Aus- und Einschalten abgeschlossen.</translation></message>
+    <message><source>Not active until the board is switched off and on: {0}.</source>
+        <translation>Erst nach dem Aus- und Einschalten des Boards aktiv: {0}.</translation></message>
+    <message><source>The board is back, but these settings are still not active: {0}.</source>
+        <translation>Das Board ist wieder da, aber diese Einstellungen sind noch nicht aktiv: {0}.</translation></message>
+    <message><source>The program then reconnects at {0}.</source>
+        <translation>Das Programm verbindet sich dann neu mit {0}.</translation></message>
     <message numerus="yes"><source>Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending edits?</source>
         <translation><numerusform>Zuvor geändert, aber nicht angewendet: %n Einstellung dieses {0} ({1}). Als ausstehende Änderung wiederherstellen?</numerusform><numerusform>Zuvor geändert, aber nicht angewendet: %n Einstellungen dieses {0} ({1}). Als ausstehende Änderungen wiederherstellen?</numerusform></translation></message>
     <message><source>Settings are still being written. Close anyway? Unwritten settings are offered when the board is connected again.</source>
@@ -4217,38 +4249,6 @@ bisher {1}</translation></message>
         <translation>Störung oder Sto&amp;pp öffnen…</translation></message>
     <message><source>Open fault or stop</source>
         <translation>Störung oder Stopp öffnen</translation></message>
-    <message><source>Switch the board off for at least one second. Waiting for the board to stop responding …</source>
-        <translation>Schalten Sie das Board für mindestens eine Sekunde aus. Warten, bis das Board nicht mehr antwortet …</translation></message>
-    <message><source>The board still responds. A short interruption is not detected: leave the power off for a full second.</source>
-        <translation>Das Board antwortet noch. Eine kurze Unterbrechung wird nicht erkannt: Lassen Sie es eine volle Sekunde ausgeschaltet.</translation></message>
-    <message><source>Switch it on again. Waiting for it to respond again …</source>
-        <translation>Schalten Sie es wieder ein. Warten, bis es wieder antwortet …</translation></message>
-    <message><source>The board is still not responding. Check its power and the cable. If both are fine, disconnect and press “Find…”, which tries every setting.</source>
-        <translation>Das Board antwortet noch immer nicht. Prüfen Sie seine Stromversorgung und das Kabel. Wenn beides in Ordnung ist, trennen Sie die Verbindung und klicken Sie auf „Suchen…“; damit wird jede Einstellung versucht.</translation></message>
-    <message><source>The line was closed. Switch the board off and on, then connect again; “Find…” tries every setting.</source>
-        <translation>Die Leitung wurde geschlossen. Schalten Sie das Board aus und ein und verbinden Sie es dann wieder; „Suchen…“ versucht jede Einstellung.</translation></message>
-    <message><source>Connected again. The program cannot detect whether the board was switched off meanwhile: confirm it, or switch the board off and on now.</source>
-        <translation>Wieder verbunden. Das Programm kann nicht erkennen, ob das Board inzwischen ausgeschaltet war: Bestätigen Sie es, oder schalten Sie das Board jetzt aus und ein.</translation></message>
-    <message><source>The board is back, and all stored settings are active.</source>
-        <translation>Das Board ist wieder da, und alle gespeicherten Einstellungen sind aktiv.</translation></message>
-    <message><source>I have &amp;switched it off and on</source>
-        <translation>Ich habe es aus- und &amp;eingeschaltet</translation></message>
-    <message><source>The board has to be switched off and on.</source>
-        <translation>Das Board muss aus- und eingeschaltet werden.</translation></message>
-    <message><source>Switch off</source>
-        <translation>Ausschalten</translation></message>
-    <message><source>Read again</source>
-        <translation>Neu lesen</translation></message>
-    <message><source>Switch the board off and on</source>
-        <translation>Board aus- und einschalten</translation></message>
-    <message><source>Power cycle completed.</source>
-        <translation>Aus- und Einschalten abgeschlossen.</translation></message>
-    <message><source>Not active until the board is switched off and on: {0}.</source>
-        <translation>Erst nach dem Aus- und Einschalten des Boards aktiv: {0}.</translation></message>
-    <message><source>The board is back, but these settings are still not active: {0}.</source>
-        <translation>Das Board ist wieder da, aber diese Einstellungen sind noch nicht aktiv: {0}.</translation></message>
-    <message><source>The program then reconnects at {0}.</source>
-        <translation>Das Programm verbindet sich dann neu mit {0}.</translation></message>
     <message><source>Left wheel, forward</source>
         <translation>Linkes Rad, vorwärts</translation></message>
     <message><source>Right wheel, forward</source>

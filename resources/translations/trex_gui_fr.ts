@@ -4177,6 +4177,38 @@ avant {1}</translation></message>
         <translation>{0}, consigne : {1}</translation></message>
     <message><source>brake {0}</source>
         <translation>freinage {0}</translation></message>
+    <message><source>Switch the board off for at least one second. Waiting for the board to stop responding …</source>
+        <translation>Coupez l'alimentation de la carte pendant au moins une seconde. Attente que la carte cesse de répondre …</translation></message>
+    <message><source>The board still responds. A short interruption is not detected: leave the power off for a full second.</source>
+        <translation>La carte répond encore. Une coupure brève n'est pas détectée : laissez l'alimentation coupée une seconde entière.</translation></message>
+    <message><source>Switch it on again. Waiting for it to respond again …</source>
+        <translation>Remettez-la sous tension. Attente qu'elle réponde de nouveau …</translation></message>
+    <message><source>The board is still not responding. Check its power and the cable. If both are fine, disconnect and press “Find…”, which tries every setting.</source>
+        <translation>La carte ne répond toujours pas. Vérifiez son alimentation et le câble. Si les deux sont en ordre, déconnectez et cliquez sur « Rechercher… », qui essaie tous les réglages.</translation></message>
+    <message><source>The line was closed. Switch the board off and on, then connect again; “Find…” tries every setting.</source>
+        <translation>La liaison a été fermée. Coupez et remettez l'alimentation de la carte, puis reconnectez ; « Rechercher… » essaie tous les réglages.</translation></message>
+    <message><source>Connected again. The program cannot detect whether the board was switched off meanwhile: confirm it, or switch the board off and on now.</source>
+        <translation>De nouveau connecté. Le programme ne peut pas détecter si l'alimentation de la carte a été coupée entre-temps : confirmez-le, ou coupez et remettez son alimentation maintenant.</translation></message>
+    <message><source>The board is back, and all stored settings are active.</source>
+        <translation>La carte est de retour et tous les réglages enregistrés sont actifs.</translation></message>
+    <message><source>I have &amp;switched it off and on</source>
+        <translation>J'ai &amp;coupé et remis l'alimentation</translation></message>
+    <message><source>The board has to be switched off and on.</source>
+        <translation>Il faut couper et remettre l'alimentation de la carte.</translation></message>
+    <message><source>Switch off</source>
+        <translation>Couper</translation></message>
+    <message><source>Read again</source>
+        <translation>Relire</translation></message>
+    <message><source>Switch the board off and on</source>
+        <translation>Couper et remettre l'alimentation de la carte</translation></message>
+    <message><source>Power cycle completed.</source>
+        <translation>Alimentation coupée et remise.</translation></message>
+    <message><source>Not active until the board is switched off and on: {0}.</source>
+        <translation>Inactif tant que l'alimentation de la carte n'a pas été coupée puis remise : {0}.</translation></message>
+    <message><source>The board is back, but these settings are still not active: {0}.</source>
+        <translation>La carte est de retour, mais ces réglages ne sont toujours pas actifs : {0}.</translation></message>
+    <message><source>The program then reconnects at {0}.</source>
+        <translation>Le programme se reconnecte ensuite à {0}.</translation></message>
     <message numerus="yes"><source>Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending edits?</source>
         <translation><numerusform>Modifié auparavant mais pas appliqué : %n réglage de ce {0} ({1}). Le restaurer comme modification en attente ?</numerusform><numerusform>Modifiés auparavant mais pas appliqués : %n réglages de ce {0} ({1}). Les restaurer comme modifications en attente ?</numerusform></translation></message>
     <message><source>Settings are still being written. Close anyway? Unwritten settings are offered when the board is connected again.</source>
@@ -4217,38 +4249,6 @@ avant {1}</translation></message>
         <translation>Ouvrir un &amp;défaut ou un arrêt…</translation></message>
     <message><source>Open fault or stop</source>
         <translation>Ouvrir un défaut ou un arrêt</translation></message>
-    <message><source>Switch the board off for at least one second. Waiting for the board to stop responding …</source>
-        <translation>Coupez l'alimentation de la carte pendant au moins une seconde. Attente que la carte cesse de répondre …</translation></message>
-    <message><source>The board still responds. A short interruption is not detected: leave the power off for a full second.</source>
-        <translation>La carte répond encore. Une coupure brève n'est pas détectée : laissez l'alimentation coupée une seconde entière.</translation></message>
-    <message><source>Switch it on again. Waiting for it to respond again …</source>
-        <translation>Remettez-la sous tension. Attente qu'elle réponde de nouveau …</translation></message>
-    <message><source>The board is still not responding. Check its power and the cable. If both are fine, disconnect and press “Find…”, which tries every setting.</source>
-        <translation>La carte ne répond toujours pas. Vérifiez son alimentation et le câble. Si les deux sont en ordre, déconnectez et cliquez sur « Rechercher… », qui essaie tous les réglages.</translation></message>
-    <message><source>The line was closed. Switch the board off and on, then connect again; “Find…” tries every setting.</source>
-        <translation>La liaison a été fermée. Coupez et remettez l'alimentation de la carte, puis reconnectez ; « Rechercher… » essaie tous les réglages.</translation></message>
-    <message><source>Connected again. The program cannot detect whether the board was switched off meanwhile: confirm it, or switch the board off and on now.</source>
-        <translation>De nouveau connecté. Le programme ne peut pas détecter si l'alimentation de la carte a été coupée entre-temps : confirmez-le, ou coupez et remettez son alimentation maintenant.</translation></message>
-    <message><source>The board is back, and all stored settings are active.</source>
-        <translation>La carte est de retour et tous les réglages enregistrés sont actifs.</translation></message>
-    <message><source>I have &amp;switched it off and on</source>
-        <translation>J'ai &amp;coupé et remis l'alimentation</translation></message>
-    <message><source>The board has to be switched off and on.</source>
-        <translation>Il faut couper et remettre l'alimentation de la carte.</translation></message>
-    <message><source>Switch off</source>
-        <translation>Couper</translation></message>
-    <message><source>Read again</source>
-        <translation>Relire</translation></message>
-    <message><source>Switch the board off and on</source>
-        <translation>Couper et remettre l'alimentation de la carte</translation></message>
-    <message><source>Power cycle completed.</source>
-        <translation>Alimentation coupée et remise.</translation></message>
-    <message><source>Not active until the board is switched off and on: {0}.</source>
-        <translation>Inactif tant que l'alimentation de la carte n'a pas été coupée puis remise : {0}.</translation></message>
-    <message><source>The board is back, but these settings are still not active: {0}.</source>
-        <translation>La carte est de retour, mais ces réglages ne sont toujours pas actifs : {0}.</translation></message>
-    <message><source>The program then reconnects at {0}.</source>
-        <translation>Le programme se reconnecte ensuite à {0}.</translation></message>
     <message><source>Left wheel, forward</source>
         <translation>Roue gauche, vers l'avant</translation></message>
     <message><source>Right wheel, forward</source>
