@@ -15,17 +15,13 @@ _MAX_GARBAGE = 10_000
 _LONGEST_DELAY = 60.0  # seconds
 
 
-class ControlError(Exception):
-    """A control line cannot be executed; the text says why."""
-
-
-class WrongUsage(ControlError):  # noqa: N818 - the reply is the usage
+class WrongUsage(Exception):  # noqa: N818 - the reply is the usage
     """The words do not fit the command."""
 
 
 Command = tuple[str, Callable[..., str]]
 """Usage of a command, and the function that takes each word after its name, in lower case, as an
-argument and returns the reply or raises `ControlError`, or a `ValueError` that says why."""
+argument and returns the reply or raises a `ValueError` that says why."""
 
 
 def execute(text: str, commands: Mapping[str, Command]) -> str:
@@ -44,32 +40,32 @@ def execute(text: str, commands: Mapping[str, Command]) -> str:
         return f"ok {run(*words)}".rstrip()
     except WrongUsage:
         return f"error usage: {usage}"
-    except (ControlError, StudioError, ValueError) as error:
+    except (StudioError, ValueError) as error:
         return "error " + " ".join(str(error).split())
 
 
 def number_of(text: str, allowed: Sequence[int], what: str) -> int:
-    """Return one of the allowed consecutive numbers; `what` names it in a ControlError."""
+    """Return one of the allowed consecutive numbers; `what` names it in a ValueError."""
     if text in map(str, allowed):
         return int(text)
-    raise ControlError(f"{what} is {allowed[0]} to {allowed[-1]}, not {text!r}")
+    raise ValueError(f"{what} is {allowed[0]} to {allowed[-1]}, not {text!r}")
 
 
 def real(text: str, what: str, highest: float) -> float:
-    """Return a number from 0 to `highest`; `what` names it in a ControlError."""
+    """Return a number from 0 to `highest`; `what` names it in a ValueError."""
     try:
         value = float(text)
     except ValueError:
         value = math.nan
     if not 0 <= value <= highest:
-        raise ControlError(f"{what} is 0 to {highest:g}, not {text!r}")
+        raise ValueError(f"{what} is 0 to {highest:g}, not {text!r}")
     return value
 
 
 def amount(text: str, what: str = "a number of bytes", highest: int = _MAX_COUNT) -> int:
-    """Return a whole number from 0 to `highest`; `what` names it in a ControlError."""
+    """Return a whole number from 0 to `highest`; `what` names it in a ValueError."""
     if not (text.isascii() and text.isdigit() and len(text) <= 9) or int(text) > highest:
-        raise ControlError(f"{what} is 0 to {highest}, not {text!r}")
+        raise ValueError(f"{what} is 0 to {highest}, not {text!r}")
     return int(text)
 
 
@@ -124,7 +120,7 @@ def _garbage(text: str) -> bytes:
     try:
         data = bytes.fromhex(text)
     except ValueError:
-        raise ControlError(f"{text!r} is not hexadecimal bytes such as FF80") from None
+        raise ValueError(f"{text!r} is not hexadecimal bytes such as FF80") from None
     if len(data) > _MAX_GARBAGE:
-        raise ControlError(f"garbage is at most {_MAX_GARBAGE} bytes, not {len(data)}")
+        raise ValueError(f"garbage is at most {_MAX_GARBAGE} bytes, not {len(data)}")
     return data

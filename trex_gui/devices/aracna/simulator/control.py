@@ -9,7 +9,6 @@ import click
 from trex_gui.core.simulator.control_lines import (
     WIRE_USAGE,
     Command,
-    ControlError,
     WrongUsage,
     amount,
     execute,
@@ -33,7 +32,7 @@ def control(line: AracnaLine, text: str) -> str:
 
 def _reset(line: AracnaLine) -> str:
     if not line.station.powered:
-        raise ControlError("the board has no power; power on starts it")
+        raise ValueError("the board has no power; power on starts it")
     line.station.reset()
     return "the board restarts; the servos continue"
 

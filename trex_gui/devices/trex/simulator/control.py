@@ -8,7 +8,6 @@ from typing import Any
 from trex_gui.core.simulator.control_lines import (
     WIRE_USAGE,
     Command,
-    ControlError,
     WrongUsage,
     amount,
     execute,
@@ -146,8 +145,8 @@ def _board(line: TrexLine, name: str) -> Board | None:
 def _no_board(line: TrexLine, name: str, *_words: str) -> str:
     names = ", ".join(f"@{number}" for number in line.numbers)
     if name:
-        raise ControlError(f"there is no board {name}, but {names}")
-    raise ControlError(f"say which board first: {names}")
+        raise ValueError(f"there is no board {name}, but {names}")
+    raise ValueError(f"say which board first: {names}")
 
 
 def _channel(board: Board, channel: str, value: str, *more: str) -> str:
@@ -226,7 +225,7 @@ def _eeprom(board: Board, key: str, value: str) -> str:
     try:
         board.eeprom.write(key, int(value, 0))
     except KeyError:
-        raise ControlError(f"there is no parameter {key!r}") from None
+        raise ValueError(f"there is no parameter {key!r}") from None
     _require_saved(board)
     return f"{key} is {board.eeprom[key]}; power cycle to use it"
 
@@ -236,7 +235,7 @@ def _accept(board: Board, key: str, highest: str, mask: str = "127") -> str:
     spec = board.memory.parameters[key]
     limits = int(highest, 0), int(mask, 0)
     if not spec.is_open(limits[0]):
-        raise ControlError(f"{spec.key}: {limits[0]} is not beyond an inferred limit")
+        raise ValueError(f"{spec.key}: {limits[0]} is not beyond an inferred limit")
     board.memory.accepted[spec.key] = limits
     return f"{spec.key} up to {limits[0]} is stored and bitwise and {limits[1]}"
 
@@ -249,7 +248,7 @@ def _factory(board: Board) -> str:
 
 def _require_saved(board: Board) -> None:
     if board.eeprom.unsaved is not None:
-        raise ControlError(f"done, but not saved: {board.eeprom.unsaved}")
+        raise ValueError(f"done, but not saved: {board.eeprom.unsaved}")
 
 
 def _show(line: TrexLine, board: Board) -> str:
