@@ -32,8 +32,6 @@ FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
 class CommandFailed(click.ClickException):
     """The device, the line or a file does not permit it: exit code 1."""
 
-    exit_code = 1
-
     def __init__(self, message: object) -> None:
         super().__init__(str(message))
 

@@ -59,11 +59,6 @@ class PortScan:
         return first + [diagnosis.text for diagnosis in self.diagnoses]
 
 
-def listen(wire: Transport) -> bytes:
-    """Return unsolicited bytes; PortUnavailable if the line is gone."""
-    return wire.read(_KEPT, _LISTEN)
-
-
 def scan_port(
     settings: PortSettings,
     probers: Mapping[str, ProberInfo],
@@ -99,12 +94,11 @@ def scan_port(
                 return result
             for key, info in probers.items():
                 running[key] = info.begin(settings, full=full, known=key == first)
-            if heard := listen(wire):
+            if heard := wire.read(_KEPT, _LISTEN):
                 for prober in running.values():
                     prober.note_unsolicited(opened, heard)
-            names = {key: info.name for key, info in probers.items()}
-            probed = probe_in_order(
-                wire, running, names, first=first, progress=progress, cancelled=cancelled
+            probed = _probe_in_order(
+                wire, running, probers, first=first, progress=progress, cancelled=cancelled
             )
         except StudioError as error:
             result.error = error
@@ -130,12 +124,12 @@ def scan_port(
     return result
 
 
-def probe_in_order(
+def _probe_in_order(
     wire: Transport,
     running: Mapping[str, Prober],
-    names: Mapping[str, str],
+    probers: Mapping[str, ProberInfo],
     *,
-    first: str | None = None,
+    first: str | None,
     progress: Callable[[ScanProgress], None],
     cancelled: Callable[[], bool],
 ) -> list[str]:
@@ -151,7 +145,7 @@ def probe_in_order(
         ) -> None:
             totals[index] = step.total
             total = sum(totals)
-            progress(replace(step, done=before + step.done, total=total, kind=names[key]))
+            progress(replace(step, done=before + step.done, total=total, kind=probers[key].name))
 
         probed[key] = None
         running[key].probe(wire, part, report, cancelled)
