@@ -12,6 +12,9 @@ from typing import Protocol
 
 from trex_gui.core.translation import tr
 
+if sys.platform != "win32":
+    import fcntl
+
 _PROCESSES = Path("/proc")
 
 
@@ -133,27 +136,21 @@ def rates_of(
     """
     if sys.platform != "linux" or not platform.machine().lower().startswith(_PROCESSORS):
         return None
-    try:
-        return _try_out(port.fileno(), wanted, clock)
-    except (AttributeError, OSError, ValueError):
-        return None
-
-
-def _try_out(
-    handle: int, wanted: Collection[int], clock: Callable[[], float]
-) -> frozenset[int] | None:
-    before = termios2(handle)
     possible = set()
     deadline = clock() + _LONGEST
     try:
-        for rate in wanted:
-            if clock() > deadline:
-                return None
-            real = _real_rate(handle, before, rate)
-            if abs(real - rate) <= _FARTHEST_OFF * rate:
-                possible.add(rate)
-    finally:
-        _set(handle, before)
+        handle = port.fileno()
+        before = termios2(handle)
+        try:
+            for rate in wanted:
+                if clock() > deadline:
+                    return None
+                if abs(_real_rate(handle, before, rate) - rate) <= _FARTHEST_OFF * rate:
+                    possible.add(rate)
+        finally:
+            fcntl.ioctl(handle, _TCSETS2, before)
+    except (AttributeError, OSError, ValueError):
+        return None
     return frozenset(possible)
 
 
@@ -163,7 +160,7 @@ def _real_rate(handle: int, before: "array.array[int]", rate: int) -> int:
     words[CFLAG] = words[CFLAG] & ~_CBAUD | _BOTHER
     words[_ISPEED] = words[OSPEED] = rate
     try:
-        _set(handle, words)
+        fcntl.ioctl(handle, _TCSETS2, words)
     except OSError:
         return 0
     return termios2(handle)[OSPEED]
@@ -171,14 +168,6 @@ def _real_rate(handle: int, before: "array.array[int]", rate: int) -> int:
 
 def termios2(handle: int) -> "array.array[int]":
     """Return the settings of a terminal; OSError where they are elsewhere."""
-    import fcntl  # noqa: PLC0415 - only on POSIX
-
     words = array.array("I", [0] * _WORDS)
     fcntl.ioctl(handle, _TCGETS2, words)
     return words
-
-
-def _set(handle: int, words: "array.array[int]") -> None:
-    import fcntl  # noqa: PLC0415 - only on POSIX
-
-    fcntl.ioctl(handle, _TCSETS2, words)

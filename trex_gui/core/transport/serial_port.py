@@ -22,6 +22,9 @@ import serial
 from serial import rfc2217
 from serial.tools import list_ports
 
+if sys.platform != "win32":
+    import termios
+
 from trex_gui.core.errors import BadReply, BadRequest, PortFault, PortShared, PortUnavailable
 from trex_gui.core.guardian.guardian import Guardian, GuardianProcess, SharedPort
 from trex_gui.core.texts import hex_text
@@ -36,6 +39,19 @@ from trex_gui.core.transport.linux_ports import (
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
 log = logging.getLogger(__name__)
+
+# pyserial raises the others, too: for a bad address, a port closed meanwhile, what a kind of port
+# does not support, and a wrong pattern (of hwgrep://).
+PORT_ERRORS: tuple[type[Exception], ...] = (
+    OSError,
+    ValueError,
+    TypeError,
+    AttributeError,
+    NotImplementedError,
+    re.error,
+)
+if sys.platform != "win32":
+    PORT_ERRORS += (termios.error,)
 
 _SLICE = 0.02  # seconds that one blocking read may last; a deadline is overrun by no more than this
 _LONGEST_STALE = 0.05
@@ -268,10 +284,9 @@ class SerialTransport:
 
         Both are ready to be read, and then have nothing to read.
         """
-        if isinstance(error, serial.SerialException) and _errno(error) is None:
-            with contextlib.suppress(*PORT_ERRORS, ImportError):
-                import termios  # noqa: PLC0415 - only on POSIX
-
+        is_empty = isinstance(error, serial.SerialException) and _errno(error) is None
+        if is_empty and sys.platform != "win32":
+            with contextlib.suppress(*PORT_ERRORS):
                 termios.tcgetattr(self._port.fileno())  # fails on a terminal that is gone
                 return PortShared(tr(PortFault.SHARED.value).format(self._name))
         return self._gone(error)
@@ -281,28 +296,6 @@ class SerialTransport:
         if isinstance(self._port, _Rfc2217Port) and (fault := self._port.fault):
             return PortUnavailable(tr(PortFault.UNREACHABLE.value).format(self._name, fault))
         return PortUnavailable(tr(PortFault.GONE.value).format(self._name), is_missing=True)
-
-
-def _port_errors() -> tuple[type[Exception], ...]:
-    # pyserial raises these, too: for a bad address, a port closed meanwhile, and what a kind of
-    # port does not support.
-    kinds: list[type[Exception]] = [
-        serial.SerialException,
-        OSError,
-        ValueError,
-        TypeError,
-        AttributeError,
-        NotImplementedError,
-        re.error,  # of hwgrep://
-    ]
-    with contextlib.suppress(ImportError):
-        import termios  # noqa: PLC0415 - only on POSIX
-
-        kinds.append(termios.error)
-    return tuple(kinds)
-
-
-PORT_ERRORS = _port_errors()
 
 
 def _options(url: str, line: SerialFormat) -> dict[str, Any]:
@@ -320,17 +313,13 @@ def _is_file(url: str) -> bool:
 def _shared(port: serial.Serial) -> SharedPort | None:
     """Return what a child process needs; `None` for a port without a descriptor (`loop://`)."""
     with contextlib.suppress(*PORT_ERRORS):
-        return _descriptor(port)
+        if (remote := getattr(port, "_socket", None)) is not None:
+            kind = "telnet" if isinstance(port, _Rfc2217Port) else "socket"
+            return SharedPort(kind, remote.fileno())
+        if sys.platform == "win32":
+            return SharedPort("serial", int(port._port_handle))  # noqa: SLF001 - no public name
+        return SharedPort("serial", port.fileno())
     return None
-
-
-def _descriptor(port: serial.Serial) -> SharedPort:
-    if (remote := getattr(port, "_socket", None)) is not None:
-        kind = "telnet" if isinstance(port, _Rfc2217Port) else "socket"
-        return SharedPort(kind, remote.fileno())
-    if sys.platform == "win32":
-        return SharedPort("serial", int(port._port_handle))  # noqa: SLF001 - has no public name
-    return SharedPort("serial", port.fileno())
 
 
 def _open(settings: PortSettings, clock: Callable[[], float]) -> serial.Serial:
@@ -386,20 +375,16 @@ def why_not_open(url: str, line: SerialFormat, error: Exception) -> PortUnavaila
     if is_forbidden and sys.platform != "win32":
         command, cure = _permission_cure(url)
         return PortUnavailable(tr(PortFault.FORBIDDEN.value).format(url, cure), command=command)
-    is_missing = "://" not in url and _is_missing(error, number)
-    return PortUnavailable(_why_not_open(url, line, error, number), is_missing=is_missing)
-
-
-def _is_missing(error: Exception, number: int | None) -> bool:
-    return number == errno.ENOENT or "FileNotFoundError" in str(error)
+    if "://" not in url and (number == errno.ENOENT or "FileNotFoundError" in str(error)):
+        present = ", ".join(port.device for port in list_ports.comports())
+        text = tr(PortFault.MISSING.value).format(url, present or tr("none"))
+        return PortUnavailable(text, is_missing=True)
+    return PortUnavailable(_why_not_open(url, line, error, number))
 
 
 def _why_not_open(url: str, line: SerialFormat, error: Exception, number: int | None) -> str:
     if "://" in url:
         return tr(PortFault.UNREACHABLE.value).format(url, _plain(error))
-    if _is_missing(error, number):
-        present = ", ".join(port.device for port in list_ports.comports())
-        return tr(PortFault.MISSING.value).format(url, present or tr("none"))
     if number in {errno.EACCES, errno.EPERM}:
         return tr(PortFault.LOCKED.value).format(url)
     if number in _BUSY and is_left_to_guardian(url):
@@ -446,13 +431,8 @@ def _permission_cure(url: str) -> tuple[str, str]:
         group = "dialout"
     until_unplugged = shlex.join(("sudo", "chmod", "a+rw", url))
     if group == "root":
-        text = tr("It belongs to root; this opens it until it is unplugged: {0}").format(
-            until_unplugged
-        )
-        return until_unplugged, text
+        text = tr("It belongs to root; this opens it until it is unplugged: {0}")
+        return until_unplugged, text.format(until_unplugged)
     command = f"sudo usermod -aG {group} $USER"
-    return command, (
-        tr(
-            "Join its group, then log out and in again: {0} (or, until it is unplugged: {1})."
-        ).format(command, until_unplugged)
-    )
+    text = tr("Join its group, then log out and in again: {0} (or, until it is unplugged: {1}).")
+    return command, text.format(command, until_unplugged)
