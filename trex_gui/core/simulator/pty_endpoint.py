@@ -62,7 +62,10 @@ class PtyEndpoint:
                 os.close(end)
         self._master = self._slave = None
         self.hosts_left += 1
-        self._remove_link()
+        if self._link is not None:
+            with contextlib.suppress(OSError):
+                if str(self._link.readlink()) == self._path:
+                    self._link.unlink()
 
     def plug(self) -> None:
         if self._master is not None:
@@ -78,9 +81,8 @@ class PtyEndpoint:
         try:
             self._make_link()
         except OSError as error:
-            link = self._link
             self.unplug()
-            raise EndpointError(f"cannot make the link {link}: {error.strerror}") from error
+            raise EndpointError(f"cannot make the link {self._link}: {error.strerror}") from error
 
     def _make_link(self) -> None:
         if self._link is None:
@@ -91,13 +93,6 @@ class PtyEndpoint:
         fresh.unlink(missing_ok=True)
         fresh.symlink_to(self._path)
         fresh.replace(self._link)  # atomic
-
-    def _remove_link(self) -> None:
-        if self._link is None:
-            return
-        with contextlib.suppress(OSError):
-            if str(self._link.readlink()) == self._path:
-                self._link.unlink()
 
 
 def _set_speed(terminal: int, baud: int) -> None:

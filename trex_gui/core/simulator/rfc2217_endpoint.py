@@ -11,8 +11,6 @@ from trex_gui.core.simulator.endpoint import Arrival, HostSettings, TcpEndpoint
 from trex_gui.core.transport.settings import Parity
 
 _PARITIES = {parity.value: parity for parity in Parity}
-
-
 _SUPPORTED: dict[str, Container[object]] = {
     "bytesize": {serial.EIGHTBITS},
     "parity": _PARITIES,
@@ -49,8 +47,6 @@ class _Port:
 
 
 class Rfc2217Endpoint(TcpEndpoint):
-    """A serial port over TCP with visible baud rate, parity and stop bits."""
-
     scheme = "rfc2217"
 
     def __init__(self, host: str, port: int, baud: int) -> None:
@@ -63,7 +59,7 @@ class Rfc2217Endpoint(TcpEndpoint):
         self._port_settings = _Port(self._baud)
         self._manager = PortManager(
             self._port_settings,  # type: ignore[arg-type] # the stubs want a real port here
-            SimpleNamespace(write=self.write_raw),  # type: ignore[arg-type] # and here
+            SimpleNamespace(write=super().write),  # type: ignore[arg-type] # and here
         )
 
     def arrivals(self, data: bytes) -> Iterable[Arrival]:
@@ -77,11 +73,7 @@ class Rfc2217Endpoint(TcpEndpoint):
 
     def write(self, data: bytes) -> None:
         if self._manager is not None:
-            self.write_raw(b"".join(self._manager.escape(data)))
-
-    def write_raw(self, data: bytes) -> None:
-        """Send bytes to the host unescaped."""
-        super().write(data)
+            super().write(b"".join(self._manager.escape(data)))
 
     def drop_client(self) -> None:
         self._manager = None

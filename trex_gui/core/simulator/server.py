@@ -94,7 +94,10 @@ class Server:
 
     def _receive(self, settings: HostSettings | None, data: bytes) -> None:
         """Take bytes of the host; reconfiguring its port discards what it sent before."""
-        host = self._host_format(settings)
+        host = None
+        if settings is not None:
+            parity = settings.parity or self._line.host_format.parity
+            host = SerialFormat(settings.baud, parity, settings.stop_bits)
         if host != self._line.host:
             self._drop_unsent()
             self._line.host = host
@@ -127,12 +130,6 @@ class Server:
         if data := self._line.receive():
             self._endpoint.write(data)
 
-    def _host_format(self, settings: HostSettings | None) -> SerialFormat | None:
-        if settings is None:
-            return None
-        parity = settings.parity or self._line.host_format.parity
-        return SerialFormat(settings.baud, parity, settings.stop_bits)
-
     def _execute(self) -> None:
         while self._control_lines and not self._ended:
             text = self._control_lines.popleft()
@@ -148,17 +145,14 @@ class Server:
         if was_plugged and not faults.plugged:
             self._endpoint.unplug()
         elif faults.plugged and not was_plugged:
-            answer = self._plug(answer)
+            try:
+                self._endpoint.plug()
+                answer = f"{answer} {self._endpoint.url}"
+            except EndpointError as error:
+                self._line.unplug()
+                answer = f"error {error}"
         self._ended = answer == GOODBYE
         self._print(answer)
-
-    def _plug(self, answer: str) -> str:
-        try:
-            self._endpoint.plug()
-        except EndpointError as error:
-            self._line.unplug()
-            return f"error {error}"
-        return f"{answer} {self._endpoint.url}"
 
     def _print(self, text: str) -> None:
         try:
