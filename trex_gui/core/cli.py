@@ -219,7 +219,7 @@ def traffic_option(
         present = host()
         epoch = time.time() - present.clock()
         writer = TranscriptWriter(Path(file), decoder.load()(), epoch, is_search=is_search)
-        open_logged = logged(writer, present.open_transport, present.clock)
+        open_logged = logged(writer.note, present.open_transport, present.clock)
 
         def open_transport(settings: PortSettings) -> Transport:
             writer.open()

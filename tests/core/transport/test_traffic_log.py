@@ -39,7 +39,7 @@ def run_taped(stage: Stage, seconds: float) -> list[TrafficEvent]:
     """Run a session whose line is noted; return what was noted."""
     log = TrafficLog()
     stage.script.at(seconds, lambda: None)
-    open_taped = logged(log, lambda _settings: stage.transport, stage.transport.clock)
+    open_taped = logged(log.note, lambda _settings: stage.transport, stage.transport.clock)
     TrexSession(SETTINGS, stage.script, stage.reports.append, open_taped).run()
     return log.take()
 
@@ -71,14 +71,14 @@ def test_failed_opening_of_port_is_logged() -> None:
 
     log = TrafficLog()
     with pytest.raises(PortUnavailable):
-        logged(log, refuse)(SETTINGS)
+        logged(log.note, refuse)(SETTINGS)
     assert texts_of(log.take()) == ["It is in use."]
 
 
 @pytest.mark.parametrize("act", ["write", "read"])
 def test_port_loss_is_logged(stage: Stage, act: str) -> None:
     log = TrafficLog()
-    line = LoggingTransport(stage.transport, SETTINGS, log)
+    line = LoggingTransport(stage.transport, SETTINGS, log.note)
     stage.transport.fail = PortUnavailable("The line is gone.")
     with pytest.raises(PortUnavailable):
         line.write(b"\x81") if act == "write" else line.read(1, 0.1)
@@ -87,7 +87,7 @@ def test_port_loss_is_logged(stage: Stage, act: str) -> None:
 
 def test_new_line_settings_are_logged_once(stage: Stage) -> None:
     log = TrafficLog()
-    line = LoggingTransport(stage.transport, SETTINGS, log)
+    line = LoggingTransport(stage.transport, SETTINGS, log.note)
     other = LineSettings(57600, Detection.CRC7)
     line.reconfigure(SETTINGS.line)
     line.reconfigure(other)

@@ -8,7 +8,6 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from enum import Enum, auto
-from typing import Protocol
 
 from trex_gui.core.errors import StudioError, sentence
 from trex_gui.core.translation import tr
@@ -61,20 +60,16 @@ class TrafficLog:
         return [self._events.popleft() for _ in range(count)]
 
 
-class TrafficSink(Protocol):
-    """What takes the events of a line, in the thread that uses it."""
-
-    def note(self, event: TrafficEvent) -> None: ...
-
-
 class LoggingTransport:
-    """Logs the bytes of the transport below it; otherwise does what that does."""
+    """Notes the bytes of the transport below it, in its thread; otherwise does what that does."""
 
-    def __init__(self, below: Transport, settings: PortSettings, log: TrafficSink) -> None:
+    def __init__(
+        self, below: Transport, settings: PortSettings, note: Callable[[TrafficEvent], None]
+    ) -> None:
         self._below = below
         self._settings = settings
         self._line = settings.line
-        self._log = log
+        self._note = note
         self.rates = below.rates
         self.clock = below.clock
         self.wait = below.wait
@@ -90,7 +85,7 @@ class LoggingTransport:
 
     def write(self, data: bytes) -> None:
         # Logged first: before its reply, and also if it fails.
-        self._log.note(TrafficEvent(self.clock(), TrafficDirection.SENT, data))
+        self._note(TrafficEvent(self.clock(), TrafficDirection.SENT, data))
         with self._logged_errors():
             self._below.write(data)
 
@@ -116,20 +111,20 @@ class LoggingTransport:
 
     def _received(self, data: bytes) -> bytes:
         if data:
-            self._log.note(TrafficEvent(self.clock(), TrafficDirection.RECEIVED, data))
+            self._note(TrafficEvent(self.clock(), TrafficDirection.RECEIVED, data))
         return data
 
     def _note_line(self, text: str, settings: PortSettings | None = None) -> None:
         event = TrafficEvent(self.clock(), TrafficDirection.LINE, text=text, settings=settings)
-        self._log.note(event)
+        self._note(event)
 
 
 def logged(
-    log: TrafficSink,
+    note: Callable[[TrafficEvent], None],
     open_transport: Callable[[PortSettings], Transport] = SerialTransport,
     clock: Callable[[], float] = time.monotonic,
 ) -> Callable[[PortSettings], Transport]:
-    """Return a function that opens a line as `open_transport` does and logs its bytes.
+    """Return a function that opens a line as `open_transport` does and notes its bytes.
 
     `clock` is the line's, for events before there is a line.
     """
@@ -138,11 +133,11 @@ def logged(
         try:
             below = open_transport(settings)
         except StudioError as error:
-            log.note(TrafficEvent(clock(), TrafficDirection.LINE, text=sentence(error)))
+            note(TrafficEvent(clock(), TrafficDirection.LINE, text=sentence(error)))
             raise
         text = tr("Opened {0}.").format(settings.text())
-        log.note(TrafficEvent(clock(), TrafficDirection.LINE, text=text, settings=settings))
-        return LoggingTransport(below, settings, log)
+        note(TrafficEvent(clock(), TrafficDirection.LINE, text=text, settings=settings))
+        return LoggingTransport(below, settings, note)
 
     return opened
 

@@ -51,7 +51,7 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
         self.status = tr("Not connected.")  # `link` as a sentence
         self.settings: SettingsT | None = None  # how the line is, or was last, opened
         self._next: SettingsT | None = None
-        self.open_logged = logged(self.log, open_transport, now)
+        self.open_logged = logged(self.log.note, open_transport, now)
         self.traffic = TrafficModel(self, decoder)  # every byte on the line
         self.reported.connect(self.take)
         self.closed.connect(self._on_closed)

@@ -58,7 +58,7 @@ class ScanWorker(WorkerThread):
         self.setObjectName("ScanWorker")
         self._open_wire: Callable[[PortSettings], Transport] = open_transport
         for log in logs:
-            self._open_wire = logged(log, self._open_wire, now)
+            self._open_wire = logged(log.note, self._open_wire, now)
         self._jobs = tuple(jobs)
         self._full = full
         self._only_recall = only_recall

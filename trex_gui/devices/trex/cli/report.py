@@ -54,7 +54,7 @@ def _parts(options: dict[str, Any]) -> dict[str, Callable[[], str]]:
     settings, present = link_settings(options), host()
     writer = TranscriptWriter(None, TrexDecoder(), time.time() - present.clock())
     try:
-        transport = logged(writer, present.open_transport, present.clock)(settings)
+        transport = logged(writer.note, present.open_transport, present.clock)(settings)
         client = TrexClient(transport, settings)
         try:
             client.detect_echo()
