@@ -119,7 +119,10 @@ def open_ordinary(path: Path) -> BinaryIO:
         OSError: it cannot be opened; NotOrdinaryFileError if it is no ordinary file.
     """
     check_ordinary(path)  # first: opening a serial port changes its lines
-    file = open(path, "rb", opener=_open_at_once)  # noqa: SIM115 - the caller closes it
+    at_once = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOCTTY", 0)
+    file = open(  # noqa: SIM115 - the caller closes it
+        path, "rb", opener=lambda name, flags: os.open(name, flags | at_once)
+    )
     try:
         _check_mode(path, os.fstat(file.fileno()).st_mode)  # it may have been replaced
     except BaseException:
@@ -133,18 +136,10 @@ def _check_mode(path: Path, mode: int) -> None:
         raise NotOrdinaryFileError(path, mode)
 
 
-def _open_at_once(path: str, flags: int) -> int:
-    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOCTTY", 0))
-
-
 _DRAFT = re.compile(r"\..*\.[0-9a-f]{8}\.trexdraft", re.DOTALL)
 
 _ABANDONED_S = 600.0
 """Seconds without a write after which a draft belongs to a program that was killed."""
-
-
-def _draft_of(target: Path) -> Path:
-    return target.with_name(f".{target.name[:100]}.{os.urandom(4).hex()}.trexdraft")
 
 
 @cache
@@ -177,7 +172,7 @@ def atomic_file(path: Path, *, overwrite: bool = True) -> Iterator[BinaryIO]:
         with contextlib.suppress(FileNotFoundError):
             check_ordinary(target)
     remove_abandoned(target.parent)
-    draft = _draft_of(target)
+    draft = target.with_name(f".{target.name[:100]}.{os.urandom(4).hex()}.trexdraft")
     try:
         with draft.open("xb") as file:
             yield file

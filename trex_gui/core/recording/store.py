@@ -98,8 +98,13 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
                 for companion in _companions(Path(os.path.realpath(path))):
                     companion.unlink(missing_ok=True)
             self._database = _connect(path)
+            execute = self._database.execute
             try:
-                self._begin()
+                # Exclusive: the index of the log stays in our memory. As a mapped file, a disk that
+                # goes away would end the process with SIGBUS, and nothing would stop the motors.
+                execute("PRAGMA locking_mode = EXCLUSIVE")
+                execute("PRAGMA journal_mode = WAL")
+                execute("PRAGMA synchronous = NORMAL")
             except BaseException:
                 self._database.close()
                 raise
@@ -122,14 +127,6 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
             insert = f"INSERT INTO {kind.name} (record, clock_s{', ' * bool(names)}{names}) "
             self._kinds[kind.type] = (kind, f"{insert} VALUES (?, ?{marks})")
         execute("COMMIT")
-
-    def _begin(self) -> None:
-        execute = self._database.execute
-        # Exclusive: the index of the log stays in our memory. As a mapped file, a disk that goes
-        # away would end the process with SIGBUS, and nothing would stop the motors.
-        execute("PRAGMA locking_mode = EXCLUSIVE")
-        execute("PRAGMA journal_mode = WAL")
-        execute("PRAGMA synchronous = NORMAL")
 
     @property
     def size(self) -> int:
