@@ -119,16 +119,16 @@
         <translation>einer anderen Leitung dieses Programms</translation></message>
     <message><source>{0} (process {1})</source>
         <translation>{0} (Prozess {1})</translation></message>
+    <message><source>Join its group, then log out and in again: {0} (or, until it is unplugged: {1}).</source>
+        <translation>Treten Sie seiner Gruppe bei, dann melden Sie sich ab und wieder an: {0} (oder, bis zum Ausstecken: {1}).</translation></message>
     <message><source>the server refuses the settings of the line</source>
         <translation>der Server lehnt die Leitungseinstellungen ab</translation></message>
+    <message><source>It belongs to root; this opens it until it is unplugged: {0}</source>
+        <translation>Er gehört root; dieser Befehl öffnet ihn bis zum Ausstecken: {0}</translation></message>
     <message><source>none</source>
         <translation>keine</translation></message>
     <message><source>another program</source>
         <translation>einem anderen Programm</translation></message>
-    <message><source>It belongs to root; this opens it until it is unplugged: {0}</source>
-        <translation>Er gehört root; dieser Befehl öffnet ihn bis zum Ausstecken: {0}</translation></message>
-    <message><source>Join its group, then log out and in again: {0} (or, until it is unplugged: {1}).</source>
-        <translation>Treten Sie seiner Gruppe bei, dann melden Sie sich ab und wieder an: {0} (oder, bis zum Ausstecken: {1}).</translation></message>
     <message><source>the server sends what is not RFC 2217</source>
         <translation>was der Server sendet, ist nicht RFC 2217</translation></message>
     <message><source>the port takes nothing</source>
@@ -1131,6 +1131,8 @@
         <translation>gespeicherte Einstellungen</translation></message>
     <message><source>no parity and no CRC</source>
         <translation>ohne Parität und ohne CRC</translation></message>
+    <message><source>device number {0}</source>
+        <translation>Gerätenummer {0}</translation></message>
     <message><source> It also echoes what is sent.</source>
         <translation> Es sendet außerdem ein Echo des Gesendeten.</translation></message>
     <message><source>Switched off and on, it will run at {0}.</source>
@@ -2025,8 +2027,6 @@
         <translation>Neutralstellung {0} liegt über dem Maximum {1}</translation></message>
     <message><source>minimum and maximum are both {0}; they must differ</source>
         <translation>Minimum und Maximum sind beide {0}; sie müssen verschieden sein</translation></message>
-    <message><source>a calibration value is 0 to {0}, not {1}</source>
-        <translation>ein Kalibrierwert ist 0 bis {0}, nicht {1}</translation></message>
     <message><source>{0} is {1}; a calibration value is 0 to {2}</source>
         <translation>{0} ist {1}; ein Kalibrierwert ist 0 bis {2}</translation></message>
     <message><source>calibration: {0}</source>
@@ -2125,14 +2125,10 @@
         <translation>Umdrehschalter</translation></message>
     <message><source>serial override switch</source>
         <translation>Vorrangschalter (serielle Befehle)</translation></message>
+    <message><source>Serial commands control the motors (serial mode).</source>
+        <translation>Serielle Befehle steuern die Motoren (serieller Modus).</translation></message>
     <message><source> Joint mode: both drivers work together as motor 1, motor 2 is ignored.</source>
         <translation> Parallelbetrieb: Beide Treiber arbeiten zusammen als Motor 1, Motor 2 wird ignoriert.</translation></message>
-    <message><source>analog</source>
-        <translation>analog</translation></message>
-    <message><source>channel {0}</source>
-        <translation>Kanal {0}</translation></message>
-    <message><source>channels {0}</source>
-        <translation>Kanäle {0}</translation></message>
     <message><source>accelerate</source>
         <translation>beschleunigen</translation></message>
     <message><source>set</source>
@@ -2141,8 +2137,6 @@
         <translation>kein TReX</translation></message>
     <message><source>no signal</source>
         <translation>kein Signal</translation></message>
-    <message><source>Serial commands control the motors (serial mode).</source>
-        <translation>Serielle Befehle steuern die Motoren (serieller Modus).</translation></message>
     <message><source>Serial commands control the motors: channel 5 overrides the other inputs.</source>
         <translation>Serielle Befehle steuern die Motoren: Kanal 5 hat Vorrang vor den anderen Eingängen.</translation></message>
     <message><source>motor {0}: {1:.2f} A</source>
@@ -2151,18 +2145,16 @@
         <translation>alle Kanäle</translation></message>
     <message><source>no channel</source>
         <translation>kein Kanal</translation></message>
+    <message><source>parameter {0:#04x}, which {1} has</source>
+        <translation>Parameter {0:#04x}, den {1} hat</translation></message>
     <message><source>yes</source>
         <translation>ja</translation></message>
     <message><source>no</source>
         <translation>nein</translation></message>
-    <message><source>The {0} channels control the motors. Serial commands take effect only when channel 5 gives control to them; for serial mode, switch the board off, remove the mode jumper and switch it on.</source>
-        <translation>Die Kanäle ({0}) steuern die Motoren. Serielle Befehle wirken erst, wenn Kanal 5 ihnen die Steuerung übergibt; für den seriellen Modus schalten Sie das Board aus, ziehen Sie den Modus-Jumper ab und schalten Sie es ein.</translation></message>
     <message><source>motor {0}: {1} counts</source>
         <translation>Motor {0}: {1} Counts</translation></message>
     <message><source>no {0}</source>
         <translation>kein {0}</translation></message>
-    <message><source>parameter {0:#04x}, which {1} has</source>
-        <translation>Parameter {0:#04x}, den {1} hat</translation></message>
     <message><source>get raw inputs of {0}</source>
         <translation>Rohwerte der Eingänge lesen: {0}</translation></message>
     <message><source>get remapped inputs of {0}</source>
@@ -2183,6 +2175,10 @@
         <translation>{0}: Motor 1 {1}, Motor 2 {2}</translation></message>
     <message><source>{0} auxiliary motor to {1}</source>
         <translation>{0}: Hilfsmotor {1}</translation></message>
+    <message><source>The {0} channels control the motors. Serial commands take effect only when channel 5 gives control to them; for serial mode, switch the board off, remove the mode jumper and switch it on.</source>
+        <translation>Die Kanäle ({0}) steuern die Motoren. Serielle Befehle wirken erst, wenn Kanal 5 ihnen die Steuerung übergibt; für den seriellen Modus schalten Sie das Board aus, ziehen Sie den Modus-Jumper ab und schalten Sie es ein.</translation></message>
+    <message><source>analog</source>
+        <translation>analog</translation></message>
     <message><source>brake with {0}</source>
         <translation>bremsen mit {0}</translation></message>
     <message><source>the models are {0}, not {1!r}</source>
@@ -2195,8 +2191,6 @@
         <translation>die Geschwindigkeit eines Motors ist -127 bis 127, nicht {0}</translation></message>
     <message><source>No TReX responds on {0}. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that ground is connected, and that the board's serial settings are these. If both LEDs blink together, the board is in learning mode: remove the SO–G jumper, then switch it off and on.</source>
         <translation>An {0} antwortet kein TReX. Prüfen Sie, ob das Board Strom hat (eine LED leuchtet), ob TX des Adapters mit SI und RX mit SO verbunden ist (oder beide mit den RS-232-Pins, nie gemischt), ob die Masse verbunden ist und ob die seriellen Einstellungen des Boards diesen entsprechen. Wenn beide LEDs gemeinsam blinken, ist das Board im Lernmodus: Ziehen Sie den SO–G-Jumper ab, dann schalten Sie das Board aus und ein.</translation></message>
-    <message><source>No TReX responds on {0}. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that ground is connected, and that the board's serial settings are these, its device number is {1}. If both LEDs blink together, the board is in learning mode: remove the SO–G jumper, then switch it off and on.</source>
-        <translation>An {0} antwortet kein TReX. Prüfen Sie, ob das Board Strom hat (eine LED leuchtet), ob TX des Adapters mit SI und RX mit SO verbunden ist (oder beide mit den RS-232-Pins, nie gemischt), ob die Masse verbunden ist, ob die seriellen Einstellungen des Boards diesen entsprechen und ob seine Gerätenummer {1} ist. Wenn beide LEDs gemeinsam blinken, ist das Board im Lernmodus: Ziehen Sie den SO–G-Jumper ab, dann schalten Sie das Board aus und ein.</translation></message>
     <message><source>Everything sent on {0} comes back, and nothing else. Either this is the RS-232 side of a board that is off or set to another baud rate, or the adapter's TX and RX are joined.</source>
         <translation>Alles, was an {0} gesendet wird, kommt zurück, sonst nichts. Entweder ist das die RS-232-Seite eines Boards, das ausgeschaltet oder auf eine andere Baudrate eingestellt ist, oder TX und RX des Adapters sind miteinander verbunden.</translation></message>
     <message><source>Something responds on {0}, but not like a TReX. {1} Usually the baud rate, parity or CRC differs from the board's setting, or another device is connected.</source>
@@ -2369,6 +2363,10 @@
         <translation>(erschlossen)</translation></message>
     <message><source>none</source><comment>channels</comment>
         <translation>keine</translation></message>
+    <message><source>channel {0}</source>
+        <translation>Kanal {0}</translation></message>
+    <message><source>channels {0}</source>
+        <translation>Kanäle {0}</translation></message>
     <message><source>none or some of the channels 1 to 5, such as 1, 3</source>
         <translation>keiner oder einige der Kanäle 1 bis 5, zum Beispiel 1, 3</translation></message>
     <message><source>{0} is {1}, not {2}</source>
@@ -2867,8 +2865,6 @@
         <translation>diese Firmware läuft mit der halben Baudrate</translation></message>
     <message><source>None since {0}.</source>
         <translation>Keine seit {0}.</translation></message>
-    <message><source>device number {0}</source>
-        <translation>Gerätenummer {0}</translation></message>
     <message><source>motor 1</source>
         <translation>Motor 1</translation></message>
     <message><source>motor 2</source>

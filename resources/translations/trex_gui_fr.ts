@@ -119,16 +119,16 @@
         <translation>une autre liaison de ce programme</translation></message>
     <message><source>{0} (process {1})</source>
         <translation>{0} (processus {1})</translation></message>
+    <message><source>Join its group, then log out and in again: {0} (or, until it is unplugged: {1}).</source>
+        <translation>Rejoignez son groupe, puis fermez et rouvrez votre session : {0} (ou, jusqu'à ce qu'il soit débranché : {1}).</translation></message>
     <message><source>the server refuses the settings of the line</source>
         <translation>le serveur refuse les réglages de liaison</translation></message>
+    <message><source>It belongs to root; this opens it until it is unplugged: {0}</source>
+        <translation>Il appartient à root ; cette commande l'ouvre jusqu'à ce qu'il soit débranché : {0}</translation></message>
     <message><source>none</source>
         <translation>aucun</translation></message>
     <message><source>another program</source>
         <translation>un autre programme</translation></message>
-    <message><source>It belongs to root; this opens it until it is unplugged: {0}</source>
-        <translation>Il appartient à root ; cette commande l'ouvre jusqu'à ce qu'il soit débranché : {0}</translation></message>
-    <message><source>Join its group, then log out and in again: {0} (or, until it is unplugged: {1}).</source>
-        <translation>Rejoignez son groupe, puis fermez et rouvrez votre session : {0} (ou, jusqu'à ce qu'il soit débranché : {1}).</translation></message>
     <message><source>the server sends what is not RFC 2217</source>
         <translation>ce que le serveur envoie n'est pas du RFC 2217</translation></message>
     <message><source>the port takes nothing</source>
@@ -1131,6 +1131,8 @@
         <translation>réglages enregistrés</translation></message>
     <message><source>no parity and no CRC</source>
         <translation>sans parité ni CRC</translation></message>
+    <message><source>device number {0}</source>
+        <translation>numéro d'appareil {0}</translation></message>
     <message><source> It also echoes what is sent.</source>
         <translation> Il renvoie aussi l'écho de ce qui est envoyé.</translation></message>
     <message><source>Switched off and on, it will run at {0}.</source>
@@ -2025,8 +2027,6 @@
         <translation>le neutre {0} est au-dessus du maximum {1}</translation></message>
     <message><source>minimum and maximum are both {0}; they must differ</source>
         <translation>le minimum et le maximum valent tous deux {0} ; ils doivent être différents</translation></message>
-    <message><source>a calibration value is 0 to {0}, not {1}</source>
-        <translation>une valeur d'étalonnage va de 0 à {0}, et non {1}</translation></message>
     <message><source>{0} is {1}; a calibration value is 0 to {2}</source>
         <translation>{0} vaut {1} ; une valeur d'étalonnage va de 0 à {2}</translation></message>
     <message><source>calibration: {0}</source>
@@ -2125,14 +2125,10 @@
         <translation>interrupteur de retournement</translation></message>
     <message><source>serial override switch</source>
         <translation>interrupteur de priorité série</translation></message>
+    <message><source>Serial commands control the motors (serial mode).</source>
+        <translation>Les commandes série commandent les moteurs (mode série).</translation></message>
     <message><source> Joint mode: both drivers work together as motor 1, motor 2 is ignored.</source>
         <translation> Mode jumelé : les deux drivers travaillent ensemble comme moteur 1, le moteur 2 est ignoré.</translation></message>
-    <message><source>analog</source>
-        <translation>analogique</translation></message>
-    <message><source>channel {0}</source>
-        <translation>voie {0}</translation></message>
-    <message><source>channels {0}</source>
-        <translation>voies {0}</translation></message>
     <message><source>accelerate</source>
         <translation>accélérer</translation></message>
     <message><source>set</source>
@@ -2141,8 +2137,6 @@
         <translation>aucun TReX</translation></message>
     <message><source>no signal</source>
         <translation>pas de signal</translation></message>
-    <message><source>Serial commands control the motors (serial mode).</source>
-        <translation>Les commandes série commandent les moteurs (mode série).</translation></message>
     <message><source>Serial commands control the motors: channel 5 overrides the other inputs.</source>
         <translation>Les commandes série commandent les moteurs : la voie 5 leur donne la priorité sur les autres entrées.</translation></message>
     <message><source>motor {0}: {1:.2f} A</source>
@@ -2151,18 +2145,16 @@
         <translation>toutes les voies</translation></message>
     <message><source>no channel</source>
         <translation>aucune voie</translation></message>
+    <message><source>parameter {0:#04x}, which {1} has</source>
+        <translation>paramètre {0:#04x}, qu'{1} ne possède</translation></message>
     <message><source>yes</source>
         <translation>oui</translation></message>
     <message><source>no</source>
         <translation>non</translation></message>
-    <message><source>The {0} channels control the motors. Serial commands take effect only when channel 5 gives control to them; for serial mode, switch the board off, remove the mode jumper and switch it on.</source>
-        <translation>Les voies ({0}) commandent les moteurs. Les commandes série n'agissent que lorsque la voie 5 leur donne la main ; pour le mode série, coupez l'alimentation de la carte, retirez le cavalier de mode et remettez l'alimentation.</translation></message>
     <message><source>motor {0}: {1} counts</source>
         <translation>moteur {0} : {1} counts</translation></message>
     <message><source>no {0}</source>
         <translation>aucun {0}</translation></message>
-    <message><source>parameter {0:#04x}, which {1} has</source>
-        <translation>paramètre {0:#04x}, qu'{1} ne possède</translation></message>
     <message><source>get raw inputs of {0}</source>
         <translation>lire les entrées brutes : {0}</translation></message>
     <message><source>get remapped inputs of {0}</source>
@@ -2183,6 +2175,10 @@
         <translation>{0} le moteur 1 : {1}, le moteur 2 : {2}</translation></message>
     <message><source>{0} auxiliary motor to {1}</source>
         <translation>{0} le moteur auxiliaire : {1}</translation></message>
+    <message><source>The {0} channels control the motors. Serial commands take effect only when channel 5 gives control to them; for serial mode, switch the board off, remove the mode jumper and switch it on.</source>
+        <translation>Les voies ({0}) commandent les moteurs. Les commandes série n'agissent que lorsque la voie 5 leur donne la main ; pour le mode série, coupez l'alimentation de la carte, retirez le cavalier de mode et remettez l'alimentation.</translation></message>
+    <message><source>analog</source>
+        <translation>analogique</translation></message>
     <message><source>brake with {0}</source>
         <translation>freiner à {0}</translation></message>
     <message><source>the models are {0}, not {1!r}</source>
@@ -2195,8 +2191,6 @@
         <translation>la vitesse d'un moteur va de -127 à 127, et non {0}</translation></message>
     <message><source>No TReX responds on {0}. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that ground is connected, and that the board's serial settings are these. If both LEDs blink together, the board is in learning mode: remove the SO–G jumper, then switch it off and on.</source>
         <translation>Aucun TReX ne répond sur {0}. Vérifiez que la carte est alimentée (une LED est allumée), que TX de l'adaptateur va à SI et son RX à SO (ou aux deux broches RS-232, sans jamais mélanger), que la masse est reliée et que les réglages série de la carte sont bien ceux-ci. Si les deux LED clignotent ensemble, la carte est en mode apprentissage : retirez le cavalier SO–G, puis coupez et remettez l'alimentation.</translation></message>
-    <message><source>No TReX responds on {0}. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that ground is connected, and that the board's serial settings are these, its device number is {1}. If both LEDs blink together, the board is in learning mode: remove the SO–G jumper, then switch it off and on.</source>
-        <translation>Aucun TReX ne répond sur {0}. Vérifiez que la carte est alimentée (une LED est allumée), que TX de l'adaptateur va à SI et son RX à SO (ou aux deux broches RS-232, sans jamais mélanger), que la masse est reliée, que les réglages série de la carte sont bien ceux-ci et que son numéro d'appareil est {1}. Si les deux LED clignotent ensemble, la carte est en mode apprentissage : retirez le cavalier SO–G, puis coupez et remettez l'alimentation.</translation></message>
     <message><source>Everything sent on {0} comes back, and nothing else. Either this is the RS-232 side of a board that is off or set to another baud rate, or the adapter's TX and RX are joined.</source>
         <translation>Tout ce qui est envoyé sur {0} revient, et rien d'autre. Soit il s'agit du côté RS-232 d'une carte hors tension ou réglée sur un autre débit, soit TX et RX de l'adaptateur sont reliés entre eux.</translation></message>
     <message><source>Something responds on {0}, but not like a TReX. {1} Usually the baud rate, parity or CRC differs from the board's setting, or another device is connected.</source>
@@ -2369,6 +2363,10 @@
         <translation>(déduit)</translation></message>
     <message><source>none</source><comment>channels</comment>
         <translation>aucune</translation></message>
+    <message><source>channel {0}</source>
+        <translation>voie {0}</translation></message>
+    <message><source>channels {0}</source>
+        <translation>voies {0}</translation></message>
     <message><source>none or some of the channels 1 to 5, such as 1, 3</source>
         <translation>aucune, une ou plusieurs des voies 1 à 5, par exemple 1, 3</translation></message>
     <message><source>{0} is {1}, not {2}</source>
@@ -2867,8 +2865,6 @@
         <translation>ce micrologiciel fonctionne à la moitié de ce débit</translation></message>
     <message><source>None since {0}.</source>
         <translation>Aucun depuis {0}.</translation></message>
-    <message><source>device number {0}</source>
-        <translation>numéro d'appareil {0}</translation></message>
     <message><source>motor 1</source>
         <translation>moteur 1</translation></message>
     <message><source>motor 2</source>

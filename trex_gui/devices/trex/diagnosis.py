@@ -47,7 +47,7 @@ def explain(settings: ConnectionSettings, *, echo: bool, error: StudioError) -> 
     if echo:
         return TrexNoReplyError(ErrorCode.ECHO_ONLY, where)
     if settings.device_number is not None:
-        return TrexNoReplyError(ErrorCode.NO_BOARD_AT_NUMBER, where, settings.device_number)
+        where += ", " + tr("device number {0}").format(settings.device_number)
     return TrexNoReplyError(ErrorCode.NO_BOARD, where)
 
 

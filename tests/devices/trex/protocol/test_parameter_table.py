@@ -97,7 +97,7 @@ def test_only_factory_reset_cannot_be_read(model: str, firmware: str) -> None:
 @every_model
 def test_unknown_newer_firmware_has_all_parameters(model: str) -> None:
     assert parameters_of(model, "1.10").number(0x17) is not None
-    assert len(parameters_of(model, "2.0")) == len(FACTS)
+    assert len(parameters_of(model, "2.0").specs) == len(FACTS)
 
 
 @pytest.mark.parametrize("number", [0x18, 0x40, 0x7A, 0x80, -1])
@@ -125,7 +125,7 @@ def test_choice_parameter_has_a_word_for_every_value(model: str) -> None:
 
 @every_model
 def test_keys_and_names_are_unique(model: str) -> None:
-    found = parameters_of(model, "1.3")
+    found = parameters_of(model, "1.3").specs
     assert len({spec.key for spec in found}) == len(found)
     assert len({spec.name for spec in found}) == len(found)
 
@@ -148,7 +148,7 @@ def test_weakest_evidence_of_several_fields_counts() -> None:
 @every_model
 def test_facts_of_the_twin_have_its_grade(model: str) -> None:
     """Guide of the qik 2s12v10, pages 20 to 22."""
-    found = parameters_of(model, "1.3")
+    found = parameters_of(model, "1.3").specs
     graded = {
         (spec.key.removeprefix("motor1_"), field)
         for spec in found

@@ -6,7 +6,7 @@ Ref: Pololu TReX User's Guide 4.b (regions); TReX 1.0 command documentation 0x87
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, astuple, dataclass
 from enum import StrEnum
 
 from trex_gui.core.decimals import quantity
@@ -38,7 +38,6 @@ class CalibrationKey(StrEnum):
 
     @classmethod
     def of(cls, source: InputSource, channel: int) -> "CalibrationKey":
-        """Return the key for an input source and a channel, 1-5."""
         return cls(f"{source.value.lower()}_channel_{channel}")
 
     @property
@@ -74,8 +73,7 @@ class Calibration:
 
     def problem(self) -> str | None:
         """Say why the board would reject these values; `None` if it accepts them."""
-        for name in CALIBRATION_FIELDS:
-            value = getattr(self, name)
+        for name, value in asdict(self).items():
             if not 0 <= value <= HIGHEST_CODED:
                 return tr("{0} is {1}; a calibration value is 0 to {2}").format(
                     name, value, HIGHEST_CODED
@@ -92,20 +90,12 @@ class Calibration:
         """Return the eight data bytes of 0xA0-0xA4; BadRequest if the board would reject them."""
         if problem := self.problem():
             raise BadRequest(tr("calibration: {0}").format(problem))
-        values = (self.minimum, self.neutral, self.maximum, self.deadband)
-        return b"".join(map(encode_14_bits, values))
+        return b"".join(map(encode_14_bits, astuple(self)))
 
     @classmethod
     def from_data(cls, data: bytes) -> "Calibration":
         """Read the eight data bytes of 0xA0-0xA4, whatever they say."""
-        values = [data[i] & 0x7F | (data[i + 1] & 0x7F) << 7 for i in range(0, 8, 2)]
-        return cls(*values)
-
-    @classmethod
-    def from_reply(cls, reply: bytes) -> "Calibration":
-        """Read the eight bytes of the reply to 0x90-0x94: plain little-endian words."""
-        values = [int.from_bytes(reply[i : i + 2], "little") for i in range(0, 8, 2)]
-        return cls(*values)
+        return cls(*(data[i] & 0x7F | (data[i + 1] & 0x7F) << 7 for i in range(0, 8, 2)))
 
 
 def read_count(text: str) -> tuple[int, InputSource | None]:
@@ -134,10 +124,6 @@ def encode_14_bits(value: int) -> bytes:
     Inferred: the documentation says "low byte, high byte", but no data byte may exceed 127;
     this is the only coding that obeys that, and how other controllers of the maker do it.
     """
-    if not 0 <= value <= HIGHEST_CODED:
-        raise BadRequest(
-            tr("a calibration value is 0 to {0}, not {1}").format(HIGHEST_CODED, value)
-        )
     return bytes([value & 0x7F, value >> 7])
 
 

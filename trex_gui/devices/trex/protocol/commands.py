@@ -7,6 +7,7 @@ them into bytes on the wire.
 Ref: TReX 1.0 command documentation; Pololu TReX User's Guide 5.b, 5.c.
 """
 
+import struct
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -93,8 +94,6 @@ class _ChannelCommand(Command[ReplyT_co]):
 
 @dataclass(frozen=True, slots=True)
 class Signature:
-    """Model and firmware of a board."""
-
     model: Model
     firmware: str
 
@@ -218,11 +217,11 @@ class GetRawChannels(_ChannelQuery[Mapping[int, int | None]]):
         return 2 * len(self.channels)
 
     def parse(self, reply: bytes) -> Mapping[int, int | None]:
-        values: dict[int, int | None] = {}
-        for index, channel in enumerate(self.channels):
-            raw = int.from_bytes(reply[2 * index : 2 * index + 2], "little")
-            values[channel] = None if raw == INVALID_RAW else raw
-        return values
+        counts = struct.unpack(f"<{len(self.channels)}H", reply)
+        return {
+            channel: None if raw == INVALID_RAW else raw
+            for channel, raw in zip(self.channels, counts, strict=True)
+        }
 
 
 @dataclass(frozen=True, slots=True)
@@ -290,7 +289,7 @@ class GetCalibration(_ChannelCommand[Calibration]):
         return cls(opcode - cls.opcodes[0] + 1)
 
     def parse(self, reply: bytes) -> Calibration:
-        return Calibration.from_reply(reply)
+        return Calibration(*struct.unpack("<4H", reply))
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,7 +16,7 @@ from trex_gui.devices.trex.protocol.flags import (
     bit_names,
     channels_in,
 )
-from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of
+from trex_gui.devices.trex.protocol.parameters import ParameterSpec, channels_text, parameters_of
 
 CURRENT_ACCURACY = tr_noop("Measured currents may be off by 20 % (twin).")
 
@@ -142,26 +142,19 @@ def describe_reply(command: c.Command[Any], value: Any, board: c.Signature | Non
 
 def who_controls(mode: Mode, by_serial: bool, *, joint: bool) -> str:
     """Return who controls the motors, and how to give control to this program."""
-    note = (
-        tr(" Joint mode: both drivers work together as motor 1, motor 2 is ignored.")
-        if joint
-        else ""
-    )
     if mode.is_serial and by_serial:
-        return tr("Serial commands control the motors (serial mode).") + note
-    if by_serial:
-        return (
-            tr("Serial commands control the motors: channel 5 overrides the other inputs.") + note
-        )
-    channels = "RC" if mode is Mode.RC else tr("analog")
-    return (
-        tr(
+        text = tr("Serial commands control the motors (serial mode).")
+    elif by_serial:
+        text = tr("Serial commands control the motors: channel 5 overrides the other inputs.")
+    else:
+        text = tr(
             "The {0} channels control the motors. Serial commands take effect only "
             "when channel 5 gives control to them; for serial mode, switch the board "
             "off, remove the mode jumper and switch it on."
-        ).format(channels)
-        + note
-    )
+        ).format("RC" if mode is Mode.RC else tr("analog"))
+    if joint:
+        text += tr(" Joint mode: both drivers work together as motor 1, motor 2 is ignored.")
+    return text
 
 
 def is_refusal(value: object) -> bool:
@@ -182,8 +175,7 @@ def _calibration(calibration: Calibration) -> str:
 def _channels(channels: tuple[int, ...]) -> str:
     if channels in {(), CHANNELS}:
         return tr("all channels") if channels else tr("no channel")
-    text = tr("channel {0}") if len(channels) == 1 else tr("channels {0}")
-    return text.format(", ".join(map(str, channels)))
+    return channels_text(channels)
 
 
 def _verb(accelerate: bool) -> str:
@@ -205,12 +197,10 @@ def _spec(number: int, board: c.Signature | None) -> ParameterSpec | None:
 
 def _parameter(number: int, board: c.Signature | None) -> str:
     spec = _spec(number, board)
+    if spec is not None:
+        return spec.name
     source = tr("no TReX") if board is None else tr("no {0}").format(board)
-    return (
-        tr("parameter {0:#04x}, which {1} has").format(number, source)
-        if spec is None
-        else spec.name
-    )
+    return tr("parameter {0:#04x}, which {1} has").format(number, source)
 
 
 def _value(number: int, value: int, board: c.Signature | None) -> str:

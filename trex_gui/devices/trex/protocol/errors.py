@@ -28,13 +28,6 @@ class ErrorCode(Enum):
         "together, the board is in learning mode: remove the SO–G jumper, then switch it off and "
         "on."
     )
-    NO_BOARD_AT_NUMBER = tr_noop(
-        "No TReX responds on {0}. Check that the board has power (an LED is lit), that the "
-        "adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that "
-        "ground is connected, and that the board's serial settings are these, its device number "
-        "is {1}. If both LEDs blink together, the board is in learning mode: remove the SO–G "
-        "jumper, then switch it off and on."
-    )
     ECHO_ONLY = tr_noop(
         "Everything sent on {0} comes back, and nothing else. Either this is the RS-232 side of a "
         "board that is off or set to another baud rate, or the adapter's TX and RX are joined."
@@ -224,7 +217,6 @@ def needs_a_look(error: BaseException) -> bool:
     """Whether wires, jumpers and LEDs of the board show what is wrong."""
     return isinstance(error, TrexError) and error.code in {
         ErrorCode.NO_BOARD,
-        ErrorCode.NO_BOARD_AT_NUMBER,
         ErrorCode.ECHO_ONLY,
         ErrorCode.OTHER_DEVICE,
     }

@@ -141,7 +141,6 @@ class InputSource(Enum):
 
     @property
     def unit(self) -> str:
-        """`µs` or `V`."""
         return "µs" if self is InputSource.RC else "V"
 
     @property

@@ -6,7 +6,7 @@ The wire value (0-127) is the truth; text in physical units is derived here and 
 import difflib
 import math
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import IntEnum, StrEnum
 from functools import cache
@@ -57,16 +57,14 @@ class MotorParameter(StrEnum):
         return f"motor{motor}_{self}"
 
 
-_OTHER_MOTOR = {"motor1_": "motor2_", "motor2_": "motor1_"}
 _NAMES = {"motor1": tr_noop("Motor 1"), "motor2": tr_noop("Motor 2")}
 
 
 def other_motor_key(key: str) -> str | None:
     """Return the key that the other motor's parameter would have; `None`: of no single motor."""
-    for own, other in _OTHER_MOTOR.items():
-        if key.startswith(own):
-            return other + key.removeprefix(own)
-    return None
+    motor, _, rest = key.partition("_")
+    other = {"motor1": "motor2", "motor2": "motor1"}.get(motor)
+    return other and f"{other}_{rest}"
 
 
 def motor_name(key: str) -> str:
@@ -85,14 +83,12 @@ def pwm_keys(key: str) -> tuple[str, ...]:
 
 FULL_SPEED_S = 12.7  # seconds to full speed (127) at one speed step in 100 ms
 
-_FASTEST = 127  # the highest wire value of an acceleration
-
 
 def acceleration_wire(seconds: float) -> int:
     """Return the wire value with the nearest time to full speed; 0 for none."""
     if seconds <= 0:
         return 0
-    return min(range(1, _FASTEST + 1), key=lambda wire: abs(FULL_SPEED_S / wire - seconds))
+    return min(range(1, HIGHEST_WIRE + 1), key=lambda wire: abs(FULL_SPEED_S / wire - seconds))
 
 
 def ramp_seconds(wire: int) -> str:
@@ -138,13 +134,7 @@ class ParameterKind(StrEnum):
 
 
 # A board at line settings that no source knows could not be reached any more.
-_WITH_LIMITS = {
-    ParameterKind.NUMBER,
-    ParameterKind.CHOICE,
-    ParameterKind.CHANNELS,
-    ParameterKind.ACCELERATION,
-    ParameterKind.PWM_MAXIMUM,
-}
+_NEVER_OPEN = {ParameterKind.UART, ParameterKind.POLYNOMIAL, ParameterKind.RESET}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -194,7 +184,7 @@ class ParameterSpec:
 
     def is_open(self, wire: int) -> bool:
         """Whether only a limit without a source is against this wire value: the board decides."""
-        if self.kind not in _WITH_LIMITS or not 0 <= wire <= HIGHEST_WIRE or wire in self.valid:
+        if self.kind in _NEVER_OPEN or not 0 <= wire <= HIGHEST_WIRE or wire in self.valid:
             return False
         return self.grade("min" if wire < self.minimum else "max") > Grade.SOURCED
 
@@ -254,7 +244,9 @@ class ParameterSpec:
         """Return a wire value in physical units; any 0-127, allowed or not."""
         match self.kind:
             case ParameterKind.CHANNELS:
-                return _channels_text(wire) if wire <= self.maximum else tr("wire {0}").format(wire)
+                if wire <= self.maximum:
+                    return channels_text(channels_in(wire))
+                return tr("wire {0}").format(wire)
             case ParameterKind.CHOICE:
                 return self.choices.get(wire, tr("wire {0}").format(wire))
             case ParameterKind.POLYNOMIAL:
@@ -262,9 +254,8 @@ class ParameterSpec:
             case ParameterKind.PWM_MAXIMUM:
                 return str(device_table().pwm.maximum(wire))
             case ParameterKind.UART:
-                return (
-                    line.text() if (line := _line_settings(wire)) else tr("wire {0}").format(wire)
-                )
+                line = _line_settings(wire)
+                return line.text() if line else tr("wire {0}").format(wire)
             case ParameterKind.ACCELERATION if wire:
                 return tr("{0} s to full speed").format(ramp_seconds(wire))
         if wire == 0 and self.zero:
@@ -327,22 +318,17 @@ class ParameterSpec:
         if steps is None or not math.isfinite(steps):
             return None
         near = round(steps)
-        if not self._has_steps and near != steps:
+        is_quantity = bool(self.unit) or self.kind is ParameterKind.PWM_MAXIMUM
+        if near != steps and not is_quantity:  # nothing lies between two values
             return None
         if not self.minimum - _ROUNDING <= steps <= self.maximum + _ROUNDING:
             return None
         return 1 if self.zero and near == 0 < steps else near
 
-    @property
-    def _has_steps(self) -> bool:
-        """Whether the values are a quantity, so that something lies between two of them."""
-        return bool(self.unit) or self.kind is ParameterKind.PWM_MAXIMUM
-
     def _steps(self, text: str) -> float | None:
         """Return the number in `text` in wire steps, which may be broken; `None`: no number."""
-        if self.kind in {ParameterKind.POLYNOMIAL, ParameterKind.UART} and text.lower().startswith(
-            "0x"
-        ):
+        is_coded = self.kind in {ParameterKind.POLYNOMIAL, ParameterKind.UART}
+        if is_coded and text.lower().startswith("0x"):
             try:
                 value = float(int(text, 16))
             except (ValueError, OverflowError):
@@ -370,8 +356,7 @@ class ParameterSpec:
             return None
 
 
-def _channels_text(mask: int) -> str:
-    channels = channels_in(mask)
+def channels_text(channels: Collection[int]) -> str:
     if not channels:
         return tr("none", "channels")
     text = tr("channel {0}") if len(channels) == 1 else tr("channels {0}")
@@ -395,9 +380,6 @@ class ParameterSet:
 
     def __iter__(self) -> Iterator[ParameterSpec]:
         return iter(self.specs)
-
-    def __len__(self) -> int:
-        return len(self.specs)
 
     @property
     def readable(self) -> tuple[ParameterSpec, ...]:
