@@ -43,7 +43,7 @@ def test_cancelled_reversal_resumes_old_direction() -> None:
 def test_speed_falls_in_proportion_to_excess_current() -> None:
     motor = Motor()
     motor.accelerate(FORWARD, 100)
-    settings = MotorSettings(current_limit=10, limit_gain=8)  # 20 counts
+    settings = MotorSettings(current_limit=10, current_limit_p=8)  # 20 counts
     assert not motor.update(settings, 20)
     assert motor.speed == 100
     assert motor.update(settings, 30)  # ceil(8 * 10 / 16) = 5
@@ -64,7 +64,7 @@ def test_zero_gain_turns_motor_off_over_current_limit() -> None:
 def test_zero_current_limit_disables_limiter() -> None:
     motor = Motor()
     motor.set(FORWARD, 100)
-    assert not motor.update(MotorSettings(current_limit=0, limit_gain=127), 255)
+    assert not motor.update(MotorSettings(current_limit=0, current_limit_p=127), 255)
     assert motor.speed == 100
 
 
@@ -72,7 +72,7 @@ def test_brake_command_works_over_current_limit() -> None:
     motor = Motor()
     motor.set(FORWARD, 100)
     motor.accelerate(BRAKE, 127)
-    motor.update(MotorSettings(current_limit=1, limit_gain=5), 255)
+    motor.update(MotorSettings(current_limit=1, current_limit_p=5), 255)
     assert (motor.direction, motor.speed) == (BRAKE, 127)
 
 
@@ -80,7 +80,7 @@ def test_lower_setpoint_applies_over_current_limit() -> None:
     motor = Motor()
     motor.set(FORWARD, 100)
     motor.accelerate(FORWARD, 10)
-    motor.update(MotorSettings(current_limit=1, limit_gain=1), 3)
+    motor.update(MotorSettings(current_limit=1, current_limit_p=1), 3)
     assert motor.speed == 9
 
 

@@ -1,7 +1,7 @@
 """Control lines of `trex-sim` for boards and their wire."""
 
 import json
-from dataclasses import fields
+from dataclasses import asdict
 from functools import partial
 from typing import Any
 
@@ -17,13 +17,11 @@ from trex_gui.core.simulator.control_lines import (
     wire,
 )
 from trex_gui.core.simulator.sampling import ReceiveError
-from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.simulator.channels import Signal
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
 
-_FIELDS = [field.name for field in fields(Calibration)]
 _FLASH = 0.3  # inferred: seconds for each of the five flashes at power-up
 
 
@@ -94,9 +92,9 @@ def report(board: Board) -> dict[str, Any]:
         "supply": round(board.machine.volts, 2),
         "parameters": memory.stored(),
         "calibrations": {
-            f"{source.value.lower()}_channel_{channel}": {
-                name: getattr(board.eeprom.calibration(source, channel), name) for name in _FIELDS
-            }
+            f"{source.value.lower()}_channel_{channel}": asdict(
+                board.eeprom.calibration(source, channel)
+            )
             for source in InputSource
             for channel in CHANNELS
         },

@@ -9,7 +9,13 @@ from functools import cache
 from trex_gui.core.simulator.timeline import EPSILON
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.errors import ResultCode
-from trex_gui.devices.trex.protocol.flags import InputSource, Mode, Status, UartError
+from trex_gui.devices.trex.protocol.flags import (
+    MOTOR_FAULTS,
+    OVER_LIMITS,
+    InputSource,
+    Mode,
+    UartError,
+)
 from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
 from trex_gui.devices.trex.simulator.boot_modes import BootMode, boot_mode
 from trex_gui.devices.trex.simulator.channel_control import ChannelControl
@@ -30,22 +36,9 @@ MODE_JUMPERS = ("serial", "rc", "analog")
 _UPDATE_TICKS = 4  # motors and safety, 100 times a second
 _CURRENT_TICKS = {InputSource.RC: 5, InputSource.ANALOG: 8}  # readings, 80 or 50 times a second
 
-_COASTING = DriverOutput()
-
-_MOTOR_KEYS = tuple(
-    tuple(
-        parameter.of(number)
-        for parameter in (
-            MotorParameter.ACCELERATION,
-            MotorParameter.BRAKE_DURATION,
-            MotorParameter.CURRENT_LIMIT,
-            MotorParameter.CURRENT_LIMIT_P,
-        )
-    )
-    for number in (1, 2)
-)
-_FAULT = (Status.MOTOR1_FAULT, Status.MOTOR2_FAULT)
-_OVER_LIMIT = (Status.MOTOR1_OVER_LIMIT, Status.MOTOR2_OVER_LIMIT)
+_MOTOR_KEYS = {
+    number: [MotorParameter(name).of(number) for name in MotorSettings._fields] for number in (1, 2)
+}
 _COUNTERS = (
     "power_ups",
     "brown_outs",
@@ -114,7 +107,7 @@ class Board:
         self.counters["power_ups"] += 1
         self.memory.load()
         jumpers = {"rc": Mode.RC, "analog": Mode.ANALOG}
-        self.mode = jumpers.get(self.mode_jumper, self.memory.serial_source)
+        self.mode = jumpers.get(self.mode_jumper, self.memory.serial_mode)
         self.channels.begin(self.mode.source)
         self._forget()
         self.boot_mode: BootMode | None = boot_mode(self)  # `None` in normal operation
@@ -220,13 +213,13 @@ class Board:
             shut_down=self._stops_on_timeout,
         )
         self._latch_faults()
-        for index, (motor, physics) in enumerate(zip(self.motors, self.physics, strict=True)):
-            if motor.update(self._motor_settings(index + 1), physics.reading):
-                self.serial.status |= _OVER_LIMIT[index]
+        for number, motor, physics in zip((1, 2), self.motors, self.physics, strict=True):
+            if motor.update(self._motor_settings(number), physics.reading):
+                self.serial.status |= OVER_LIMITS[number]
         self.aux.update(self.memory.active[ParameterKey.AUX_ACCELERATION])
 
     def _motor_settings(self, number: int) -> MotorSettings:
-        settings = MotorSettings(*map(self.memory.active.__getitem__, _MOTOR_KEYS[number - 1]))
+        settings = MotorSettings(*map(self.memory.active.__getitem__, _MOTOR_KEYS[number]))
         return settings._replace(current_limit=0) if self.memory.is_joint else settings
 
     # Channels
@@ -296,7 +289,7 @@ class Board:
             physics.measure()
 
     def _latch_faults(self) -> None:
-        for flag, physics in zip(_FAULT, self.physics, strict=True):
+        for flag, physics in zip(MOTOR_FAULTS.values(), self.physics, strict=True):
             if physics.fault:
                 self.serial.status |= flag
 
@@ -304,8 +297,6 @@ class Board:
 @cache
 def _drive(direction: MotorDirection, speed: int) -> DriverOutput:
     """Return the drive of a motor; inferred: duty is speed / 127."""
-    if not speed:
-        return _COASTING
     share = speed / FULL_SPEED
     if direction is MotorDirection.BRAKE:
         return DriverOutput(brake=share)

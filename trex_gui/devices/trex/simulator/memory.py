@@ -252,8 +252,7 @@ class Memory:
         return self.active[ParameterKey.MOTOR_MODE] == 1
 
     @property
-    def serial_source(self) -> Mode:
-        """The mode that a board in serial mode is in."""
+    def serial_mode(self) -> Mode:
         analog = self.active[ParameterKey.CHANNEL_INPUT_SOURCE] == 1
         return Mode.SERIAL_ANALOG if analog else Mode.SERIAL_RC
 

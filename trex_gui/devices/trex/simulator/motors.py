@@ -26,12 +26,12 @@ class MotorDirection(Enum):
 
 
 class MotorSettings(NamedTuple):
-    """The parameters of one motor, in wire values: 0x0E-0x16; no current limit is 0."""
+    """Parameters of one motor (0x0E-0x16) by the names of their keys; no current limit is 0."""
 
     acceleration: int = 0
     brake_duration: int = 0
     current_limit: int = 0
-    limit_gain: int = 0
+    current_limit_p: int = 0
 
 
 class Motor:
@@ -71,7 +71,7 @@ class Motor:
         limit = 2 * settings.current_limit
         over = 0 < limit < current
         if over and self.direction is self.target_direction is not MotorDirection.BRAKE:
-            self._limit(settings.limit_gain, current - limit)
+            self._limit(settings.current_limit_p, current - limit)
         else:
             self._follow_target(settings)
         return over
