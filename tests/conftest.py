@@ -384,10 +384,10 @@ def connected_window(window: WindowDriver, quick_simulator: SimulatedDevice) -> 
 @pytest.fixture
 def full_disk(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let recordings run out of disk space soon."""
-    begin = RecordingWriter._begin
+    make = RecordingWriter.__init__
 
-    def begin_on_full_disk(writer: RecordingWriter[Any, Any]) -> None:
-        begin(writer)
+    def make_on_full_disk(writer: RecordingWriter[Any, Any], *args: Any) -> None:
+        make(writer, *args)
         writer._database.execute("PRAGMA max_page_count = 12")
 
-    monkeypatch.setattr(RecordingWriter, "_begin", begin_on_full_disk)
+    monkeypatch.setattr(RecordingWriter, "__init__", make_on_full_disk)

@@ -78,13 +78,15 @@ class Adapter:
         self.words = array.array("I", [0] * 11)
         self.possible = possible
         self.failure: OSError | None = None
-        monkeypatch.setattr(linux_ports, "termios2", lambda handle: self.words[:])
-        monkeypatch.setattr(linux_ports, "_set", self._set)
+        monkeypatch.setattr("fcntl.ioctl", self._ioctl)
 
     def fileno(self) -> int:
         return 3
 
-    def _set(self, handle: int, words: "array.array[int]") -> None:
+    def _ioctl(self, handle: int, request: int, words: "array.array[int]") -> None:
+        if request == linux_ports._TCGETS2:
+            words[:] = self.words
+            return
         if self.failure is not None:
             raise self.failure
         self.words = words[:]

@@ -28,7 +28,7 @@ def test_missing_reply_message_lists_checks_and_names_device_number() -> None:
     assert "power" in str(error)
     assert "device number" not in str(error)
     error = explain(replace(SETTINGS, device_number=12), echo=False, error=NoReply("x"))
-    assert "device number is 12" in str(error)
+    assert "device number 12" in str(error)
 
 
 @pytest.mark.parametrize("echo", [False, True])
