@@ -9,9 +9,8 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from trex_gui.core.files import atomic_file
-from trex_gui.core.recording.kinds import RecordingError, SampleKind, Value
-from trex_gui.core.recording.store import CHUNK, ExportRow, Recording
-from trex_gui.core.translation import tr
+from trex_gui.core.recording.kinds import SampleKind, Value
+from trex_gui.core.recording.store import CHUNK, NOT_WRITTEN, ExportRow, Recording, reported
 
 MCAP_SUFFIX = ".mcap"
 _MCAP_TIMES = (0, 2**64 // 10**9 - 1)  # seconds since 1970
@@ -37,12 +36,8 @@ def export_span(
     name is replaced only by a complete one. Raises RecordingError.
     """
     write = _write_mcap if path.suffix.lower() == MCAP_SUFFIX else _write_csv
-    try:
-        with atomic_file(path) as file:
-            write(recording, file, span, header, progress)
-    except OSError as error:
-        reason = error.strerror or error
-        raise RecordingError(str(path), tr("It cannot be written: {0}.").format(reason)) from error
+    with reported(path, NOT_WRITTEN), atomic_file(path) as file:
+        write(recording, file, span, header, progress)
 
 
 def _rows(

@@ -6,13 +6,13 @@ from datetime import datetime
 from pathlib import Path
 
 from trex_gui.core.files import data_folder
-from trex_gui.core.recording.kinds import RecordingError
-from trex_gui.core.recording.store import SUFFIX, remove_recording
-from trex_gui.core.translation import tr
+from trex_gui.core.recording.store import SUFFIX, remove_recording, reported
+from trex_gui.core.translation import tr_noop
 
 MOST_FILES = 50  # some 10 MB
 MOST_BYTES = 100 * 1024 * 1024
 
+_NOT_USED = tr_noop("It cannot be used: {0}.")
 _NAME = re.compile(r"\d{4}-\d\d-\d\d_\d\d-\d\d-\d\d\.\d{3}_[a-z-]+" + re.escape(SUFFIX))
 
 
@@ -27,37 +27,21 @@ def kept_path(begun: datetime, kind: str) -> Path:
 
 
 def make_kept_folder() -> Path:
-    """Return the folder, which exists from now on.
-
-    Raises:
-        RecordingError: it cannot be made.
-    """
+    """Return the folder, which exists from now on. Raises RecordingError."""
     folder = kept_folder()
-    try:
+    with reported(folder, _NOT_USED):
         folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise _unusable(error) from error
     return folder
-
-
-def _unusable(error: OSError) -> RecordingError:
-    message = tr("It cannot be used: {0}.").format(error.strerror or error)
-    return RecordingError(str(kept_folder()), message)
 
 
 def make_room(most_files: int = MOST_FILES, most_bytes: int = MOST_BYTES) -> None:
     """Remove the oldest recordings before one more is written; make the folder if need be.
 
-    A file that the user renamed is never removed, nor is the newest one.
-
-    Raises:
-        RecordingError: the folder cannot be made or read.
+    A file that the user renamed is never removed, nor is the newest one. Raises RecordingError.
     """
     folder = make_kept_folder()
-    try:
+    with reported(folder, _NOT_USED):
         found = sorted(path for path in folder.iterdir() if _NAME.fullmatch(path.name))
-    except OSError as error:
-        raise _unusable(error) from error
     used = 0
     for number, path in enumerate(reversed(found), start=1):
         with contextlib.suppress(OSError):  # gone already, or open in another program

@@ -49,7 +49,7 @@ _LONGEST_S = 200 * 86400.0
 """Seconds from the start of a recording that a record may have; before the start, an hour."""
 _EARLIEST_S = -3600.0
 _NOT_A_RECORDING = tr_noop("This is not a TReX Studio recording.")
-_NOT_WRITTEN = tr_noop("It cannot be written: {0}.")
+NOT_WRITTEN = tr_noop("It cannot be written: {0}.")
 _NOT_OPENED = tr_noop("It cannot be opened: {0}.")
 _NOT_READ = tr_noop("It cannot be read: {0}.")
 _DAMAGED = tr_noop("It is damaged: {0}.")
@@ -68,7 +68,8 @@ def reason_of(error: Exception) -> str:
 
 
 @contextlib.contextmanager
-def _reported(path: Path, message: str) -> Iterator[None]:
+def reported(path: Path, message: str) -> Iterator[None]:
+    """Raise RecordingError where the disk fails; `message` has a place for the reason."""
     try:
         yield
     except (OSError, ValueError, sqlite3.Error) as error:
@@ -89,7 +90,7 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
         self._path = path
         self._count = 0
         self._kinds: dict[type[object], tuple[SampleKind, str]] = {}
-        with _reported(path, _NOT_WRITTEN):
+        with reported(path, NOT_WRITTEN):
             with atomic_file(path) as draft:
                 draft.close()
                 with contextlib.closing(_connect(draft.name)) as database:
@@ -141,7 +142,7 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
             number += 1
             kind = self._kinds[type(record)][0]
             rows.setdefault(type(record), []).append((number, record.time, *kind.pack(record)))
-        with _reported(self._path, _NOT_WRITTEN):
+        with reported(self._path, NOT_WRITTEN):
             if not self._database.in_transaction:
                 self._database.execute("BEGIN")
             for record_type, values in rows.items():
@@ -150,19 +151,19 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
 
     def commit(self) -> None:
         """Keep everything taken so far, even if the program crashes."""
-        with _reported(self._path, _NOT_WRITTEN):
+        with reported(self._path, NOT_WRITTEN):
             if self._database.in_transaction:
                 self._database.execute("COMMIT")
 
     def sync(self) -> None:
         """Commit, and bring everything down to the disk."""
         self.commit()
-        with _reported(self._path, _NOT_WRITTEN):
+        with reported(self._path, NOT_WRITTEN):
             self._database.execute("PRAGMA wal_checkpoint(PASSIVE)")
 
     def finish(self) -> None:
         self.write([])
-        with _reported(self._path, _NOT_WRITTEN):
+        with reported(self._path, NOT_WRITTEN):
             self._database.execute(
                 "INSERT INTO header VALUES (?, CAST(strftime('%s') AS INTEGER))", (_ENDED,)
             )
@@ -186,13 +187,9 @@ def _companions(path: Path) -> Iterator[Path]:
 
 
 def copy_recording(source: Path, path: Path) -> None:
-    """Copy a recording that is complete; a file of the same name is replaced.
-
-    Raises:
-        RecordingError: it cannot be read or written.
-    """
+    """Copy a complete recording, over any file of the same name. Raises RecordingError."""
     with (
-        _reported(path, _NOT_WRITTEN),
+        reported(path, NOT_WRITTEN),
         open_ordinary(source) as whole,
         atomic_file(path) as copy,
     ):
@@ -247,13 +244,13 @@ class Recording(Generic[HeaderT, RecordT]):
                     "recording ({0}) that it was exported from."
                 ).format(SUFFIX)
             )
-        with _reported(path, _NOT_OPENED), open_ordinary(path) as file:
+        with reported(path, _NOT_OPENED), open_ordinary(path) as file:
             head = file.read(_HEAD.size)
             size = file.seek(0, os.SEEK_END)
         if len(head) < _HEAD.size or not head.startswith(_MAGIC):
             raise self._error(tr(_NOT_A_RECORDING))
         page_size, pages = _HEAD.unpack(head)
-        with _reported(path, _NOT_OPENED):
+        with reported(path, _NOT_OPENED):
             for companion in _companions(path):
                 with contextlib.suppress(FileNotFoundError):
                     check_ordinary(companion)
@@ -263,7 +260,7 @@ class Recording(Generic[HeaderT, RecordT]):
         self._open = contextlib.ExitStack()
         try:
             self._database = self._connect()
-            with _reported(path, _DAMAGED):
+            with reported(path, _DAMAGED):
                 self.header = self._read_header()
                 self.kinds = self._checked_tables(fmt.kinds(self.header))
                 self.count = self._last_record()  # number of the last record; records count from 1
