@@ -201,13 +201,13 @@ def test_signal_text_can_be_parsed_back(signal: Signal, source: InputSource) -> 
 @modest
 @given(counts=st.integers(1250, 6250))
 def test_signal_from_pulse_counts_measures_same_counts(counts: int) -> None:
-    assert measured(Signal.from_counts(counts, RC), RC) == counts
+    assert measured(Signal.parse(f"{counts}", RC), RC) == counts
 
 
 @modest
 @given(counts=st.integers(0, 1023))
 def test_signal_from_voltage_counts_measures_same_counts(counts: int) -> None:
-    assert measured(Signal.from_counts(counts, ANALOG), ANALOG) == counts
+    assert measured(Signal.parse(f"{counts}", ANALOG), ANALOG) == counts
 
 
 @modest

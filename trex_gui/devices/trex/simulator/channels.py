@@ -76,8 +76,8 @@ class Signal:
 
     @classmethod
     def _of(cls, number: float, unit: str, source: InputSource) -> "Signal":
-        if not unit:
-            return cls.from_counts(number, source)
+        if not unit:  # counts
+            unit, number = source.unit, source.physical(number)
         if unit in {"us", "µs"}:
             return cls.pulses(number)
         return cls.voltage(number / 1000 if unit == "mv" else number)
@@ -95,13 +95,6 @@ class Signal:
         if not 0 <= volts <= SUPPLY:
             raise ValueError(f"an input carries 0 to {SUPPLY:g} V")
         return cls(SignalKind.VOLTAGE, volts)
-
-    @classmethod
-    def from_counts(cls, counts: float, source: InputSource) -> "Signal":
-        """Return the signal that the board measures as these raw counts."""
-        if source is InputSource.RC:
-            return cls.pulses(source.physical(counts))
-        return cls.voltage(source.physical(counts))
 
     @property
     def text(self) -> str:
@@ -188,7 +181,12 @@ class Channels:
         if self.source is InputSource.ANALOG:
             self._convert()
         elif (channel := self._ticks % _PERIOD_TICKS) in self.signals:
-            self._catch_pulse(channel, self.signals[channel])
+            signal = self.signals[channel]
+            if signal.has_pulse(self._random):
+                self._pulse_ticks[channel] = self._ticks
+                self._raw[channel] = signal.pulse(self._random)
+                if self._raw[channel] is not None:
+                    self._good_ticks[channel] = self._ticks
 
     def _convert(self) -> None:
         is_due = self._ticks % _PERIOD_TICKS == 0
@@ -199,13 +197,6 @@ class Channels:
                 samples = _SAMPLES_A_TICK * _PERIOD_TICKS
                 self._raw[channel] = (self._converted[channel] + samples // 2) // samples
                 self._converted[channel] = 0
-
-    def _catch_pulse(self, channel: int, signal: Signal) -> None:
-        if signal.has_pulse(self._random):
-            self._pulse_ticks[channel] = self._ticks
-            self._raw[channel] = signal.pulse(self._random)
-            if self._raw[channel] is not None:
-                self._good_ticks[channel] = self._ticks
 
     @property
     def raw(self) -> tuple[int | None, ...]:
