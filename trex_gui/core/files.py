@@ -104,20 +104,12 @@ class NotOrdinaryFileError(OSError):
 
 
 def check_ordinary(path: Path) -> None:
-    """Raise NotOrdinaryFileError unless `path` is an ordinary file or leads to one.
-
-    Raises:
-        OSError: it cannot be looked at; FileNotFoundError if it is missing.
-    """
+    """Raise OSError, or NotOrdinaryFileError, unless `path` is or leads to an ordinary file."""
     _check_mode(path, path.stat().st_mode)
 
 
 def open_ordinary(path: Path) -> BinaryIO:
-    """Open an ordinary file for reading, without waiting for anything else.
-
-    Raises:
-        OSError: it cannot be opened; NotOrdinaryFileError if it is no ordinary file.
-    """
+    """Open an ordinary file for reading, without waiting for anything else. Raises OSError."""
     check_ordinary(path)  # first: opening a serial port changes its lines
     at_once = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOCTTY", 0)
     file = open(  # noqa: SIM115 - the caller closes it

@@ -37,8 +37,8 @@ class SerialFormat:
         """Bits that one byte takes on the wire: start, eight data, parity, stop."""
         return 9 + (self.parity is not Parity.NONE) + self.stop_bits
 
-    def seconds(self, size: int, baud: int | None = None) -> float:
-        return size * self.bits_per_byte / (baud or self.baud)
+    def seconds(self, size: int) -> float:
+        return size * self.bits_per_byte / self.baud
 
     @property
     def short(self) -> str:

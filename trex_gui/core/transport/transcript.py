@@ -130,11 +130,7 @@ class TranscriptRow:
 
 
 def read_transcript(text: str, name: str, decoder: Decoder) -> Iterator[TranscriptRow]:
-    """Yield the rows that have bytes.
-
-    Raises:
-        SettingsError: this is no transcript, or a line is damaged.
-    """
+    """Yield the rows that have bytes; SettingsError at what is no row, or no transcript at all."""
     lines = text.removesuffix("\n").replace("\r\n", "\n").split("\n")
     first = next((index for index, line in enumerate(lines) if not line.startswith("#")), 0)
     if tuple(lines[first].split("\t"))[: len(COLUMNS)] != COLUMNS:

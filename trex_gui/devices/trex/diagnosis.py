@@ -62,10 +62,7 @@ def diagnose(
     """Return why no TReX was found: as `explain`, or what some probes recognised.
 
     A silent local line takes a second. With CRC it takes seven more, for every polynomial, unless
-    `quick`. The line has the settings of the client again afterwards.
-
-    Raises:
-        PortUnavailable: the line is gone.
+    `quick`. The line has the settings of the client again afterwards. Raises PortUnavailable.
     """
     settings, wire = client.settings, client.transport
     plain = explain(settings, echo=client.echo, error=error)

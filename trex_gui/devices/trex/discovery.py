@@ -66,8 +66,6 @@ def attempts(*, full: bool = False) -> Iterator[Attempt]:
 
 @dataclass(frozen=True, slots=True)
 class FoundBoard:
-    """A board, and how to reach it."""
-
     settings: ConnectionSettings  # with a number only where several boards share the line
     signature: Signature
     device_number: int | None = None  # the number that it stores, if it was read
@@ -84,10 +82,8 @@ def boards_by_number(
 ) -> list[FoundBoard]:
     """Return the boards that reply to their device number on an open line, in its order.
 
-    `progress` gets each number before it is probed. Boards that share a number are left out.
-
-    Raises:
-        PortUnavailable: the line is gone.
+    `progress` gets each number before it is probed. Boards that share a number are left out. Raises
+    PortUnavailable.
     """
     found: list[FoundBoard] = []
     for number in range(NUMBERS):
@@ -143,9 +139,7 @@ class TrexProber:
         return bool(self.found) or self._several is not None or self._is_loader
 
     def note_unsolicited(self, line: SerialFormat, data: bytes) -> None:
-        """Note unsolicited bytes: no TReX sends any."""
-        if data:
-            self._strange.append((line, data))
+        self._strange.append((line, data))
 
     def probe(
         self,
@@ -304,11 +298,8 @@ class TrexProber:
     def _strange_evidence(self, url: str) -> tuple[Evidence, str]:
         line, data = self._strange[0]
         shown = hex_text(data[:_SHOWN]) + (" …" if len(data) > _SHOWN else "")
-        often = (
-            tr(", and something at {0} more").format(more)
-            if (more := len(self._strange) - 1)
-            else ""
-        )
+        more = len(self._strange) - 1
+        often = tr(", and something at {0} more").format(more) if more else ""
         text = tr(
             "Something is connected to {0}, but it does not respond like a TReX: it "
             "sent {1} at {2}{3}. It is another device, or the line is noisy."

@@ -85,11 +85,7 @@ class ProbeReply:
 
 
 def send_probe(wire: Transport, attempt: Attempt, extra: float = 0.0) -> ProbeReply:
-    """Send a probe on a line that was flushed and set, and classify the reply.
-
-    Raises:
-        PortUnavailable: the line is gone.
-    """
+    """Send a probe on a line that was flushed and set, and classify the reply."""
     with contextlib.suppress(BadReply):
         wire.discard()
     wire.write(attempt.data)

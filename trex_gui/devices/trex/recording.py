@@ -47,10 +47,8 @@ class SetpointRecord:
 
 @dataclass(frozen=True, slots=True)
 class AuxiliarySetpointRecord:
-    """A setpoint of the auxiliary motor, 0-127."""
-
     time: float
-    speed: int
+    speed: int  # 0-127
     accelerate: bool = False
 
 
@@ -80,8 +78,6 @@ def settings_text(state: DeviceState) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Header:
-    """Describes the recording of a board."""
-
     started: datetime
     clock: float  # the session's clock (s) at the start
     model: Model

@@ -39,12 +39,7 @@ class BenchFileError(StudioError):
 
 
 def load_run(path: Path) -> Run:
-    """Return the test in a file.
-
-    Raises:
-        SettingsError: the file cannot be read, or is too large.
-        BenchFileError: it is something else, or damaged.
-    """
+    """Return the test in a file; SettingsError if it cannot be read, BenchFileError if damaged."""
     data = load(path, tr("bench tests"), _LARGEST_FILE)
     try:
         return from_csv(data.decode("utf-8"))
@@ -86,11 +81,7 @@ def _facts(run: Run) -> Iterable[tuple[str, str]]:
 
 
 def from_csv(text: str) -> Run:
-    """Return the test that `to_csv` wrote.
-
-    Raises:
-        BenchFileError: the text is something else, or damaged.
-    """
+    """Return the test that `to_csv` wrote; BenchFileError for another or a damaged text."""
     lines = text.removeprefix("\ufeff").splitlines()
     if not lines or lines[0].strip() != _TITLE:
         raise BenchFileError(tr("line 1: a bench test begins with {0!r}").format(_TITLE))

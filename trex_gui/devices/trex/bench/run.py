@@ -50,24 +50,16 @@ class Profile:
 
     def __post_init__(self) -> None:
         """Raise `ValueError` with the limits if a value is outside them."""
+        limits = Number(SHORTEST), Number(LONGEST)
         if self.speed == 0 or not -FULL_SCALE <= self.speed <= FULL_SCALE:
-            raise ValueError(
-                tr("the speed of a bench test is −{0} to {0} and not 0, not {1}").format(
-                    FULL_SCALE, self.speed
-                )
-            )
+            text = tr("the speed of a bench test is −{0} to {0} and not 0, not {1}")
+            raise ValueError(text.format(FULL_SCALE, self.speed))
         if not SHORTEST <= self.duration <= LONGEST:
-            raise ValueError(
-                tr("a bench test lasts {0:g} to {1:g} s, not {2:g} s").format(
-                    Number(SHORTEST), Number(LONGEST), Number(self.duration)
-                )
-            )
+            text = tr("a bench test lasts {0:g} to {1:g} s, not {2:g} s")
+            raise ValueError(text.format(*limits, Number(self.duration)))
         if self.shape.has_period and not SHORTEST <= self.period <= LONGEST:
-            raise ValueError(
-                tr("the period of a bench test is {0:g} to {1:g} s, not {2:g} s").format(
-                    Number(SHORTEST), Number(LONGEST), Number(self.period)
-                )
-            )
+            text = tr("the period of a bench test is {0:g} to {1:g} s, not {2:g} s")
+            raise ValueError(text.format(*limits, Number(self.period)))
 
     def speed_at(self, seconds: float) -> int:
         """Return the speed at a moment; 0 before the start and from the end on."""
@@ -155,7 +147,6 @@ class Run:
         return tr(_TITLES[profile.shape]).format(speed, f"{Number(profile.duration):g}")
 
     def setpoint_at(self, seconds: float) -> int:
-        """Return the speed setpoint at a moment; 0 without one."""
         index = bisect_right(self.setpoints, seconds, key=itemgetter(0))
         return self.setpoints[index - 1][1] if index and seconds <= self.ended else 0
 
