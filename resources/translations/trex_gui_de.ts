@@ -65,12 +65,12 @@
         <translation>Zugriff verweigert</translation></message>
     <message><source>Samples missing here, because the disk was too slow: {0}.</source>
         <translation>Hier fehlen Messwerte, weil der Datenträger zu langsam war: {0}.</translation></message>
-    <message><source>It cannot be written: {0}.</source>
-        <translation>Sie kann nicht geschrieben werden: {0}.</translation></message>
     <message><source>It cannot be used: {0}.</source>
         <translation>Nicht verwendbar: {0}.</translation></message>
     <message><source>This is not a TReX Studio recording.</source>
         <translation>Das ist keine Aufzeichnung von TReX Studio.</translation></message>
+    <message><source>It cannot be written: {0}.</source>
+        <translation>Sie kann nicht geschrieben werden: {0}.</translation></message>
     <message><source>It cannot be opened: {0}.</source>
         <translation>Lässt sich nicht öffnen: {0}.</translation></message>
     <message><source>It cannot be read: {0}.</source>
@@ -1129,8 +1129,6 @@
         <translation>Kalibrierung von Kanal {0}</translation></message>
     <message><source>stored settings</source>
         <translation>gespeicherte Einstellungen</translation></message>
-    <message><source>no parity and no CRC</source>
-        <translation>ohne Parität und ohne CRC</translation></message>
     <message><source>device number {0}</source>
         <translation>Gerätenummer {0}</translation></message>
     <message><source> It also echoes what is sent.</source>
@@ -2203,8 +2201,6 @@
         <translation>An {0} antworten mehrere Boards gleichzeitig mit {1}. „Suchen“ fragt jede Gerätenummer ab; von Boards mit derselben Nummer schalten Sie alle bis auf eines aus und geben diesem eine eigene.</translation></message>
     <message><source>A {1} responds on {0} at {2}, but this connection uses {3}. Connect with the settings of the board.</source>
         <translation>An {0} antwortet ein {1} mit {2}, diese Verbindung verwendet aber {3}. Verbinden Sie mit den Einstellungen des Boards.</translation></message>
-    <message><source>A {1} responds on {0} with {2}, but this connection uses {3}. Connect with the settings of the board.</source>
-        <translation>An {0} antwortet ein {1} mit anderer Fehlererkennung: Board {2}, diese Verbindung {3}. Verbinden Sie mit den Einstellungen des Boards.</translation></message>
     <message><source>A {1} responds on {0} with CRC polynomial {2}, but this connection uses {3}. Connect with the settings of the board.</source>
         <translation>An {0} antwortet ein {1} mit dem CRC-Polynom {2}, diese Verbindung verwendet aber {3}. Verbinden Sie mit den Einstellungen des Boards.</translation></message>
     <message><source>A {1} responds on {0}, but its device number is {2}, and this connection uses {3}. Connect with the settings of the board.</source>

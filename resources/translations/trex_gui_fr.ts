@@ -65,12 +65,12 @@
         <translation>permission refusée</translation></message>
     <message><source>Samples missing here, because the disk was too slow: {0}.</source>
         <translation>Échantillons manquants ici, car le disque était trop lent : {0}.</translation></message>
-    <message><source>It cannot be written: {0}.</source>
-        <translation>Le fichier ne peut pas être écrit : {0}.</translation></message>
     <message><source>It cannot be used: {0}.</source>
         <translation>Inutilisable : {0}.</translation></message>
     <message><source>This is not a TReX Studio recording.</source>
         <translation>Ce n'est pas un enregistrement de TReX Studio.</translation></message>
+    <message><source>It cannot be written: {0}.</source>
+        <translation>Le fichier ne peut pas être écrit : {0}.</translation></message>
     <message><source>It cannot be opened: {0}.</source>
         <translation>Impossible de l'ouvrir : {0}.</translation></message>
     <message><source>It cannot be read: {0}.</source>
@@ -1129,8 +1129,6 @@
         <translation>Étalonnage de la voie {0}</translation></message>
     <message><source>stored settings</source>
         <translation>réglages enregistrés</translation></message>
-    <message><source>no parity and no CRC</source>
-        <translation>sans parité ni CRC</translation></message>
     <message><source>device number {0}</source>
         <translation>numéro d'appareil {0}</translation></message>
     <message><source> It also echoes what is sent.</source>
@@ -2203,8 +2201,6 @@
         <translation>Plusieurs cartes répondent en même temps sur {0} à {1}. « Rechercher… » interroge chaque numéro d'appareil ; si plusieurs cartes partagent le même, coupez l'alimentation de toutes sauf une et donnez à celle-ci son propre numéro.</translation></message>
     <message><source>A {1} responds on {0} at {2}, but this connection uses {3}. Connect with the settings of the board.</source>
         <translation>Un {1} répond sur {0} à {2}, mais cette connexion utilise {3}. Connectez-vous avec les réglages de la carte.</translation></message>
-    <message><source>A {1} responds on {0} with {2}, but this connection uses {3}. Connect with the settings of the board.</source>
-        <translation>Un {1} répond sur {0} avec {2}, mais cette connexion utilise {3}. Connectez-vous avec les réglages de la carte.</translation></message>
     <message><source>A {1} responds on {0} with CRC polynomial {2}, but this connection uses {3}. Connect with the settings of the board.</source>
         <translation>Un {1} répond sur {0} avec le polynôme CRC {2}, mais cette connexion utilise {3}. Connectez-vous avec les réglages de la carte.</translation></message>
     <message><source>A {1} responds on {0}, but its device number is {2}, and this connection uses {3}. Connect with the settings of the board.</source>

@@ -154,7 +154,7 @@ def test_failed_connection_offers_the_settings_of_the_board(
     controller = trex(window.program).controller
     controller.set_settings(ConnectionSettings("", LineSettings(57600)))
     window.connect_port(window.program.ports.add_typed(quick_simulator.url))
-    window.wait_for_text("bannerText", "with even parity, but this connection uses no parity")
+    window.wait_for_text("bannerText", "even parity, but this connection uses 57600 baud")
     assert not window.has("bannerFind")
     window.click("bannerConnectWith")
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)

@@ -73,10 +73,10 @@ FAST = ConnectionSettings("virtual", LineSettings(115200))
 @pytest.mark.parametrize(
     ("board", "used", "words"),
     [
-        (EVEN, NONE, "with even parity, but this connection uses no parity and no CRC"),
-        (ODD, EVEN, "with odd parity, but this connection uses even parity"),
-        (CRC, NONE, "with CRC-7, but"),
-        (NONE, CRC, "with no parity and no CRC, but this connection uses CRC-7"),
+        (EVEN, NONE, "at 19200 baud, even parity, but this connection uses 19200 baud."),
+        (ODD, EVEN, "19200 baud, odd parity, but this connection uses 19200 baud, even parity"),
+        (CRC, NONE, "at 19200 baud, CRC-7, but"),
+        (NONE, CRC, "at 19200 baud, but this connection uses 19200 baud, CRC-7"),
         (OTHER_CRC, CRC, "with CRC polynomial 9D, but this connection uses 89"),
         (CRC, OTHER_CRC, "with CRC polynomial 89, but this connection uses 9D"),
         (NONE, FAST, "at 19200 baud, but this connection uses 115200 baud"),

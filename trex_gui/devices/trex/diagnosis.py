@@ -12,7 +12,7 @@ from dataclasses import replace
 
 from trex_gui.core.discovery.prober import ScanProgress, flush, ignore_step, never_cancelled
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, StudioError
-from trex_gui.core.translation import tr, tr_noop
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.discovery import FoundBoard, TrexProber, attempts
 from trex_gui.devices.trex.probe import Attempt
@@ -26,13 +26,6 @@ from trex_gui.devices.trex.protocol.errors import (
 )
 from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-
-_DETECTION_TEXT = {
-    Detection.NONE: tr_noop("no parity and no CRC"),
-    Detection.CRC7: "CRC-7",
-    Detection.EVEN: tr_noop("even parity"),
-    Detection.ODD: tr_noop("odd parity"),
-}
 
 
 def explain(settings: ConnectionSettings, *, echo: bool, error: StudioError) -> StudioError:
@@ -109,11 +102,8 @@ def _elsewhere(settings: ConnectionSettings, board: FoundBoard) -> StudioError:
     used, found = settings.line, board.settings.line
     number = settings.device_number
     name = settings.label, board.name
-    if found.baud != used.baud:
-        code, texts = ErrorCode.OTHER_BAUD, (found.short, used.short)
-    elif found.detection is not used.detection:
-        detections = tr(_DETECTION_TEXT[found.detection]), tr(_DETECTION_TEXT[used.detection])
-        code, texts = ErrorCode.OTHER_DETECTION, detections
+    if (found.baud, found.detection) != (used.baud, used.detection):
+        code, texts = ErrorCode.OTHER_LINE, (found.short, used.short)
     elif found.has_crc and board.settings.polynomial != settings.polynomial:
         polynomials = f"{board.settings.polynomial:02X}", f"{settings.polynomial:02X}"
         code, texts = ErrorCode.OTHER_POLYNOMIAL, polynomials

@@ -257,7 +257,7 @@ def test_status_names_the_options_that_reach_the_board(
     quick_simulator.do("power cycle")
     result = trexcmd("status", exits=1)
     assert "A TReX 1.2 responds on" in result.stderr
-    assert "with odd parity, but this connection uses no parity and no CRC" in result.stderr
+    assert "odd parity, but this connection uses 19200 baud." in result.stderr
     url = quick_simulator.url
     assert result.stderr.endswith(f"reach it:\n--port {url} --baud 19200 --parity odd\n")
     trexcmd("status", "--parity", "odd")

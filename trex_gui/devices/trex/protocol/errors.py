@@ -49,12 +49,8 @@ class ErrorCode(Enum):
         "Several boards reply at once on {0} at {1}. Find asks for each device number; of boards "
         "that share one, switch off all but one and give it a number of its own."
     )
-    OTHER_BAUD = tr_noop(
+    OTHER_LINE = tr_noop(
         "A {1} responds on {0} at {2}, but this connection uses {3}. Connect with the settings "
-        "of the board."
-    )
-    OTHER_DETECTION = tr_noop(
-        "A {1} responds on {0} with {2}, but this connection uses {3}. Connect with the settings "
         "of the board."
     )
     OTHER_POLYNOMIAL = tr_noop(
