@@ -17,6 +17,7 @@ from collections import deque
 from pathlib import Path
 from types import FrameType
 
+from trex_gui.core.signals import handled_signals
 from trex_gui.core.simulator.control_lines import GOODBYE
 from trex_gui.core.simulator.endpoint import Endpoint, EndpointError, HostSettings
 from trex_gui.core.simulator.plugin import Simulation
@@ -198,16 +199,13 @@ class Server:
             self._wake.send(b"!")
 
     def _catch_signals(self) -> dict[int, "signal._HANDLER"]:
-        names = ("SIGINT", "SIGTERM", "SIGHUP")
-        numbers = [getattr(signal, name) for name in names if hasattr(signal, name)]
-        previous = {
-            number: signal.signal(number, self._end)
-            for number in numbers
-            if signal.getsignal(number) is not signal.SIG_IGN  # as behind nohup
+        ending = handled_signals(("SIGINT", "SIGTERM", "SIGHUP"))
+        previous: dict[int, signal._HANDLER] = {
+            one: signal.signal(one, self._end) for one in ending
         }
-        if hasattr(signal, "SIGTTIN"):
+        for number in handled_signals(("SIGTTIN",)):
             # In the background of a terminal, reading fails instead of stopping the process.
-            previous[signal.SIGTTIN] = signal.signal(signal.SIGTTIN, signal.SIG_IGN)
+            previous[number] = signal.signal(number, signal.SIG_IGN)
         return previous
 
     def _end(self, _number: int, _frame: FrameType | None) -> None:
