@@ -68,7 +68,7 @@ class SafetySupervisor(QObject):
         self._session = self._session_events()
 
         atexit.register(self._on_exit)
-        self._stopper.stopped.connect(self._on_stopped)
+        self._stopper.stopped.connect(program.device_manager.stop_because)
         self._error_stopper.stopped.connect(self._on_error)
         self._signals.caught.connect(self._on_signal)
         self._wake.woke.connect(self._stopper.stop)
@@ -140,10 +140,6 @@ class SafetySupervisor(QObject):
             os._exit(INTERNAL_ERROR)
 
     @Slot(str)
-    def _on_stopped(self, reason: str) -> None:
-        self._program.device_manager.stop_because(reason)
-
-    @Slot(str)
     def _on_error(self, reason: str) -> None:
         """Report an internal error even if there was nothing to stop.
 
@@ -213,7 +209,6 @@ class ExceptionWatch:
         sys.unraisablehook = self._hook(sys.unraisablehook, lambda args: args.exc_value)
 
     def close(self) -> None:
-        """Restore the hooks."""
         sys.excepthook, threading.excepthook, sys.unraisablehook = self._before
 
     def _hook(

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from pytestqt.qtbot import QtBot
 
-from trex_gui.system.mac_events import CAN_SLEEP, LOCKED, WILL_SLEEP, MacEvents, NativeMac
+from trex_gui.system.mac_events import CAN_SLEEP, WILL_SLEEP, MacEvents, NativeMac
 from trex_gui.ui.runtime import now
 
 HAS_POWERED_ON = 0xE0000300
@@ -20,14 +20,14 @@ class FakeMac:
     """What macOS would report, and which of its power messages were answered."""
 
     def __init__(self) -> None:
-        self.notify: Callable[[str], object] = lambda _name: None
+        self.lock: Callable[[], object] = lambda: None
         self.tell_power: Callable[[int, int], object] = lambda _message, _argument: None
         self.allowed: list[int] = []
 
     def listen(
-        self, on_notification: Callable[[str], object], on_power: Callable[[int, int], object]
+        self, on_locked: Callable[[], object], on_power: Callable[[int, int], object]
     ) -> None:
-        self.notify, self.tell_power = on_notification, on_power
+        self.lock, self.tell_power = on_locked, on_power
 
     def allow_power_change(self, argument: int) -> None:
         self.allowed.append(argument)
@@ -37,13 +37,11 @@ def test_lock_and_sleep_are_reasons_to_stop_and_waking_up_is_none() -> None:
     mac, reasons = FakeMac(), list[str]()
     events = MacEvents(mac, lambda: False, timeout=1.0)
     events.leaving.connect(reasons.append)
-    mac.notify("com.apple.screenIsUnlocked")
     mac.tell_power(HAS_POWERED_ON, 3)
     assert reasons == []
-    for name in LOCKED:
-        mac.notify(name)
+    mac.lock()
     mac.tell_power(WILL_SLEEP, 5)
-    assert reasons == ["The screen was locked"] * 2 + ["The computer goes to sleep"]
+    assert reasons == ["The screen was locked", "The computer goes to sleep"]
 
 
 def test_sleep_waits_for_the_stop_but_not_for_ever(qtbot: QtBot) -> None:
@@ -89,16 +87,15 @@ def test_libraries_are_called_with_as_many_arguments_as_declared() -> None:
 
     native = NativeMac(load, lambda _library, name: name)
     seen: list[object] = []
-    native.listen(seen.append, lambda *message: seen.append(message))
+    native.listen(lambda: seen.append("locked"), lambda *message: seen.append(message))
     assert [path.rpartition("/")[2] for path in loaded] == ["CoreFoundation", "IOKit"]
     assert [call[1] for call in calls["CFStringCreateWithCString"]] == [
         b"com.apple.screenIsLocked",
         b"com.apple.screensaver.didstart",
     ]
-    for call, name in zip(calls["CFNotificationCenterAddObserver"], LOCKED, strict=True):
-        _center, observer, notified, *_rest = call
+    for _center, observer, notified, *_rest in calls["CFNotificationCenterAddObserver"]:
         notified(0, observer, 0, 0, 0)  # as macOS calls it, from C
-        assert seen.pop() == name
+        assert seen.pop() == "locked"
     (call,) = calls["IORegisterForSystemPower"]
     call[2](0, 0, WILL_SLEEP, 5)
     assert seen == [(WILL_SLEEP, 5)]

@@ -8,7 +8,7 @@ from PySide6.QtDBus import QDBusConnection
 from tests.system.test_mac_events import FakeMac
 from trex_gui.supervisor import ExceptionWatch, SuspendDetector
 from trex_gui.system.login_session import SessionEvents
-from trex_gui.system.mac_events import LOCKED, WILL_SLEEP, MacEvents
+from trex_gui.system.mac_events import WILL_SLEEP, MacEvents
 from trex_gui.system.windows_events import (
     PBT_APMSUSPEND,
     WM_POWERBROADCAST,
@@ -48,7 +48,7 @@ def said_by_a_mac() -> list[str]:
     mac, reports = FakeMac(), list[str]()
     events = MacEvents(mac, lambda: False, timeout=1.0)
     events.leaving.connect(reports.append)
-    mac.notify(LOCKED[0])
+    mac.lock()
     mac.tell_power(WILL_SLEEP, 5)
     return reports
 

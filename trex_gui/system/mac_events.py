@@ -36,7 +36,7 @@ class MacSystem(Protocol):
     """What macOS reports, in the thread of its main run loop, which is the window's."""
 
     def listen(
-        self, on_notification: Callable[[str], object], on_power: Callable[[int, int], object]
+        self, on_locked: Callable[[], object], on_power: Callable[[int, int], object]
     ) -> None:
         """Begin; `on_power` takes a message and its argument."""
 
@@ -81,11 +81,9 @@ class NativeMac:
         self._kept: tuple[object, ...] = ()  # the callbacks, as long as macOS may call them
 
     def listen(
-        self, on_notification: Callable[[str], object], on_power: Callable[[int, int], object]
+        self, on_locked: Callable[[], object], on_power: Callable[[int, int], object]
     ) -> None:
-        notified = _ON_NOTIFICATION(
-            lambda _center, observer, *_rest: on_notification(LOCKED[observer - 1])
-        )
+        notified = _ON_NOTIFICATION(lambda *_: on_locked())
         powered = _ON_POWER(
             lambda _own, _service, message, argument: on_power(message, argument or 0)
         )
@@ -131,11 +129,7 @@ class MacEvents(QObject):
         self._native = native
         self._awaited = 0  # the argument of the message that sleep waits for
         self._wait = StopWait(may_move, self._allow, self, timeout=timeout)
-        native.listen(self._on_notification, self._on_power)
-
-    def _on_notification(self, name: str) -> None:
-        if name in LOCKED:
-            self.leaving.emit(tr("The screen was locked"))
+        native.listen(lambda: self.leaving.emit(tr("The screen was locked")), self._on_power)
 
     def _on_power(self, message: int, argument: int) -> None:
         if message == CAN_SLEEP:
