@@ -4,7 +4,7 @@ from typing import Any
 
 import click
 
-from trex_gui.core.cli import CommandFailed, FiniteRange, hexadecimal, say
+from trex_gui.core.cli import CommandFailed, hexadecimal, say, seconds_option
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.texts import hex_text
 from trex_gui.devices.trex.cli.common import (
@@ -36,12 +36,7 @@ def _bytes(words: tuple[str, ...]) -> bytes:
     help="Permit motor commands (C0 to F1). The motors run until Ctrl-C, or for --seconds; then "
     "every motor is stopped.",
 )
-@click.option(
-    "--seconds",
-    type=FiniteRange(0, min_open=True),
-    metavar="S",
-    help="With --motors: how long the motors run.",
-)
+@seconds_option
 @click.argument("packet", nargs=-1, required=True)
 def raw(packet: tuple[str, ...], *, motors: bool, seconds: float | None, **options: Any) -> None:
     """Send the bytes of PACKET ("86 1F") unchanged and print each reply.

@@ -7,7 +7,6 @@ import click
 from trex_gui.core.cli import CommandFailed, refusals, say
 from trex_gui.core.command_io import FileName
 from trex_gui.core.texts import counted, hex_text
-from trex_gui.core.transport.transcript import TranscriptRow
 from trex_gui.devices.trex.replay import RecordedTraffic
 
 
@@ -30,7 +29,10 @@ def replay(file: str, everything: bool) -> None:
     for row, received in recorded.replayed():
         differing += 1
         if differing == 1 or everything:
-            _print_difference(recorded, row, received)
+            click.echo(f"Line {row.line}: {hex_text(row.sent)}")
+            for title, reply in (("file", row.received), ("simulator", received)):
+                shown = hex_text(reply) or "nothing"
+                click.echo(f"  {title + ':':11}{shown}  ({recorded.meaning(row, reply)})")
         if not everything:
             break
     for warning in recorded.warnings:
@@ -42,10 +44,3 @@ def replay(file: str, everything: bool) -> None:
             else "The simulator replies differently from here on; --all shows every difference."
         )
     click.echo(f"{counted(len(rows), 'transaction')}, no difference.")
-
-
-def _print_difference(recorded: RecordedTraffic, row: TranscriptRow, received: bytes) -> None:
-    click.echo(f"Line {row.line}: {hex_text(row.sent)}")
-    for title, reply in (("file", row.received), ("simulator", received)):
-        shown = hex_text(reply) or "nothing"
-        click.echo(f"  {title + ':':11}{shown}  ({recorded.meaning(row, reply)})")

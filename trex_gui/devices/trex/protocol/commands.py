@@ -183,6 +183,7 @@ class _ChannelQuery(Command[ReplyT_co]):
     """A command whose data byte names channels; bit n is channel n+1."""
 
     data_size = 1
+    reply_of_channel: ClassVar[int] = 1  # bytes
 
     mask: int = ALL_CHANNELS
 
@@ -205,16 +206,17 @@ class _ChannelQuery(Command[ReplyT_co]):
         """The requested channels, lowest first: the order of the reply."""
         return channels_in(self.mask)
 
+    def reply_size(self, head: bytes = b"") -> int:
+        del head
+        return self.reply_of_channel * len(self.channels)
+
 
 @dataclass(frozen=True, slots=True)
 class GetRawChannels(_ChannelQuery[Mapping[int, int | None]]):
     """0x86: raw counts by requested channel; `None` for a channel without a valid pulse."""
 
     opcodes = (0x86,)
-
-    def reply_size(self, head: bytes = b"") -> int:
-        del head
-        return 2 * len(self.channels)
+    reply_of_channel = 2
 
     def parse(self, reply: bytes) -> Mapping[int, int | None]:
         counts = struct.unpack(f"<{len(self.channels)}H", reply)
@@ -229,10 +231,6 @@ class GetRemappedChannels(_ChannelQuery[Mapping[int, int]]):
     """0x87: remapped input of each requested channel, -127 to 127."""
 
     opcodes = (0x87,)
-
-    def reply_size(self, head: bytes = b"") -> int:
-        del head
-        return len(self.channels)
 
     def parse(self, reply: bytes) -> Mapping[int, int]:
         # Bit 7 is the direction. The documentation says "lower six bits" of channel 3 and
