@@ -158,8 +158,8 @@ def required_port(port: str | None) -> str:
 def _complete_port(_ctx: click.Context, _param: click.Parameter, incomplete: str) -> Sequence[str]:
     from serial.tools import list_ports  # noqa: PLC0415 - takes as long as the rest together
 
-    ports = sorted(port.device for port in list_ports.comports())
-    return [port for port in ports if port.startswith(incomplete)]
+    ports = (port.device for port in list_ports.comports())
+    return sorted(port for port in ports if port.startswith(incomplete))
 
 
 def _check_port(_context: click.Context, _option: click.Parameter, port: str | None) -> str | None:

@@ -102,18 +102,17 @@ Raises PortUnavailable.
 """
 
 
-def recall_none(wire: Transport, settings: PortSettings, packed: str) -> None:
-    """Probe nothing, for a kind of device that is found soon enough without."""
-
-
 @dataclass(frozen=True, slots=True)
 class ProberInfo:
-    """One kind of device. `announces_at`: line settings of its start message, if it sends one."""
+    """One kind of device. `announces_at`: line settings of its start message, if it sends one.
+
+    Without `recall` it is found soon enough.
+    """
 
     name: str
     begin: MakeProber
     announces_at: SerialFormat | None = None
-    recall: Recall = recall_none
+    recall: Recall | None = None
 
 
 def ignore_step(_step: ScanProgress) -> None:

@@ -87,7 +87,7 @@ def scan_port(
         wire = open_wire(settings.at(opened))
         try:
             known = probers.get(first or "") if packed and (is_shared or not full) else None
-            found = known.recall(wire, settings, packed) if known is not None else None
+            found = known.recall(wire, settings, packed) if known and known.recall else None
             if found is not None:
                 result.device, result.found = first or "", (found,)
             if found is not None or only_recall or is_shared:

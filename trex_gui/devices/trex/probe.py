@@ -22,7 +22,7 @@ from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.protocol.commands import GetSignature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.framing import Framing, crc7
-from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
 QUIET = 0.13
 """Seconds after a probe in which nothing is sent: a misread probe may be answered, and a board that
@@ -53,9 +53,8 @@ class Attempt:
 
     @classmethod
     def at(cls, settings: ConnectionSettings) -> "Attempt":
-        crc = settings.line.detection is Detection.CRC7
         number = settings.device_number if settings.reserved else None
-        return cls(settings.line, (settings.polynomial,) if crc else (), number)
+        return cls(settings.line, (settings.polynomial,) if settings.line.has_crc else (), number)
 
     @property
     def data(self) -> bytes:

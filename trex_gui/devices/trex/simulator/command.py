@@ -117,11 +117,8 @@ def _eeprom(
     if path is not None and count > 1:
         path = path.with_name(f"{path.stem}-{device.number}{path.suffix}")
     is_new = path is None or not os.path.exists(path)  # noqa: PTH110 - raises nothing
-    eeprom = (
-        Eeprom(model, error_shutdown=error_shutdown)
-        if path is None
-        else Eeprom.open(path, model, error_shutdown=error_shutdown)
-    )
+    make = Eeprom if path is None else partial(Eeprom.open, path)
+    eeprom = make(model, error_shutdown=error_shutdown)
     stored = eeprom[ParameterKey.DEVICE_NUMBER]
     if device.number is None or device.number == stored:
         return eeprom
