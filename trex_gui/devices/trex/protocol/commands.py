@@ -7,6 +7,7 @@ them into bytes on the wire.
 Ref: TReX 1.0 command documentation; Pololu TReX User's Guide 5.b, 5.c.
 """
 
+import re
 import struct
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
@@ -109,19 +110,15 @@ class GetSignature(Command[Signature]):
 
     def reply_size(self, head: bytes = b"") -> int:
         """7 until two bytes behind `TReX` tell the model."""
-        sizes = [model.signature_size for model in device_table().models]
-        for model in device_table().models:
-            if model.signature_size == max(sizes) and head.startswith(model.signature):
-                return max(sizes)
-        return min(sizes)
+        models = device_table().models
+        known = (model.signature_size for model in models if head.startswith(model.signature))
+        return max(known, default=min(model.signature_size for model in models))
 
     def parse(self, reply: bytes) -> Signature:
-        for model in sorted(device_table().models, key=lambda m: -len(m.signature)):
-            if len(reply) == model.signature_size and reply.startswith(model.signature):
-                version = reply[len(model.signature) :].decode("latin-1")
-                major, dot, minor = version[:1], version[1:2], version[2:]
-                if dot == "." and f"{major}{minor}".isascii() and f"{major}{minor}".isdigit():
-                    return Signature(model, version)
+        for model in device_table().models:
+            version = reply.removeprefix(model.signature)
+            if len(reply) == model.signature_size and re.fullmatch(rb"[0-9]\.[0-9]+", version):
+                return Signature(model, version.decode("ascii"))
         raise BadReply(tr("{0} is not the signature of a TReX").format(hex_text(reply)))
 
 

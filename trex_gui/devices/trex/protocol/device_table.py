@@ -88,15 +88,12 @@ class DeviceTable:
         raise BadRequest(tr("the models are {0}, not {1!r}").format(known, key))
 
 
-_NAMES = {"TReX": "TReX", "TReXJr": "TReX Jr"}
-
-
 def read_table(text: str) -> DeviceTable:
     data = tomllib.loads(text)
     models = tuple(
         Model(
             key=key,
-            name=_NAMES.get(row["signature"], row["signature"]),
+            name=row["signature"].replace("Jr", " Jr"),
             part=row["part"],
             signature=row["signature"].encode("ascii"),
             signature_size=row["signature_length"],

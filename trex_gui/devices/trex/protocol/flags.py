@@ -189,8 +189,7 @@ class Mode(Enum):
 
     @property
     def source(self) -> InputSource:
-        rc = self is Mode.RC or self is Mode.SERIAL_RC
-        return InputSource.RC if rc else InputSource.ANALOG
+        return InputSource.RC if self in {Mode.RC, Mode.SERIAL_RC} else InputSource.ANALOG
 
 
 @cache
