@@ -106,17 +106,6 @@ def test_set_warns_of_conflicting_settings(trexcmd: RunCommand) -> None:
     assert "Warning: No effect in joint mode: Motor 1 Current Limit" in result.stderr
 
 
-def test_set_rejects_factory_reset(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
-    trexcmd("set", "serial_timeout", "15")
-    before = memory(trexcmd)
-    for value in ("127", "0", "restore"):
-        result = trexcmd("set", "factory_reset", value, exits=2)
-        assert "`trexcmd restore-defaults`" in result.stderr
-    quick_simulator.do("power cycle")
-    assert memory(trexcmd) == before
-    assert len(SettingsHistory().snapshots()) == 1
-
-
 # --- A file -----------------------------------------------------------------------------
 
 

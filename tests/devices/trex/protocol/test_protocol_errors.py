@@ -2,9 +2,7 @@
 
 import pytest
 
-from trex_gui.core.errors import (
-    describe,
-)
+from trex_gui.core.errors import describe
 from trex_gui.devices.trex.protocol.errors import (
     ErrorCode,
     Rejected,

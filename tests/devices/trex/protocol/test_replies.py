@@ -2,7 +2,7 @@
 
 import pytest
 
-from trex_gui.core.errors import BadReply, BadRequest
+from trex_gui.core.errors import BadReply
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import (
     Command,
@@ -167,9 +167,3 @@ def test_write_reply_is_a_result_code(command: Command[ResultCode]) -> None:
 
 def test_writes_have_their_documented_time_to_answer() -> None:
     assert [command.seconds_to_answer for command in WRITES] == pytest.approx([0.05, 0.1])
-
-
-@pytest.mark.parametrize("ending", ["2A 55", "55 55", "2A 2A", "00 00"])
-def test_wrong_format_bytes_are_rejected(ending: str) -> None:
-    with pytest.raises(BadRequest, match=f"ends in 55 2A, not {ending}$"):
-        SetParameter.from_packet(0xAF, bytes.fromhex("07 05" + ending))
