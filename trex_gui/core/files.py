@@ -265,18 +265,13 @@ def save_over(path: Path, content: str | bytes, known: bytes | None) -> bool:
 
     `None`: whatever it holds. A missing file is written. After a SettingsError nothing was.
     """
-    if known is not None and _differs(path, known):
-        return False
+    if known is not None:
+        # After an OSError saving makes it again, or reports why it cannot.
+        with contextlib.suppress(OSError), open_ordinary(path) as file:
+            if file.read(len(known) + 1) != known:
+                return False
     save(path, content)
     return True
-
-
-def _differs(path: Path, known: bytes) -> bool:
-    try:
-        with open_ordinary(path) as file:
-            return file.read(len(known) + 1) != known
-    except OSError:
-        return False  # saving makes it again, or reports why it cannot
 
 
 def save_new(path: Path, text: str) -> bool:

@@ -4,13 +4,13 @@ A disk that is slow, full or read-only loses lines of the log, and nothing else.
 """
 
 import logging
-import queue
 import sys
 import threading
 from contextlib import suppress
 from io import TextIOWrapper
 from logging.handlers import QueueHandler, QueueListener, RotatingFileHandler
 from pathlib import Path
+from queue import SimpleQueue
 
 from trex_gui.core.files import check_ordinary, log_folder
 
@@ -48,7 +48,7 @@ class ProgramLog:
         handlers: list[logging.Handler] = [self._file]
         if sys.stderr is not None:  # a program with a window has none on Windows
             handlers.append(terminal_handler(is_verbose=is_verbose))
-        entries: queue.SimpleQueue[logging.LogRecord] = queue.SimpleQueue()
+        entries: SimpleQueue[logging.LogRecord] = SimpleQueue()
         self._entrance = _Entrance(entries)
         self._listener = QueueListener(entries, *handlers, respect_handler_level=True)
         self._listener.start()
@@ -86,13 +86,11 @@ def terminal_handler(*, is_verbose: bool) -> logging.Handler:
 class _Entrance(QueueHandler):
     """Never waits; its queue takes an entry while another one of this thread is put into it."""
 
-    def __init__(self, entries: "queue.SimpleQueue[logging.LogRecord]") -> None:
-        super().__init__(entries)
-        self._entries = entries
+    queue: SimpleQueue[logging.LogRecord]
 
     def enqueue(self, record: logging.LogRecord) -> None:
-        if self._entries.qsize() < _MOST_WAITING:
-            self._entries.put(record)
+        if self.queue.qsize() < _MOST_WAITING:
+            self.queue.put(record)
 
     def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802 - Python's name
         """Leave out an entry that cannot be made into text."""

@@ -27,7 +27,6 @@ import time
 from collections.abc import Callable, Generator, Sequence
 from contextlib import suppress
 from io import FileIO
-from typing import Protocol
 
 if sys.platform != "win32":
     import fcntl
@@ -45,24 +44,8 @@ usual adapter delays. A request that comes back goes on after the first byte, so
 _MOST = 4096  # bytes of one read
 
 
-class PortIO(Protocol):
-    """Writing and reading raise OSError when the line is gone."""
-
-    def write(self, data: bytes) -> None: ...
-
-    def receive(self, seconds: float) -> bytes:
-        """Return what has come; wait for the first byte."""
-
-    def remember_settings(self) -> None: ...
-
-    def restore_settings(self) -> None:
-        """Undo what a search for a silent board may have changed since they were remembered."""
-
-    def close(self) -> None: ...
-
-
 class FilePort:
-    """A serial port of a POSIX system."""
+    """A serial port of a POSIX system. As with every port, OSError means that the line is gone."""
 
     def __init__(self, descriptor: int) -> None:
         self._descriptor = descriptor
@@ -73,6 +56,7 @@ class FilePort:
         self._settings = self._read_settings()
 
     def restore_settings(self) -> None:
+        """Undo what a search for a silent board may have changed since they were remembered."""
         if self._settings is not None and self._settings != self._read_settings():
             with suppress(termios.error):
                 termios.tcsetattr(self._descriptor, termios.TCSANOW, self._settings)
@@ -91,6 +75,7 @@ class FilePort:
                 data = data[os.write(self._descriptor, data) :]
 
     def receive(self, seconds: float) -> bytes:
+        """Return what has come; wait for the first byte."""
         ready, _, _ = select.select([self._descriptor], [], [], max(0.0, seconds))
         data = b""
         with suppress(BlockingIOError):
@@ -226,15 +211,16 @@ if sys.platform == "win32":
         def close(self) -> None:
             _winapi.CloseHandle(self._handle)
 
+    SystemPort = WindowsPort
+else:
+    SystemPort = FilePort
+Port = SystemPort | SocketPort
 
-def open_port(kind: str, number: int) -> PortIO:
+
+def open_port(kind: str, number: int) -> Port:
     if kind == "telnet":
         return TelnetPort(number)
-    if kind == "socket":
-        return SocketPort(number)
-    if sys.platform == "win32":
-        return WindowsPort(number)
-    return FilePort(number)
+    return SocketPort(number) if kind == "socket" else SystemPort(number)
 
 
 class StopMessage:
@@ -283,7 +269,7 @@ class Watchdog:
     """Waits for messages, and stops the motors if none comes for `silence` seconds."""
 
     def __init__(
-        self, port: PortIO, silence: float, files: Sequence[str], messages: FileIO, replies: FileIO
+        self, port: Port, silence: float, files: Sequence[str], messages: FileIO, replies: FileIO
     ) -> None:
         """`files`: the log, and that of `keep_file`."""
         self._port = port

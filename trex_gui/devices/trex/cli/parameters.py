@@ -25,7 +25,6 @@ from trex_gui.devices.trex.cli.common import (
     link_settings,
     open_line,
     open_line_to_change,
-    spec_of,
     specs_of,
 )
 from trex_gui.devices.trex.client.reading import require_free_number
@@ -62,9 +61,9 @@ def set_command(name: str, value: str, force: bool, **options: Any) -> None:
     link = link_settings(options)
     _check_value(name, value)
     with open_line_to_change(link) as (client, rates):
-        spec = spec_of(client, name)
-        wire = _wire(spec, value)
         state = read_board(client)
+        spec = state.specs[name]
+        wire = _wire(spec, value)
         try:
             require_consent(spec.name, state, {spec.key: wire}, force=force)
         except SettingsError as error:  # of a value that was typed, not of a file
