@@ -89,8 +89,13 @@ def test_stop_reasons_are_clauses_without_stop_or_motor(monkeypatch: pytest.Monk
         assert "stop" not in reason, reason
         assert "motor" not in reason, reason
     assert reasons[-1] == "Internal error (ValueError)"
-    assert reasons[2] == reasons[4] == "The screen was locked"
+    assert reasons[2] == "The screen was locked"
+    windows = ["The computer goes to sleep", "The screen was locked", "The session ends"]
+    assert reasons[3:6] == windows
 
 
 def test_waking_up_and_unlocking_give_no_stop_reason() -> None:
     assert said_by_the_desktop(begins=False) == []
+    assert why_to_stop(WM_POWERBROADCAST, 0x12) is None  # it wakes
+    assert why_to_stop(WM_WTSSESSION_CHANGE, 8) is None  # it was unlocked
+    assert why_to_stop(0x0200, 0) is None  # the mouse

@@ -21,14 +21,6 @@ from trex_gui.supervisor import (
     slept_so_far,
 )
 from trex_gui.system.signals import SignalWatch
-from trex_gui.system.windows_events import (
-    PBT_APMSUSPEND,
-    WM_POWERBROADCAST,
-    WM_QUERYENDSESSION,
-    WM_WTSSESSION_CHANGE,
-    WTS_SESSION_LOCK,
-    why_to_stop,
-)
 
 pytestmark = pytest.mark.realtime
 
@@ -146,22 +138,11 @@ def test_signal_acts_while_gui_thread_is_blocked(ending: Ending) -> None:
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
-def test_signal_ends_window_that_does_not_close(ending: Ending) -> None:
-    os.kill(os.getpid(), signal.SIGTERM)
-    assert ending.ended.wait(15)
-    assert ending.ended_with == [128 + signal.SIGTERM]
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
-def test_caught_signal_reports_its_number(ending: Ending, qtbot: QtBot) -> None:
-    with qtbot.waitSignal(ending.watch.caught) as reports:
-        os.kill(os.getpid(), signal.SIGHUP)
-    assert reports.args == [signal.SIGHUP]
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
-def test_signals_end_window_even_if_their_action_fails(ending: Ending, qtbot: QtBot) -> None:
-    ending.fails = True
+@pytest.mark.parametrize("fails", [False, True])
+def test_signals_end_window_that_does_not_close_even_if_their_action_fails(
+    ending: Ending, qtbot: QtBot, *, fails: bool
+) -> None:
+    ending.fails = fails
     for number in (signal.SIGTERM, signal.SIGHUP):
         ending.ended.clear()
         with qtbot.waitSignal(ending.watch.caught) as reports:
@@ -276,12 +257,3 @@ def test_wake_after_sleep_is_reported_once(qtbot: QtBot) -> None:
 
 def test_time_asleep_is_not_negative() -> None:
     assert slept_so_far() >= -0.01
-
-
-def test_windows_messages_map_to_stop_reasons() -> None:
-    assert "sleep" in (why_to_stop(WM_POWERBROADCAST, PBT_APMSUSPEND) or "")
-    assert "locked" in (why_to_stop(WM_WTSSESSION_CHANGE, WTS_SESSION_LOCK) or "")
-    assert "ends" in (why_to_stop(WM_QUERYENDSESSION, 0) or "")
-    assert why_to_stop(WM_POWERBROADCAST, 0x12) is None  # it wakes
-    assert why_to_stop(WM_WTSSESSION_CHANGE, 8) is None  # it was unlocked
-    assert why_to_stop(0x0200, 0) is None  # the mouse

@@ -39,8 +39,8 @@ def test_negative_speed_mirrors_profile(profile: Profile, share: float) -> None:
     assert turned.speed_at(moment) == -profile.speed_at(moment)
 
 
-def test_step_has_full_speed_from_start_to_end() -> None:
-    profile = Profile(shape=Shape.STEP, speed=90, duration=2)
+def test_step_has_full_speed_from_start_to_end_and_no_period() -> None:
+    profile = Profile(shape=Shape.STEP, speed=90, duration=2, period=0)
     assert [profile.speed_at(at) for at in (0, 0.01, 1, 1.99)] == [90] * 4
 
 
@@ -93,7 +93,3 @@ def test_drawn_course_matches_profile_speeds(profile: Profile) -> None:
 def test_invalid_profile_is_rejected_with_limits(values: dict[str, float], words: str) -> None:
     with pytest.raises(ValueError, match=words):
         Profile(**values)  # type: ignore[arg-type]  # one of them is wrong on purpose
-
-
-def test_step_ignores_period() -> None:
-    assert Profile(shape=Shape.STEP, period=0).speed_at(0) == 40
