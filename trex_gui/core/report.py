@@ -58,8 +58,6 @@ _MAIL = re.compile(r"\b[\w.+-]+@[\w-]+\.[\w.-]+\b")
 
 @dataclass(frozen=True, slots=True)
 class ReportFile:
-    """One file of a report, as it is shown and saved."""
-
     name: str
     text: str
 

@@ -66,7 +66,6 @@ class Number(float):
 
 
 def with_decimal_point(number: str) -> str:
-    """Return a formatted number with the decimal point of the language."""
     return number if _is_english.get() else number.replace(".", _decimal_point)
 
 

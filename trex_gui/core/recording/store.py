@@ -395,10 +395,6 @@ class Recording(Generic[HeaderT, RecordT]):
                 last = max(last, self._database.execute(query).fetchone()[0] or 0)
         return min(last, _size(self._database))  # a record takes more than a byte
 
-    def reopen(self) -> "Recording[HeaderT, RecordT]":
-        """Return the same recording opened once more, for another thread."""
-        return Recording(self.path, self.format)
-
     def close(self) -> None:
         self._open.close()
 

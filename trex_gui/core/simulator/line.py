@@ -27,8 +27,6 @@ _LINE_END = ord("\n")
 
 
 class WireFaults:
-    """Faults of a wire, and counters of the bytes on it."""
-
     def __init__(self, seed: int, noisy_bits: int) -> None:
         """`noisy_bits` is 8 when noise affects data bits, 9 when the stop bit as well."""
         self.mute = False  # whether nothing reaches the host
@@ -197,7 +195,6 @@ class SimulatedLine:
 
     @property
     def host_format(self) -> SerialFormat:
-        """Settings of the port of a fitting host."""
         return self.stations[0].line_format
 
     @property

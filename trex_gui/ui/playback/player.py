@@ -1,6 +1,7 @@
 """A recording that is played back: loaded by a thread, then shown at any position."""
 
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import closing
 from dataclasses import dataclass
 from functools import partial
 from operator import attrgetter
@@ -87,11 +88,10 @@ def _export(
     header: dict[str, Value],
     progress: ProgressCallback,
 ) -> Path:
-    own = recording.reopen()  # the first one still shows values
-    try:
+    # The first one still shows values, in another thread.
+    own: Recording[Any, Any] = Recording(recording.path, recording.format)
+    with closing(own):
         export_span(own, path, span, header, progress)
-    finally:
-        own.close()
     return path
 
 
