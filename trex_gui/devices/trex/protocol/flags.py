@@ -189,7 +189,8 @@ class Mode(Enum):
 
     @property
     def source(self) -> InputSource:
-        return InputSource.RC if self in {Mode.RC, Mode.SERIAL_RC} else InputSource.ANALOG
+        rc = self is Mode.RC or self is Mode.SERIAL_RC  # a set would hash in the simulator's loop
+        return InputSource.RC if rc else InputSource.ANALOG
 
 
 @cache
