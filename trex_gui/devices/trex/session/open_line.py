@@ -111,6 +111,11 @@ class OpenLine:
     def flush(self) -> None:
         self.batcher.flush(self.client.counters, self.now())
 
+    def flush_if_due(self, now: float) -> None:
+        """Report the samples of a display frame."""
+        if self.batcher.seconds_to_next(now) <= 0:
+            self.flush()
+
     def report_progress(self, done: int, total: int, what: str) -> None:
         self.emit(Progress(done, total, what))
 

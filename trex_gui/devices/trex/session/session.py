@@ -215,8 +215,7 @@ class TrexSession:
         now = line.now()
         self._set_pace(now)
         line.has_driven = line.has_driven or self._motors.may_move
-        if line.batcher.seconds_to_next(now) <= 0:
-            line.flush()
+        line.flush_if_due(now)
         if line.serve_motors():
             return
         if self._queue.jobs:
