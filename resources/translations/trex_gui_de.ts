@@ -1085,6 +1085,8 @@
         <translation>Das Board hat seine Motoren wegen eines Fehlers auf der Leitung ({0}) gestoppt: „Abschaltung bei UART-Fehlern“ ist eingestellt.</translation></message>
     <message><source>The board stopped responding</source>
         <translation>Das Board antwortet nicht mehr</translation></message>
+    <message><source>Bytes were corrupted: motor commands are repeated until the line is quiet</source>
+        <translation>Bytes wurden verfälscht: Motorbefehle werden wiederholt, bis die Leitung ruhig ist</translation></message>
     <message><source>Disconnected before a stop was confirmed: motors may still turn</source>
         <translation>Getrennt, bevor ein Stopp bestätigt war: Die Motoren können sich noch drehen</translation></message>
     <message><source>The line is noisy: {0:.1f} % lost</source>

@@ -1085,6 +1085,8 @@
         <translation>La carte a arrêté ses moteurs à cause d'une erreur sur la liaison ({0}) : « Arrêt sur erreur UART » est activé.</translation></message>
     <message><source>The board stopped responding</source>
         <translation>La carte a cessé de répondre</translation></message>
+    <message><source>Bytes were corrupted: motor commands are repeated until the line is quiet</source>
+        <translation>Des octets ont été altérés : les commandes des moteurs sont répétées jusqu'à ce que la ligne soit calme</translation></message>
     <message><source>Disconnected before a stop was confirmed: motors may still turn</source>
         <translation>Déconnecté avant la confirmation d'un arrêt : les moteurs peuvent encore tourner</translation></message>
     <message><source>The line is noisy: {0:.1f} % lost</source>

@@ -26,6 +26,7 @@ from trex_gui.devices.trex.client.telemetry import (
     Remapped,
     Sample,
 )
+from trex_gui.devices.trex.driving.requests import CommandsRepeated
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop, TimeoutTrial
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
 from trex_gui.devices.trex.protocol.commands import Signature
@@ -256,6 +257,12 @@ def test_serial_error_is_one_event_until_it_is_cleared(watched: Watched) -> None
         (6, "link", "Framing error"),
         (9, "timeout", "Serial timeout"),
     ]
+
+
+def test_repeated_motor_commands_are_an_event(watched: Watched) -> None:
+    watched.read(state())
+    watched.take(CommandsRepeated())
+    assert "motor commands are repeated" in watched.logged[-1][2]
 
 
 def shut_down(watched: Watched, status: Status, uart: UartError) -> str:

@@ -13,15 +13,19 @@ from tests.devices.trex.session.helpers import (
     outcomes,
     pulses,
     run_for,
+    samples,
     seen_at,
 )
 from tests.soak.drives import LONGEST_TURN, drive
 from tests.support.matrix import sampled
 from tests.support.virtual import Stage
 from trex_gui.core.errors import NoReply
+from trex_gui.core.simulator.sampling import ReceiveError
 from trex_gui.core.timing import Timeouts
+from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.driving.requests import (
     Arm,
+    CommandsRepeated,
     MotorsStopped,
     SetAuxiliary,
     SetMotor,
@@ -131,6 +135,33 @@ def test_brake_is_repeated_until_line_is_quiet(stage: Stage) -> None:
     assert not moving(stage.transport.sent[marks[0] : marks[2]])
 
 
+@pytest.mark.parametrize("requests", [(), (Stop(1),)])
+def test_damage_sends_nothing_to_board_that_was_not_driven(
+    stage: Stage, requests: tuple[Stop, ...]
+) -> None:
+    for request in requests:
+        stage.script.at(1.0, request)
+    stage.script.at(2.0, lambda: stage.line.faults.errors.append(ReceiveError.FRAMING))
+    before, after = (seen_at(stage, moment, lambda: len(stage.transport.sent)) for moment in (2, 9))
+    run_for(stage, 9.1)
+    assert UartError.FRAMING in samples(stage.reports, LatchedStatus)[0].uart
+    assert not moving(stage.transport.sent[before[0] : after[0]])
+    assert not among(stage.reports, CommandsRepeated)
+
+
+def test_damage_brakes_stopped_board_until_line_is_quiet(stage: Stage) -> None:
+    """86 1F, which asks for the channels, arrives as C6 1F: motor 1 ahead."""
+    stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(50))).at(1.2, Stop(1))
+    stage.script.at(5.0, lambda: swap(stage, "86 1F", "C6 1F"))
+    braked = seen_at(stage, 5.1, lambda: is_braked(stage))
+    quiet, after = (seen_at(stage, moment, lambda: len(stage.transport.sent)) for moment in (7, 9))
+    run_for(stage, 9.1)
+    assert braked == [True]
+    assert 60 <= moving(stage.transport.sent[: quiet[0]]).count(BRAKES[0]) <= 120
+    assert not moving(stage.transport.sent[quiet[0] : after[0]])
+    assert among(stage.reports, CommandsRepeated) == [CommandsRepeated()]
+
+
 def test_idle_refresh_skips_running_motor(stage: Stage) -> None:
     stage.script.at(1.0, Arm()).at(1.0, SetMotor(2, Drive.at(50)))
     stage.script.at(1.2, stage.fault(to_drop=1))
@@ -148,7 +179,7 @@ def test_stop_of_auxiliary_motor_is_repeated() -> None:
     idle = SetpointRefresh(LineQuality(), lambda: False)
     idle.note_setpoints([SetAuxiliary(50)], 0.0)
     assert idle.take_idle() == BRAKES, "a running motor is not at rest"
-    idle.note_stop(0.2)
+    idle.note_stop(0.2, was_driven=True)
     assert idle.take_idle() == [*BRAKES, DriveAuxiliary(0)]
 
 

@@ -25,6 +25,7 @@ from trex_gui.devices.trex.client.telemetry import (
     Sample,
 )
 from trex_gui.devices.trex.driving.board_reasons import NOISE_COUNTS, BoardInputs, board_inputs
+from trex_gui.devices.trex.driving.requests import CommandsRepeated
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop, remedy_for_silence, timeout_stop
 from trex_gui.devices.trex.protocol.calibration import NEARLY_NEUTRAL
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -250,6 +251,11 @@ class BoardMirror:
                 yield from self._forget()
                 text = tr("The board stopped responding")
                 yield Event(now, EventKind.LINK, text, is_problem=True)
+            case CommandsRepeated():
+                text = tr(
+                    "Bytes were corrupted: motor commands are repeated until the line is quiet"
+                )
+                yield Event(now, EventKind.LINK, text)
             case Closed(may_move=may_move):
                 yield from self.close(now, may_move=may_move)
 

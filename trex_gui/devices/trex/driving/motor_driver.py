@@ -237,6 +237,7 @@ class MotorDriver:
     def _refresh(self, *, is_waiting: bool = False) -> None:
         """Send every setpoint again: speeds only if the board has not stopped its motors."""
         refresh = self.output.refresh
+        self.output.note_refresh()
         for command in refresh.take_idle():
             self.client.send(command)  # goes before the rest of a reply is awaited
         refresh.note_sent(self._now())  # from now on: polls have a turn in between

@@ -15,6 +15,7 @@ from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.driving.requests import (
     Arm,
+    CommandsRepeated,
     Heartbeat,
     MotorRequest,
     MotorsStopped,
@@ -129,12 +130,12 @@ class MotorOutput:
 
     def __init__(
         self,
-        report: Callable[[Outcome | MotorsStopped | StopSent], None],
+        report: Callable[[Outcome | MotorsStopped | StopSent | CommandsRepeated], None],
         timeouts: Timeouts | None = None,
         *,
         may_move: bool = False,
     ) -> None:
-        """`report` receives the outcome of every stop, each `StopSent` and `MotorsStopped`."""
+        """`report` receives the outcome of every stop, and what happens without a request."""
         self.arming = Arming.INITIAL
         self.motion = Motion.DRIVEN if may_move else Motion.STOPPED
         self.stops: list[Stop] = []  # requested stops that were not sent yet
@@ -151,6 +152,7 @@ class MotorOutput:
         self._stopped_at = -math.inf
         self._noisy_stops: list[Stop] = []
         self._noisy_until = -math.inf
+        self._is_repeating = False  # whether `CommandsRepeated` was reported and still holds
 
     @property
     def is_armed(self) -> bool:
@@ -246,8 +248,17 @@ class MotorOutput:
 
     def refresh_due(self, interval: float) -> float:
         """Return when to send every setpoint again, on the line's clock."""
-        is_unreachable = self.arming is Arming.UNREACHABLE
-        return math.inf if is_unreachable else self.refresh.due(interval, armed=self.is_armed)
+        due = math.inf
+        if self.arming is not Arming.UNREACHABLE:
+            due = self.refresh.due(interval, armed=self.is_armed, may_move=self.may_move)
+        self._is_repeating = self._is_repeating and due < math.inf
+        return due
+
+    def note_refresh(self) -> None:
+        """Report that every setpoint is sent again, once until the line is quiet."""
+        if not self._is_repeating:
+            self._is_repeating = True
+            self._report(CommandsRepeated())
 
     def take_setpoints(self, now: float) -> list[Setpoint]:
         """Return the queued setpoints, or else those to repeat, and count them as sent."""
@@ -295,7 +306,7 @@ class MotorOutput:
         says that these are sufficient even on a line that damages bytes.
         """
         self._sent_at = self._stopped_at = now
-        self.refresh.note_stop(now)
+        was_driven = self.may_move
         for latched in statuses:
             self.quality.note_status(latched)
         if not confirmed:
@@ -304,6 +315,7 @@ class MotorOutput:
             self.handle(OutputEvent.STOP_CONFIRMED, now)
         else:
             self.handle(OutputEvent.STOP_CLEAN_BUT_NOISY, now)
+        self.refresh.note_stop(now, was_driven=was_driven or self.may_move)
 
     def end_stops(self, stops: Sequence[Stop], now: float, *, answered: bool) -> None:
         """Report the outcome of stops that were sent.

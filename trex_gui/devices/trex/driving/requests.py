@@ -74,6 +74,11 @@ class StopSent:
 
 
 @dataclass(frozen=True, slots=True)
+class CommandsRepeated:
+    """The line has damaged bytes: the last motor commands are sent again until it is quiet."""
+
+
+@dataclass(frozen=True, slots=True)
 class MotorsStopped:
     """The motors were stopped automatically, or an unconfirmed stop was confirmed at last."""
 

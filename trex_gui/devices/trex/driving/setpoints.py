@@ -203,7 +203,8 @@ class SetpointRefresh:
     Undetected damage can turn a motor another way: its own packet, or a query, arrives as another
     motor command. Only other damage shows that, so setpoints go out until the line is quiet, speeds
     as accelerate commands, which the current limiter limits. Motors that were never driven are
-    idle and braked from the first setpoint, arming or stop on. Before that nothing is sent.
+    idle and braked from the first setpoint or arming on. Before that nothing is sent, also after a
+    stop: another program may drive the board.
     """
 
     def __init__(self, quality: LineQuality, holds_speeds: Callable[[], bool]) -> None:
@@ -225,9 +226,9 @@ class SetpointRefresh:
         if not all(isinstance(command, DriveMotor) for command in packets(setpoints)):
             self._note_auxiliary_risk()
 
-    def note_stop(self, now: float) -> None:
+    def note_stop(self, now: float, *, was_driven: bool) -> None:
         self.clear()
-        self._is_active = True
+        self._is_active = self._is_active or was_driven
         self._sent_at = now
         self._note_auxiliary_risk()
 
@@ -245,12 +246,16 @@ class SetpointRefresh:
         """Send nothing until the next setpoint or stop: it is not known which motors are idle."""
         self._is_active = False
 
-    def due(self, interval: float, *, armed: bool) -> float:
-        """Return when to send, on the line's clock; never while the line is quiet."""
+    def due(self, interval: float, *, armed: bool, may_move: bool) -> float:
+        """Return when to send, on the line's clock; never while the line is quiet.
+
+        After a confirmed stop only queries follow. One that arrives as a motor command has no
+        reply, which is damage, too.
+        """
         self._is_active = self._is_active or armed
         if self._quality.is_quiet:
             self._watch_auxiliary()
-        if self._quality.is_quiet_for(_REFRESHED):
+        if self._quality.is_quiet_for(_REFRESHED if armed or may_move else QUIET):
             return math.inf
         return self._sent_at + interval if self._is_active else math.inf
 

@@ -11,7 +11,12 @@ from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import Sample
 from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.driving.requests import MotorRequest, MotorsStopped, StopSent
+from trex_gui.devices.trex.driving.requests import (
+    CommandsRepeated,
+    MotorRequest,
+    MotorsStopped,
+    StopSent,
+)
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import Command
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -197,6 +202,7 @@ Report = (
     | NotResponding
     | MotorsStopped
     | StopSent
+    | CommandsRepeated
     | Batch
     | Outcome
     | Closed
