@@ -358,8 +358,7 @@ class BoardMirror:
             return tr(
                 "The board received nothing within its Serial Timeout, so the motors were stopped."
             )
-        parameters = {} if self.state is None else self.state.parameters
-        if latched.uart and parameters.get(ParameterKey.UART_ERROR_SHUTDOWN):
+        if latched.uart and self.state is not None and self.state.stops_on_error:
             names = ", ".join(map(tr, bit_names(latched.uart)))
             text = tr(
                 "The board stopped its motors because of an error on the line ({0}): UART-Error "

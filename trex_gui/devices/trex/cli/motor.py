@@ -48,7 +48,6 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
-from trex_gui.devices.trex.protocol.flags import bit_names, stops_motors
 from trex_gui.devices.trex.session.messages import (
     Connected,
     GuardianChanged,
@@ -290,10 +289,10 @@ class _Run:
             )
 
     def _take_status(self, latched: LatchedStatus) -> None:
-        names = ", ".join((*bit_names(latched.status), *bit_names(latched.uart)))
+        names = ", ".join(latched.names)
         if not self._is_running:
             say(f"Errors latched before this run: {names}.")
-        elif stops_motors(latched.status) or stops_motors(latched.uart):
+        elif latched.stops_motors():
             self._finish(f"The board reports: {names}.")
         elif not self._is_ending:
             say(f"The board reports: {names}.")

@@ -79,6 +79,11 @@ class DeviceState:
         return wire * self.specs[ParameterKey.SERIAL_TIMEOUT].scale
 
     @property
+    def stops_on_error(self) -> bool:
+        """Whether the board stops its motors on a serial error."""
+        return bool(self.parameters.get(ParameterKey.UART_ERROR_SHUTDOWN))
+
+    @property
     def source(self) -> InputSource:
         """The active input source, to which `calibrations` belong."""
         return self.mode.source

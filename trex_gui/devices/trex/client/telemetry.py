@@ -26,6 +26,8 @@ from trex_gui.devices.trex.protocol.flags import (
     Mode,
     Status,
     UartError,
+    bit_names,
+    stops_motors,
 )
 
 
@@ -77,6 +79,16 @@ class LatchedStatus(Sample):
         """
         is_unread = Status.UART_ERROR in self.status and not self.uart
         return is_unread or bool(self.uart & ~UartError.TIMEOUT)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the bits, in English."""
+        return (*bit_names(self.status), *bit_names(self.uart))
+
+    def stops_motors(self, *, on_error: bool = False) -> bool:
+        """Whether the board has stopped motors; `on_error`: UART-Error Shutdown is set."""
+        bits = self.status, self.uart
+        return any(stops_motors(one, errors_stop=on_error) for one in bits)
 
 
 @dataclass(frozen=True, slots=True)

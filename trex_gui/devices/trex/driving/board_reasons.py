@@ -168,7 +168,7 @@ def board_inputs(
         faults=tuple(motor for motor, bit in MOTOR_FAULTS.items() if bit & status),
         over_limit=tuple(motor for motor, bit in OVER_LIMITS.items() if bit & status),
         uart=uart,
-        error_shutdown=bool(stored(ParameterKey.UART_ERROR_SHUTDOWN)),
+        error_shutdown=state.stops_on_error,
         timeout=state.specs[ParameterKey.SERIAL_TIMEOUT].text(timeout),
     )
 

@@ -17,7 +17,6 @@ from trex_gui.devices.trex.driving.requests import (
 )
 from trex_gui.devices.trex.protocol.commands import Command, DriveMotor
 from trex_gui.devices.trex.protocol.driving import Drive
-from trex_gui.devices.trex.protocol.flags import Status, UartError, stops_motors
 
 REPEATS = (0.15, 0.3, 0.6, 1.2)
 """Seconds after which an unconfirmed setpoint is sent again, one after the other.
@@ -117,10 +116,8 @@ class SetpointRetry:
         """
         if not self._unconfirmed:
             return
-        status = Status(0) if latched is None else latched.status
-        uart = UartError(0) if latched is None else latched.uart
         is_clean = is_whole and (latched is None or not latched.has_line_error)
-        has_stopped = stops_motors(status) or stops_motors(uart)
+        has_stopped = latched is not None and latched.stops_motors()
         if has_stopped or (stops_on_error and not is_clean):
             self._unconfirmed = [one for one in self._unconfirmed if is_idle(one)]
         if is_clean and self._sent_since_status:
@@ -235,9 +232,7 @@ class SetpointRefresh:
     def note_status(self, latched: LatchedStatus | None, *, stops_on_error: bool) -> None:
         """Hold speeds until the next clean status if the board has stopped motors."""
         self.stops_on_error = stops_on_error
-        self.holds_speeds = latched is not None and (
-            stops_motors(latched.status, errors_stop=stops_on_error) or stops_motors(latched.uart)
-        )
+        self.holds_speeds = latched is not None and latched.stops_motors(on_error=stops_on_error)
         if latched is not None and latched.uart and stops_on_error:  # no bit that noise added
             for setpoint in self._running():
                 del self._setpoints[setpoint.motor]

@@ -153,12 +153,11 @@ class BoardReader:
             line.note_failure(error)
 
     def note_status(self, latched: LatchedStatus | None) -> None:
-        stops_on_error = self.state.parameters.get(ParameterKey.UART_ERROR_SHUTDOWN)
         self._line.motors.note_status(
             latched,
             self._line.now(),
             is_whole=not self._line.status.uart_due,
-            stops_on_error=bool(stops_on_error),
+            stops_on_error=self.state.stops_on_error,
         )
 
     # --- A board that does not respond --------------------------------------------------
