@@ -65,6 +65,9 @@ class RequestQueue:
         self._changed = condition or threading.Condition()
         self._requests: deque[object] = deque()
 
+    def __len__(self) -> int:
+        return len(self._requests)
+
     def put(self, request: object) -> None:
         with self._changed:
             self._requests.append(request)

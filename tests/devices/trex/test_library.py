@@ -18,9 +18,11 @@ from trex_gui.devices import trex as public
 from trex_gui.devices.trex import (
     BadRequest,
     Calibration,
+    MotorSetpoint,
     MotorsStoppedError,
     NoReply,
     PortUnavailable,
+    SetpointSource,
     StudioError,
     Trex,
 )
@@ -217,6 +219,29 @@ def test_program_knows_why_motors_do_not_run_and_how_good_the_line_is(
             board.wait(12)
             assert board.motor_status()[0].startswith("Motor 2 is off")
             assert board.line_quality.is_noisy is False
+
+    Program(virtual_time, run).end()
+
+
+def test_program_sees_setpoints_and_serial_errors(
+    virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
+) -> None:
+    def run() -> None:
+        with Trex(quick_simulator.url) as board:
+            assert board.setpoint(1) == MotorSetpoint(SetpointSource.NOT_ARMED)
+            assert board.events()[0].text.startswith("Connected to TReX 1.2")
+            board.set_parameters(uart_error_shutdown=0)
+            board.drive(80, auxiliary=20)
+            quick_simulator.do("line error framing")
+            board.wait(0.5)
+            assert board.setpoint(1) == MotorSetpoint(SetpointSource.SERIAL, 80)
+            assert board.setpoint(3) == MotorSetpoint(SetpointSource.SERIAL, 20)
+            texts = [event.text for event in board.events()]
+            assert "Framing error" in texts
+            assert any("motor commands are repeated" in text for text in texts)
+            board.stop()
+            assert board.setpoint(1) == MotorSetpoint(SetpointSource.NOT_ARMED)
+            assert board.events() == ()
 
     Program(virtual_time, run).end()
 

@@ -15,6 +15,8 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable, StudioError
+    from trex_gui.core.events import Event
+    from trex_gui.devices.trex.board.drive_status import MotorSetpoint, SetpointSource
     from trex_gui.devices.trex.board.errors import ErrorEntry
     from trex_gui.devices.trex.library import BoardStatus, ChannelStatus, MotorsStoppedError, Trex
     from trex_gui.devices.trex.protocol.calibration import Calibration
@@ -27,10 +29,13 @@ __all__ = (
     "Calibration",
     "ChannelStatus",
     "ErrorEntry",
+    "Event",
+    "MotorSetpoint",
     "MotorsStoppedError",
     "NoReply",
     "PortUnavailable",
     "Rejected",
+    "SetpointSource",
     "StudioError",
     "Trex",
 )
@@ -39,7 +44,7 @@ __all__ = (
 _MODULES = (
     "trex_gui.core.errors",
     f"{__name__}.protocol.errors",
-    f"{__name__}.board.errors",
+    f"{__name__}.board.drive_status",
     f"{__name__}.library",
 )
 

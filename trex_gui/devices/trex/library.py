@@ -5,20 +5,26 @@ and has a guardian process that stops the motors if the program is killed.
 """
 
 import logging
+from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import count
 from operator import index
-from types import TracebackType
 from typing import Literal, Self
 
-from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable, StudioError
-from trex_gui.core.errors import describe as error_text
+from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable, StudioError, describe
+from trex_gui.core.events import Event
 from trex_gui.core.host import host
 from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.adapters import adapter_key
-from trex_gui.devices.trex.board.drive_status import DriveInputs, drive_statuses
+from trex_gui.devices.trex.board.drive_status import (
+    AUXILIARY,
+    DriveInputs,
+    MotorSetpoint,
+    drive_statuses,
+    motor_setpoint,
+)
 from trex_gui.devices.trex.board.errors import ErrorEntry
 from trex_gui.devices.trex.board.keeper import Keeper
 from trex_gui.devices.trex.board.mirror import BoardMirror
@@ -48,7 +54,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
-from trex_gui.devices.trex.protocol.flags import CHANNELS, bit_names, stops_motors
+from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
@@ -81,58 +87,24 @@ class MotorsStoppedError(StudioError):
 
 @dataclass(frozen=True, slots=True)
 class ChannelStatus:
-    """An input channel: `raw` in counts and `value` in µs or V, `None` without a signal.
+    """An input channel; `None` without a signal."""
 
-    `remapped` is what the board makes of it, -127 to 127.
-    """
-
-    raw: int | None
-    value: float | None
-    remapped: int
+    raw: int | None  # in counts
+    value: float | None  # in µs or V
+    remapped: int  # what the board makes of it, -127 to 127
 
 
 @dataclass(frozen=True, slots=True)
 class BoardStatus:
-    """What a board reports.
-
-    Attributes:
-        mode: in a sentence.
-        serial_controls: whether motor commands reach the motors.
-        currents: of motors 1 and 2 in ampere.
-        channels: by number, 1 to 5.
-        errors: names of the error bits since the last status.
-    """
+    """What a board reports."""
 
     product: str
     firmware: str
-    mode: str
-    serial_controls: bool
-    currents: tuple[float, float]
-    channels: Mapping[int, ChannelStatus]
-    errors: tuple[str, ...]
-
-
-class _Reports:
-    """Reports from the session's thread; a program that does not look at them keeps the newest."""
-
-    def __init__(self, queue: RequestQueue) -> None:
-        self._queue = queue
-        self._put = self._taken = 0
-
-    def put(self, report: Report) -> None:
-        is_full = self._put - self._taken >= _MOST_WAITING
-        if is_full and isinstance(report, Batch):
-            kept = tuple(one for one in report.samples if isinstance(one, LatchedStatus))
-            if not kept:
-                return
-            report = Batch(kept, report.counters)
-        self._put += 1
-        self._queue.put(report)
-
-    def get(self, seconds: float) -> Report | None:
-        report: Report | None = self._queue.get(seconds)
-        self._taken += report is not None
-        return report
+    mode: str  # a sentence
+    serial_controls: bool  # whether motor commands reach the motors
+    currents: tuple[float, float]  # of motors 1 and 2 in ampere
+    channels: Mapping[int, ChannelStatus]  # by number, 1 to 5
+    errors: tuple[str, ...]  # names of the error bits since the last status
 
 
 class _OpenBoard:
@@ -145,16 +117,26 @@ class _OpenBoard:
         self.mirror = BoardMirror(self.keeper.memory)
         self.mirror.adapter = adapter_key(settings.url)
         self.is_armed = False
+        self.driven: dict[int, int] = {}  # speed by motor since the last confirmed stop
         self.errors: dict[str, None] = {}  # names of the bits since the last status
-        self.listener: Callable[[Sample], object] | None = None
+        self.events = deque[Event](maxlen=_MOST_WAITING)  # since the program has read them
         self.closed: Closed | None = None
         self._ids = count(1)
         self._outcomes: dict[int, Outcome] = {}
         self._inbox = RequestQueue(computer.condition())
         self.put = self._inbox.put
-        self._reports = _Reports(RequestQueue(computer.condition()))
-        session = TrexSession(settings, self._inbox, self._reports.put, computer.open_transport)
+        self._reports = RequestQueue(computer.condition())
+        session = TrexSession(settings, self._inbox, self._put_report, computer.open_transport)
         self._join = computer.start_thread(session.run)
+
+    def _put_report(self, report: Report) -> None:
+        """Queue a report of the session. Of too many samples only the status bits are kept."""
+        if isinstance(report, Batch) and len(self._reports) >= _MOST_WAITING:
+            kept = tuple(one for one in report.samples if isinstance(one, LatchedStatus))
+            if not kept:
+                return
+            report = Batch(kept, report.counters)
+        self._reports.put(report)
 
     @property
     def state(self) -> DeviceState:
@@ -179,6 +161,7 @@ class _OpenBoard:
     def stop(self) -> None:
         self.is_armed = False
         self.result(Stop, _STOPPING)
+        self.driven.clear()
 
     def wait_for(self, condition: Callable[[], bool], seconds: float = 60.0) -> None:
         end = self.clock() + seconds
@@ -187,20 +170,34 @@ class _OpenBoard:
                 raise NoReply(f"The board did not answer within {seconds:g} s.")
             self.pump(end)
 
-    def pump(self, end: float) -> None:
-        """Send a heartbeat if motors are armed, and take the next report and those behind it."""
+    def pump(self, end: float) -> list[Sample]:
+        """Send a heartbeat if motors are armed; take the next report and those that follow it.
+
+        Return their samples.
+        """
         if self.is_armed:
             self.put(Heartbeat())
+        samples: list[Sample] = []
         seconds = min(max(end - self.clock(), 0.0), HEARTBEAT_INTERVAL)
         report = self._reports.get(seconds)
         while report is not None:
-            self._take(report)
+            samples += self._take(report)
             report = self._reports.get(0.0)
+        return samples
 
-    def _take(self, report: Report) -> None:
+    def _take(self, report: Report) -> Iterator[Sample]:
         for event in self.mirror.take(report, self.clock(), utc_now()):
-            if isinstance(event, Sample):
-                self._take_sample(event)
+            match event:
+                case LatchedStatus():
+                    self._take_status(event)
+                    yield event
+                case Sample():
+                    yield event
+                case Event():
+                    self.events.append(event)
+        match report:
+            case Connected(may_move=False) | MotorsStopped(confirmed=True):
+                self.driven.clear()
         match report:
             case Connected() if self.is_armed:
                 self._fail("The board was restarted or changed, so the motors were stopped.")
@@ -210,30 +207,35 @@ class _OpenBoard:
                 self.is_armed = False
                 raise NoReply(f"The board has stopped responding: {reason}")
             case MotorsStopped(reason=code) if code is not None:
-                cause = _LATE if code is ErrorCode.NO_HEARTBEAT else error_text(code)
+                cause = _LATE if code is ErrorCode.NO_HEARTBEAT else describe(code)
                 self._fail(f"{cause} The motors were stopped.")
             case Closed():
                 self.closed, self.is_armed = report, False
                 self.require_open()
 
-    def _take_sample(self, sample: Sample) -> None:
-        if self.listener is not None:
-            self.listener(sample)
-        if not isinstance(sample, LatchedStatus):
-            return
-        names = (*bit_names(sample.status), *bit_names(sample.uart))
-        self.errors |= dict.fromkeys(names)
-        parameters = {} if self.mirror.state is None else self.mirror.state.parameters
-        errors_stop = bool(parameters.get(ParameterKey.UART_ERROR_SHUTDOWN))
-        bits = (sample.status, sample.uart)
-        has_stopped = any(stops_motors(one, errors_stop=errors_stop) for one in bits)
-        if has_stopped and self.is_armed and not sample.is_earlier:
+    def _take_status(self, latched: LatchedStatus) -> None:
+        self.errors |= dict.fromkeys(latched.names)
+        if (
+            self.is_armed
+            and not latched.is_earlier
+            and latched.stops_motors(on_error=self.state.stops_on_error)
+        ):
             self.stop()
-            self._fail(f"The board reports: {', '.join(names)}. The motors were stopped.")
+            self._fail(f"The board reports: {', '.join(latched.names)}. The motors were stopped.")
 
     def _fail(self, text: str) -> None:
         self.is_armed = False
         raise MotorsStoppedError(text)
+
+    def drive_inputs(self) -> DriveInputs:
+        return DriveInputs(
+            board=self.mirror.inputs(self.clock()),
+            link=None if self.mirror.is_responding else DriveBlocker.SILENT,
+            may_move=bool(self.driven),
+            driven=frozenset(self.driven),
+            silence_remedy=self.mirror.silence_remedy,
+            armed=self.is_armed,
+        )
 
     def close(self) -> Closed | None:
         self.is_armed = False
@@ -305,12 +307,7 @@ class Trex:
             raise
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        traceback: TracebackType | None,
-    ) -> None:
+    def __exit__(self, _kind: object, error: BaseException | None, _traceback: object) -> None:
         """Stop the motors and close the port; NoReply if a stop was not confirmed."""
         closed = None if self._opened is None else self._opened.close()
         if closed is not None and closed.may_move:
@@ -336,14 +333,13 @@ class Trex:
     def status(self) -> BoardStatus:
         """Return what the board measures now, and the errors since the last call."""
         board = self._board
-        newest, begun = board.mirror.newest, board.clock()
-        wanted = (Raw, Remapped, Currents, Control)
-
-        def is_new(kind: type[Sample]) -> bool:
-            sample = newest.get(kind)
-            return sample is not None and sample.time >= begun
-
-        board.wait_for(lambda: all(map(is_new, wanted)), _STATUS_TIMEOUT)
+        samples, begun = board.mirror.newest.samples, board.clock()
+        wanted = {Raw, Remapped, Currents, Control}
+        board.wait_for(
+            lambda: wanted <= {kind for kind, one in samples.items() if one.time >= begun},
+            _STATUS_TIMEOUT,
+        )
+        newest = board.mirror.newest
         state, unit = board.state, board.state.signature.model.current_unit
         currents = newest[Currents].counts
         errors, board.errors = tuple(board.errors), {}
@@ -370,11 +366,20 @@ class Trex:
 
     def motor_status(self) -> tuple[str, ...]:
         """Return every reason why the motors do what they do, the worst first, as sentences."""
-        board = self._board
-        link = None if board.mirror.is_responding else DriveBlocker.SILENT
-        inputs = board.mirror.inputs(board.clock())
-        statuses = drive_statuses(DriveInputs(board=inputs, link=link, armed=board.is_armed))
+        statuses = drive_statuses(self._board.drive_inputs())
         return tuple(f"{status.text} {status.remedy}".strip() for status in statuses)
+
+    def setpoint(self, motor: int) -> MotorSetpoint:
+        """Return the speed at which motor 1, 2 or 3 (auxiliary) is set to turn, and by what."""
+        board = self._board
+        sent = board.driven.get(motor, 0)
+        return motor_setpoint(motor, board.drive_inputs(), board.mirror.newest, sent)
+
+    def events(self) -> tuple[Event, ...]:
+        """Return what happened since the last call, as the log of the window shows it."""
+        events = tuple(self._board.events)
+        self._board.events.clear()
+        return events
 
     @property
     def line_quality(self) -> ConnectionQuality:
@@ -388,20 +393,11 @@ class Trex:
         """
         table = MeasurementTable(self.state.mode, self.state.signature.model.current_unit)
         board = self._board
-        begun, ready = board.clock(), list[Row]()
-
-        def take(sample: Sample) -> None:
-            if sample.time >= begun and table.take(sample):
-                ready.append(table.finish(sample.time - begun))
-
+        begun = board.clock()
         while board.clock() - begun < seconds:
-            board.listener = take
-            try:
-                board.pump(begun + seconds)
-            finally:
-                board.listener = None
-            while ready:
-                yield ready.pop(0)
+            for sample in board.pump(begun + seconds):
+                if sample.time >= begun and table.take(sample):
+                    yield table.finish(sample.time - begun)
 
     # --- Settings -----------------------------------------------------------------------
 
@@ -526,11 +522,13 @@ class Trex:
         if not board.is_armed:
             board.is_armed = True
             board.put(Arm())
+        board.driven |= {one.motor: one.drive.signed for one in motors}
         if len(motors) == 2:
             board.put(SetMotors((motors[0], motors[1])))
         elif motors:
             board.put(motors[0])
         if auxiliary is not None:
+            board.driven[AUXILIARY] = auxiliary
             board.put(SetAuxiliary(auxiliary, accelerate))
 
     def stop(self) -> None:

@@ -105,6 +105,21 @@ def test_status_gives_every_reason_why_the_motors_do_not_run(
     assert [row["name"] for row in report["errors"]] == ["status_motor1_fault"], "it was there"
 
 
+def test_status_shows_setpoints_and_log(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    sources = [row["source"] for row in json.loads(trexcmd("status", "--json").stdout)["setpoints"]]
+    assert sources == ["not_armed"] * 3
+    quick_simulator.do("jumper mode rc", "power cycle")
+    assert becomes(lambda: quick_simulator.show()["safe_start"], False)
+    quick_simulator.do("channel 2 1250us", "line error framing")
+    assert becomes(lambda: quick_simulator.show()["channels"][1]["raw"], 3125)
+    result = trexcmd("status").stdout
+    assert "Motor 2 setpoint:     -59 (channel)\n" in result
+    assert "Log:\n  Connected to TReX 1.2 on " in result
+    assert "Latched before connecting, perhaps by the search for the board: Framing" in result
+
+
 def test_status_gives_no_error_that_is_over_as_a_reason(
     trexcmd: RunCommand, virtual_time: VirtualRuntime
 ) -> None:

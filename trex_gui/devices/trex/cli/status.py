@@ -6,6 +6,8 @@ from typing import Any
 import click
 
 from trex_gui.core.cli import json_option, print_json, say
+from trex_gui.core.events import Event
+from trex_gui.devices.trex.board.drive_status import AUXILIARY, DriveInputs, motor_setpoint
 from trex_gui.devices.trex.board.keeper import Keeper
 from trex_gui.devices.trex.board.mirror import BoardMirror
 from trex_gui.devices.trex.cli.changes import say_warning
@@ -27,7 +29,6 @@ from trex_gui.devices.trex.client.telemetry import (
     LatchedStatus,
     Raw,
     Remapped,
-    Sample,
     StatusReader,
 )
 from trex_gui.devices.trex.driving.blockers import Effect
@@ -87,6 +88,11 @@ def status(as_json: bool, **options: Any) -> None:
     this state shows on the board; where a channel commands a speed and no current flows, safe-start
     may hold the motors (inferred), and a motor without load looks the same. Errors that are over
     are not among the reasons.
+
+    setpoints has the speed at which motors 1, 2 and 3 (auxiliary) are set to turn, -127 to 127, and
+    its source: channel, safe_start (it holds the motor), joint (motor 2 works with motor 1),
+    not_armed (serial commands control the motors, and this command sends none) or unknown. events
+    has what the log of the window would show, serial errors for instance.
     """
     with open_line(link_settings(options)) as client:
         identify(client)
@@ -105,6 +111,10 @@ def status(as_json: bool, **options: Any) -> None:
         click.echo(" " * 22 + SAFE_START_NOTE)
     for motor in (1, 2):
         click.echo(f"Motor {motor} current:      {report[f'motor_{motor}_current_A']:.2f} A")
+    for row in report["setpoints"]:
+        name = "Auxiliary" if row["motor"] == AUXILIARY else f"Motor {row['motor']}"
+        source = row["source"].replace("_", " ")
+        click.echo(f"{name + ' setpoint:':22}{row['speed']} ({source})")
     click.echo("Motors:")
     if all(row["effect"] == Effect.NOTE.name.lower() for row in report["motors"]):
         click.echo("  Nothing keeps them from following serial commands.")
@@ -119,6 +129,9 @@ def status(as_json: bool, **options: Any) -> None:
         names = [row["text"] for row in report["errors"] if row["is_earlier"] is is_earlier]
         if names or not is_earlier:
             click.echo(f"{title}: {', '.join(names) or 'none'}")
+    click.echo("Log:")
+    for row in report["events"]:
+        click.echo(f"  {row['text']}")
     click.echo("Parameters:")
     for key, row in report["parameters"].items():
         click.echo(f"  {key:28}{row['value']:>4}  {row['text']}")
@@ -143,7 +156,7 @@ def get_command(name: str, as_json: bool, **options: Any) -> None:
 
 def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
     reader = StatusReader(client.transport.clock)
-    before = _bits(reader.read(client.request))  # since they were last read, perhaps long ago
+    earlier = reader.read(client.request)  # since they were last read, perhaps long ago
     raw = query(client.request, GetRawChannels())
     remapped = query(client.request, GetRemappedChannels())
     currents = query(client.request, GetCurrents())
@@ -151,14 +164,20 @@ def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
     client.transport.wait(_LATCHES_AGAIN)
     active = _bits(reader.read(client.request))
     now = client.transport.clock()
-    board = _mirror(
-        client,
-        state,
+    samples = (
         Raw(now, tuple(raw.values())),
         Remapped(now, tuple(remapped.values())),
         Currents(now, currents),
+        *([] if earlier is None else [earlier]),
         LatchedStatus(now, *active),
     )
+    board = BoardMirror(Keeper(say, say_warning).memory)
+    connected = Connected(state, client.echo, ReadReason.OPENED, client.settings)
+    happened = [
+        event
+        for report in (connected, Batch(samples, client.counters))
+        for event in board.take(report, now, utc_now())
+    ]
     inputs = board.inputs(now)
     assert inputs is not None  # noqa: S101 - it was just read
     red, green = led_patterns(inputs)
@@ -181,6 +200,11 @@ def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
         "leds": {"red": red, "green": green},
         "motor_1_current_A": round(currents[0] * unit, 4),
         "motor_2_current_A": round(currents[1] * unit, 4),
+        "setpoints": [
+            {"motor": motor, "source": setpoint.source.name.lower(), "speed": setpoint.speed}
+            for motor in (1, 2, AUXILIARY)
+            for setpoint in [motor_setpoint(motor, DriveInputs(board=inputs), board.newest, 0)]
+        ],
         "channels": [
             {
                 "channel": channel,
@@ -190,21 +214,17 @@ def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
             }
             for channel in CHANNELS
         ],
-        "errors": _errors(before, active),
+        "errors": _errors(_bits(earlier), active),
+        "events": [
+            {"kind": event.kind.value, "text": event.text, "is_problem": event.is_problem}
+            for event in happened
+            if isinstance(event, Event)
+        ],
         "parameters": {
             key: {"value": wire, "text": state.specs[key].text(wire)}
             for key, wire in state.parameters.items()
         },
     }
-
-
-def _mirror(client: TrexClient, state: DeviceState, *samples: Sample) -> BoardMirror:
-    """Return what is known of a board that was just read."""
-    board = BoardMirror(Keeper(say, say_warning).memory)
-    read = Connected(state, client.echo, ReadReason.OPENED, client.settings)
-    for report in (read, Batch(samples, client.counters)):
-        list(board.take(report, client.transport.clock(), utc_now()))
-    return board
 
 
 def _bits(latched: LatchedStatus | None) -> tuple[Status, UartError]:
