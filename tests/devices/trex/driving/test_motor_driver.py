@@ -16,7 +16,7 @@ from trex_gui.devices.trex.driving.motor_output import Arming, Motion, MotorOutp
 from trex_gui.devices.trex.driving.requests import (
     Arm,
     Heartbeat,
-    MotorsStopped,
+    MotorReport,
     SetAuxiliary,
     SetMotor,
     Stop,
@@ -34,7 +34,7 @@ class MotorsHarness:
     def __init__(self, stage: Stage) -> None:
         self.stage = stage
         self.client = stage.client()
-        self.reports: list[Outcome | MotorsStopped | StopSent] = []
+        self.reports: list[Outcome | MotorReport] = []
         self.motors = MotorOutput(self.reports.append)
         self.driver = MotorDriver(self.motors, self.client, StatusReader(stage.transport.clock))
 

@@ -162,14 +162,14 @@ def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
     currents = query(client.request, GetCurrents())
     unit = state.signature.model.current_unit
     client.transport.wait(_LATCHES_AGAIN)
-    active = _bits(reader.read(client.request))
+    active = reader.read(client.request)
     now = client.transport.clock()
     samples = (
         Raw(now, tuple(raw.values())),
         Remapped(now, tuple(remapped.values())),
         Currents(now, currents),
-        *([] if earlier is None else [earlier]),
-        LatchedStatus(now, *active),
+        *([earlier] if earlier else []),
+        LatchedStatus(now, active.status, active.uart),
     )
     board = BoardMirror(Keeper(say, say_warning).memory)
     connected = Connected(state, client.echo, ReadReason.OPENED, client.settings)
@@ -214,7 +214,7 @@ def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
             }
             for channel in CHANNELS
         ],
-        "errors": _errors(_bits(earlier), active),
+        "errors": _errors(earlier, active),
         "events": [
             {"kind": event.kind.value, "text": event.text, "is_problem": event.is_problem}
             for event in happened
@@ -227,16 +227,10 @@ def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
     }
 
 
-def _bits(latched: LatchedStatus | None) -> tuple[Status, UartError]:
-    return (latched.status, latched.uart) if latched else (Status(0), UartError(0))
-
-
-def _errors(
-    before: tuple[Status, UartError], active: tuple[Status, UartError]
-) -> list[dict[str, str | bool]]:
+def _errors(before: LatchedStatus, active: LatchedStatus) -> list[dict[str, str | bool]]:
     """Return a row for each bit; line errors that are over may be of a search for the board."""
-    status, uart = before[0] | active[0], before[1] | active[1]
-    earlier = before[1] & ~active[1] & ~UartError.TIMEOUT
+    status, uart = before.status | active.status, before.uart | active.uart
+    earlier = before.uart & ~active.uart & ~UartError.TIMEOUT
     is_announced = bool(earlier) and earlier == uart  # by the bit in the status
     rows: list[tuple[str, Status | UartError, bool]] = [
         *(("status", bit, bit is Status.UART_ERROR and is_announced) for bit in status),

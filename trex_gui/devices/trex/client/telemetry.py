@@ -37,6 +37,10 @@ class Sample:
 
     time: float
 
+    def __bool__(self) -> bool:
+        """Whether there is something to report."""
+        return True
+
 
 @dataclass(frozen=True, slots=True)
 class Raw(Sample):
@@ -61,15 +65,24 @@ class Currents(Sample):
 
 @dataclass(frozen=True, slots=True)
 class LatchedStatus(Sample):
-    """Status bits and UART error bits that were latched since they were last read.
+    """Status bits and UART error bits that were latched since they were last read; false if none.
 
     `is_earlier`: the bits were latched before the board was connected or selected, or by the
-    search for it.
+    search for it. `is_whole`: no error can be latched that was not read.
     """
 
     status: Status
     uart: UartError
     is_earlier: bool = False
+    is_whole: bool = True
+
+    def __bool__(self) -> bool:
+        return bool(self.status or self.uart)
+
+    @property
+    def is_clean(self) -> bool:
+        """Whether the line has corrupted nothing since the last status."""
+        return self.is_whole and not self.has_line_error
 
     @property
     def has_line_error(self) -> bool:
@@ -287,7 +300,7 @@ class StatusReader:
         """Count what is read next as older: the board was searched for, or selected only now."""
         self._is_first = self.uart_due = True  # bits may be latched that no status announces
 
-    def read(self, request: Requester) -> LatchedStatus | None:
+    def read(self, request: Requester) -> LatchedStatus:
         """Read and clear the status, and the UART errors when there may be some.
 
         Raises:
@@ -303,13 +316,13 @@ class StatusReader:
                 uart = request(GetUartErrors())
                 self.uart_due = False
         is_earlier, self._is_first = self._is_first, self._is_first and self.uart_due
-        return LatchedStatus(self._clock(), status, uart, is_earlier) if status or uart else None
+        return LatchedStatus(self._clock(), status, uart, is_earlier, is_whole=not self.uart_due)
 
 
 def poll(
     request: Requester, topic: type[Sample], clock: Callable[[], float], reader: StatusReader
-) -> Sample | None:
-    """Read one topic; return its sample with the time of its reply, `None` if no bit was latched.
+) -> Sample:
+    """Read one topic; return its sample with the time of its reply, false if no bit was latched.
 
     Raises:
         NoReply, BadReply: as every transaction.

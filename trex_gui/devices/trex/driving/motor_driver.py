@@ -17,6 +17,7 @@ from trex_gui.devices.trex.driving.motor_output import MotorOutput, OutputEvent
 from trex_gui.devices.trex.driving.requests import HEARTBEAT_INTERVAL, Stop, packets
 from trex_gui.devices.trex.protocol.commands import STOP, Command, ReplyT_co
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexNoReplyError
+from trex_gui.devices.trex.protocol.flags import Status, UartError
 
 log = logging.getLogger(__name__)
 
@@ -98,10 +99,9 @@ class MotorDriver:
             except (NoReply, BadReply):
                 clean = 0
             else:
-                if status is not None:
+                if status:
                     latched.append(status)
-                is_clean = not (self._status.uart_due or (status and status.has_line_error))
-                clean = clean + 1 if is_clean else 0
+                clean = clean + 1 if status.is_clean else 0
             if clean == rounds or (not clean and aborts()):
                 break
         confirmed = clean == rounds
@@ -244,13 +244,12 @@ class MotorDriver:
         if (refresh.stops_on_error or refresh.holds_speeds) and refresh.has_running_motors:
             if is_waiting:
                 return
-            latched = None
+            latched = LatchedStatus(self._now(), Status(0), UartError(0), is_whole=False)
             with suppress(NoReply, BadReply):  # polling finds out whether the board is silent
                 latched = self._status.read(self.client.request)
             self._take_statuses([latched] if latched else [])
-            is_whole = not self._status.uart_due
-            self.output.note_status(latched, self._now(), is_whole=is_whole, stops_on_error=True)
-            if not is_whole:
+            self.output.note_status(latched, stops_on_error=True)
+            if not latched.is_whole:
                 return
         for command in refresh.speeds():
             self.client.send(command)

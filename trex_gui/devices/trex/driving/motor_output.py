@@ -17,6 +17,7 @@ from trex_gui.devices.trex.driving.requests import (
     Arm,
     CommandsRepeated,
     Heartbeat,
+    MotorReport,
     MotorRequest,
     MotorsStopped,
     Setpoint,
@@ -130,7 +131,7 @@ class MotorOutput:
 
     def __init__(
         self,
-        report: Callable[[Outcome | MotorsStopped | StopSent | CommandsRepeated], None],
+        report: Callable[[Outcome | MotorReport], None],
         timeouts: Timeouts | None = None,
         *,
         may_move: bool = False,
@@ -273,14 +274,12 @@ class MotorOutput:
             self.restart.note_setpoints(setpoints, now)
         return setpoints
 
-    def note_status(
-        self, latched: LatchedStatus | None, now: float, *, is_whole: bool, stops_on_error: bool
-    ) -> None:
+    def note_status(self, latched: LatchedStatus, *, stops_on_error: bool) -> None:
         """Take a status that was polled; see `SetpointRetry.note_status`."""
         self.quality.note_status(latched)
         self.refresh.note_status(latched, stops_on_error=stops_on_error)
-        self.restart.note_status(latched, now, is_whole=is_whole, stops_on_error=stops_on_error)
-        self.retry.note_status(latched, now, is_whole=is_whole, stops_on_error=stops_on_error)
+        self.restart.note_status(latched, stops_on_error=stops_on_error)
+        self.retry.note_status(latched, stops_on_error=stops_on_error)
 
     # --- Stops and their outcomes -------------------------------------------------------
 

@@ -89,6 +89,7 @@ class MotorsStopped:
 Setpoint = SetMotor | SetAuxiliary
 SetpointRequest = SetMotor | SetMotors | SetAuxiliary
 MotorRequest = SetpointRequest | Stop | Arm | Heartbeat
+MotorReport = MotorsStopped | StopSent | CommandsRepeated
 
 
 def setpoints_in(request: SetpointRequest) -> Sequence[Setpoint]:

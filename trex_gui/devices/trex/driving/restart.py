@@ -56,11 +56,9 @@ class RestartWatch:
         if self._quality.is_quiet and self._drawing:
             self._is_reply_lost = True
 
-    def note_status(
-        self, latched: LatchedStatus | None, now: float, *, is_whole: bool, stops_on_error: bool
-    ) -> None:
+    def note_status(self, latched: LatchedStatus, *, stops_on_error: bool) -> None:
         """Take a status that gives a reason, or that gives none."""
-        if latched is not None and (
+        if (
             latched.status & ~Status.UART_ERROR
             or latched.uart & UartError.TIMEOUT
             or (stops_on_error and latched.has_line_error)
@@ -68,7 +66,7 @@ class RestartWatch:
             self._drawing.clear()  # this is the reason
             self._end_check()
         enough = _FALLEN_AFTER_LOSS if self._is_reply_lost else _FALLEN
-        self.has_restarted |= is_whole and now - self._fallen_at >= enough
+        self.has_restarted |= latched.is_whole and latched.time - self._fallen_at >= enough
 
     def note_currents(self, counts: Sequence[int], now: float) -> None:
         if any(counts[motor - 1] > NOISE_COUNTS for motor in self._drawing):

@@ -105,27 +105,22 @@ class SetpointRetry:
         self.due = now + REPEATS[self._repeated]
         self._sent_since_status = True
 
-    def note_status(
-        self, latched: LatchedStatus | None, now: float, *, is_whole: bool, stops_on_error: bool
-    ) -> None:
+    def note_status(self, latched: LatchedStatus, *, stops_on_error: bool) -> None:
         """Confirm the setpoints, or schedule them at once after an error.
 
-        Motors that the board has stopped are not started again. `latched` is `None` if nothing was
-        latched. `is_whole`: no error can be latched that was not read. `stops_on_error`: the board
-        stops its motors on a UART error.
+        Motors that the board has stopped are not started again. `stops_on_error`: the board stops
+        its motors on a UART error.
         """
         if not self._unconfirmed:
             return
-        is_clean = is_whole and (latched is None or not latched.has_line_error)
-        has_stopped = latched is not None and latched.stops_motors()
-        if has_stopped or (stops_on_error and not is_clean):
+        if latched.stops_motors() or (stops_on_error and not latched.is_clean):
             self._unconfirmed = [one for one in self._unconfirmed if is_idle(one)]
-        if is_clean and self._sent_since_status:
+        if not latched.is_clean:
+            self._clean = self._repeated = 0
+            self.due = latched.time
+        elif self._sent_since_status:
             self._sent_since_status = False
             self._clean += 1
-        elif not is_clean:
-            self._clean = self._repeated = 0
-            self.due = now
         is_harmless = all(one.accelerate or is_idle(one) for one in self._unconfirmed)
         if not self._unconfirmed or self._clean >= (_CLEAN_STATUSES if is_harmless else 1):
             self.clear()
@@ -170,12 +165,12 @@ class LineQuality:
             self._failures = failures
             self._note_damage()
 
-    def note_status(self, latched: LatchedStatus | None) -> None:
+    def note_status(self, latched: LatchedStatus) -> None:
         """Take the line errors that the board has latched.
 
         Before the first `observe` they are older than the connection.
         """
-        if self._is_observed and latched is not None and latched.has_line_error:
+        if self._is_observed and latched.has_line_error:
             self._note_damage()
 
     @property
@@ -229,11 +224,11 @@ class SetpointRefresh:
         self._sent_at = now
         self._note_auxiliary_risk()
 
-    def note_status(self, latched: LatchedStatus | None, *, stops_on_error: bool) -> None:
+    def note_status(self, latched: LatchedStatus, *, stops_on_error: bool) -> None:
         """Hold speeds until the next clean status if the board has stopped motors."""
         self.stops_on_error = stops_on_error
-        self.holds_speeds = latched is not None and latched.stops_motors(on_error=stops_on_error)
-        if latched is not None and latched.uart and stops_on_error:  # no bit that noise added
+        self.holds_speeds = latched.stops_motors(on_error=stops_on_error)
+        if latched.uart and stops_on_error:  # no bit that noise added
             for setpoint in self._running():
                 del self._setpoints[setpoint.motor]
 

@@ -105,9 +105,9 @@ class BoardReader:
             request = line.request if topic is LatchedStatus else line.client.request
             sample = poll(request, topic, line.now, line.status)
             line.liveness.note_answer(topic)
-            if topic is LatchedStatus:
-                self.note_status(sample if isinstance(sample, LatchedStatus) else None)
-            if sample is not None:
+            if isinstance(sample, LatchedStatus):
+                self.note_status(sample)
+            if sample:
                 line.batcher.add(sample)
             if isinstance(sample, Currents):
                 line.motors.restart.note_currents(sample.counts, sample.time)
@@ -152,13 +152,8 @@ class BoardReader:
         except (NoReply, BadReply) as error:
             line.note_failure(error)
 
-    def note_status(self, latched: LatchedStatus | None) -> None:
-        self._line.motors.note_status(
-            latched,
-            self._line.now(),
-            is_whole=not self._line.status.uart_due,
-            stops_on_error=self.state.stops_on_error,
-        )
+    def note_status(self, latched: LatchedStatus) -> None:
+        self._line.motors.note_status(latched, stops_on_error=self.state.stops_on_error)
 
     # --- A board that does not respond --------------------------------------------------
 

@@ -173,15 +173,12 @@ class JobServer:
 
     def _keep_cleared(self, value: object) -> None:
         """Report bits that a packet of the user's has read, and so cleared."""
-        match value:
-            case Status():
-                self._line.status.uart_due |= bool(value & Status.UART_ERROR)
-                latched = LatchedStatus(self._line.now(), value, UartError(0))
-            case UartError():
-                latched = LatchedStatus(self._line.now(), Status(0), value)
-            case _:
-                return
-        if value:
+        status = self._line.status
+        if isinstance(value, Status):
+            status.uart_due |= bool(value & Status.UART_ERROR)
+        if value and isinstance(value, Status | UartError):
+            bits = (value, UartError(0)) if isinstance(value, Status) else (Status(0), value)
+            latched = LatchedStatus(self._line.now(), *bits, is_whole=not status.uart_due)
             self._reader.note_status(latched)
             self._line.batcher.add(latched)
 

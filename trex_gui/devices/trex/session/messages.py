@@ -11,12 +11,7 @@ from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import Sample
 from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.driving.requests import (
-    CommandsRepeated,
-    MotorRequest,
-    MotorsStopped,
-    StopSent,
-)
+from trex_gui.devices.trex.driving.requests import MotorReport, MotorRequest
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import Command
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -196,14 +191,5 @@ class Batch:
 
 
 Report = (
-    Progress
-    | Connected
-    | GuardianChanged
-    | NotResponding
-    | MotorsStopped
-    | StopSent
-    | CommandsRepeated
-    | Batch
-    | Outcome
-    | Closed
+    Progress | Connected | GuardianChanged | NotResponding | MotorReport | Batch | Outcome | Closed
 )
