@@ -1,7 +1,7 @@
 """What is known of a board, from the reports of its session: no Qt, no threads, no I/O."""
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from datetime import datetime
 from functools import reduce
 from operator import or_
@@ -13,6 +13,7 @@ from trex_gui.devices.trex.board.errors import ErrorCounts
 from trex_gui.devices.trex.board.events import StatusEvents, read_event
 from trex_gui.devices.trex.board.memory import BoardMemory
 from trex_gui.devices.trex.board.quality import ConnectionQuality
+from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.reading import DeviceState, may_be_same_board
 from trex_gui.devices.trex.client.telemetry import (
@@ -24,7 +25,12 @@ from trex_gui.devices.trex.client.telemetry import (
     Remapped,
     Sample,
 )
-from trex_gui.devices.trex.driving.board_reasons import NOISE_COUNTS, BoardInputs, board_inputs
+from trex_gui.devices.trex.driving.blockers import Reason
+from trex_gui.devices.trex.driving.board_reasons import (
+    NOISE_COUNTS,
+    BoardInputs,
+    safe_start_reasons,
+)
 from trex_gui.devices.trex.driving.requests import CommandsRepeated
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop, remedy_for_silence, timeout_stop
 from trex_gui.devices.trex.protocol.calibration import NEARLY_NEUTRAL
@@ -32,6 +38,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.descriptions import who_controls
 from trex_gui.devices.trex.protocol.flags import (
     MOTOR_FAULTS,
+    OVER_LIMITS,
     Status,
     UartError,
     bit_names,
@@ -215,21 +222,34 @@ class BoardMirror:
         """Return what decides whether the motors run; `None` while that is not known."""
         if self.state is None or self.serial_controls is None:
             return None
-        raw = self.newest.get(Raw)
+        state, joint, safe_start = self.state, self.is_joint, tuple[Reason, ...]()
+        stored = state.parameters.get
+        if (raw := self.newest.get(Raw)) is not None:
+            curves = {
+                channel: ChannelCurve.stored(channel, calibration, stored)
+                for channel, calibration in state.calibrations.items()
+            }
+            required = stored(ParameterKey.REQUIRED_CHANNELS) or 0
+            safe_start = safe_start_reasons(
+                curves, raw.counts, required, source=state.source, joint=joint
+            )
         recent = [entry for motor in (1, 2) for entry in self.errors.recent(motor, now)]
-        bits = [entry.bit for entry in recent]
-        inputs = board_inputs(
-            self.state,
-            None if raw is None else raw.counts,
-            reduce(or_, (bit for bit in bits if isinstance(bit, Status)), Status(0)),
-            reduce(or_, (bit for bit in bits if isinstance(bit, UartError)), UartError(0)),
+        status = {one.bit: one.is_doubtful for one in recent if isinstance(one.bit, Status)}
+        uart = (one.bit for one in recent if isinstance(one.bit, UartError))
+        faults = tuple(motor for motor, bit in MOTOR_FAULTS.items() if bit in status)
+        return BoardInputs(
+            mode=state.mode,
             by_serial=self.serial_controls,
-            joint=self.is_joint,
-            is_held=self._safe_start.may_hold(self.state, self.newest, joint=self.is_joint),
+            joint=joint,
+            safe_start=safe_start,
+            is_held=self._safe_start.may_hold(state, self.newest, joint=joint),
+            faults=faults,
+            doubtful=tuple(motor for motor in faults if status[MOTOR_FAULTS[motor]]),
+            over_limit=tuple(motor for motor, bit in OVER_LIMITS.items() if bit in status),
+            uart=reduce(or_, uart, UartError(0)),
+            error_shutdown=state.stops_on_error,
+            timeout=state.specs[_TIMEOUT].text(stored(_TIMEOUT) or 0),
         )
-        doubtful = {entry.bit for entry in recent if entry.is_doubtful}
-        of_motors = (motor for motor in inputs.faults if MOTOR_FAULTS[motor] in doubtful)
-        return replace(inputs, doubtful=tuple(of_motors))
 
     # --- Reports ------------------------------------------------------------------------
 

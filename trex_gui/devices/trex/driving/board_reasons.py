@@ -6,21 +6,16 @@ from dataclasses import dataclass
 
 from trex_gui.core.translation import tr_noop
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
-from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.driving.blockers import DriveBlocker, Reason, worst_first
 from trex_gui.devices.trex.protocol.calibration import NEARLY_NEUTRAL
 from trex_gui.devices.trex.protocol.flags import (
     CHANNELS,
-    MOTOR_FAULTS,
-    OVER_LIMITS,
     InputSource,
     Mode,
-    Status,
     UartError,
     bit_names,
     channels_in,
 )
-from trex_gui.devices.trex.protocol.parameters import ParameterKey
 
 NOISE_COUNTS = 1  # of a motor's current that may be noise while none flows
 
@@ -134,43 +129,6 @@ def _near(curve: ChannelCurve, *, is_above: bool) -> int:
         return abs(curve.output(neutral + side * distance))
 
     return max(0, bisect_right(range(reach), NEARLY_NEUTRAL, key=output) - 1)
-
-
-def board_inputs(
-    state: DeviceState,
-    raw: Sequence[int | None] | None,
-    status: Status,
-    uart: UartError,
-    *,
-    by_serial: bool,
-    joint: bool,
-    is_held: bool,
-) -> BoardInputs:
-    """Return what decides, from what a board stores, and what it has reported lately.
-
-    `raw` are the counts of channels 1-5, `None` while unknown.
-    """
-    stored = state.parameters.get
-    curves = {
-        channel: ChannelCurve.stored(channel, calibration, stored)
-        for channel, calibration in state.calibrations.items()
-    }
-    required = stored(ParameterKey.REQUIRED_CHANNELS) or 0
-    timeout = stored(ParameterKey.SERIAL_TIMEOUT) or 0
-    return BoardInputs(
-        mode=state.mode,
-        by_serial=by_serial,
-        joint=joint,
-        safe_start=()
-        if raw is None
-        else safe_start_reasons(curves, raw, required, source=state.source, joint=joint),
-        is_held=is_held,
-        faults=tuple(motor for motor, bit in MOTOR_FAULTS.items() if bit & status),
-        over_limit=tuple(motor for motor, bit in OVER_LIMITS.items() if bit & status),
-        uart=uart,
-        error_shutdown=state.stops_on_error,
-        timeout=state.specs[ParameterKey.SERIAL_TIMEOUT].text(timeout),
-    )
 
 
 # --- What the board shows ---------------------------------------------------------------
