@@ -87,10 +87,10 @@ class MotorsStoppedError(StudioError):
 
 @dataclass(frozen=True, slots=True)
 class ChannelStatus:
-    """An input channel; `None` without a signal."""
+    """An input channel."""
 
-    raw: int | None  # in counts
-    value: float | None  # in µs or V
+    raw: int | None  # in counts; `None` without a signal
+    value: float | None  # in µs or V; likewise
     remapped: int  # what the board makes of it, -127 to 127
 
 

@@ -447,7 +447,7 @@ def test_reply_between_failures_keeps_board_responding() -> None:
     for _ in range(10):
         assert not liveness.note_failure(1.0)
         assert not liveness.note_failure(1.1)
-        liveness.note_answer()
+        liveness.note_answer(Raw)
     assert not liveness.silent
 
 

@@ -7,6 +7,7 @@ raises `PortUnavailable` if the line is gone.
 import contextlib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
+from itertools import count
 from typing import Any, TypeVar
 
 from trex_gui.core.errors import BadReply, NoReply
@@ -235,8 +236,8 @@ def agreed(
     readings = [query(request, command) if earlier is None else earlier]
     if has_crc:
         return readings[0]
-    for count in range(_DISAGREEMENTS):
-        if count or earlier is None:
+    for turn in range(_DISAGREEMENTS):
+        if turn or earlier is None:
             query(request, GetMode())
         readings.append(query(request, command))
         if readings[-1] == readings[-2]:
@@ -296,33 +297,33 @@ def _read_pass(read: Requester, progress: Progress, number: int, passes: int) ->
     signature = read(GetSignature())
     specs = parameters_of(signature.model.key, signature.firmware).readable
     steps = 4 + len(specs) + len(CHANNELS)
+    done = count(number * steps + 1)
 
-    def report(done: int, what: str) -> None:
-        progress(number * steps + done, passes * steps, what)
+    def read_next(what: str, command: Command[ReplyT_co]) -> ReplyT_co:
+        progress(next(done), passes * steps, what)
+        return read(command)
 
-    report(1, "mode")
-    mode = read(GetMode())
-    report(2, "control")
-    serial_controls = read(GetSerialControl())
+    mode = read_next("mode", GetMode())
+    serial_controls = read_next("control", GetSerialControl())
     parameters: dict[str, int] = {}
     unread: dict[str, str] = {}
-    for done, spec in enumerate(specs, start=3):
-        report(done, spec.name)
+    for spec in specs:
         try:
-            parameters[spec.key] = read(GetParameter(spec.number))
+            parameters[spec.key] = read_next(spec.name, GetParameter(spec.number))
         except (NoReply, BadReply) as error:
             if is_unsteady(error):
                 raise
             # Either the board is gone, and this raises, or it rejects this one parameter.
             read(GetMode())
             unread[spec.key] = str(error)
-    calibrations: dict[int, Calibration] = {}
-    for done, channel in enumerate(CHANNELS, start=3 + len(specs)):
-        report(done, tr("calibration of channel {0}").format(channel))
-        calibrations[channel] = read(GetCalibration(channel))
-    report(steps - 1, tr("learned channels"))
-    calibrated = read(GetCalibratedChannels())
-    report(steps, tr("done"))
+    calibrations = {
+        channel: read_next(
+            tr("calibration of channel {0}").format(channel), GetCalibration(channel)
+        )
+        for channel in CHANNELS
+    }
+    calibrated = read_next(tr("learned channels"), GetCalibratedChannels())
+    progress(next(done), passes * steps, tr("done"))
     return DeviceState(
         signature, mode, serial_controls, parameters, calibrations, calibrated, unread
     )

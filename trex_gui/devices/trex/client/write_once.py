@@ -105,41 +105,36 @@ def _write_and_verify(
     has_crc: bool,
     before: Callable[[], None] = lambda: None,
 ) -> ValueT:
-    """Write until the value is read back; return what was read last."""
-    stored = wanted
-    for _ in range(ATTEMPTS):
-        _write(request, what, command, has_crc=has_crc, before=before)
-        stored = agreed(request, read_back, has_crc=has_crc)
-        if stored == wanted:
-            break
-    return stored
+    """Write until the value is read back; return what was read last.
 
-
-def _write(
-    request: Requester,
-    what: str,
-    command: SetParameter | SetCalibration,
-    *,
-    has_crc: bool,
-    before: Callable[[], None],
-) -> None:
-    """Write until the board accepts it, or reading it back has to show what was stored.
+    `before` is called before each write.
 
     Raises:
         Rejected: the board rejects it; without a CRC twice in a row, because the first time the
             packet may have been corrupted, or the reply.
     """
-    rejected: ResultCode | None = None
+
+    def write() -> None:
+        """Write until the board accepts it, or reading it back has to show what was stored."""
+        rejected: ResultCode | None = None
+        for _ in range(ATTEMPTS):
+            before()
+            try:
+                code = request(command)
+            except (NoReply, BadReply):
+                # The packet or its reply was corrupted: writing the same value again is harmless.
+                continue
+            if code is ResultCode.OK:
+                return
+            if has_crc or code is rejected:
+                raise Rejected(what, code)
+            rejected = code
+            query(request, GetMode())  # see `agreed`
+
+    stored = wanted
     for _ in range(ATTEMPTS):
-        before()
-        try:
-            code = request(command)
-        except (NoReply, BadReply):
-            # The packet or its reply was corrupted: writing the same value again is harmless.
-            continue
-        if code is ResultCode.OK:
-            return
-        if has_crc or code is rejected:
-            raise Rejected(what, code)
-        rejected = code
-        query(request, GetMode())  # see `agreed`
+        write()
+        stored = agreed(request, read_back, has_crc=has_crc)
+        if stored == wanted:
+            break
+    return stored

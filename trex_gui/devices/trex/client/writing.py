@@ -241,11 +241,6 @@ class _Work:
             self._has_failed = True
             raise
 
-    def store(self, key: str, value: int | Calibration, *, may_cancel: bool = True) -> None:
-        if may_cancel:
-            self._check_cancelled()
-        self._try(key, lambda: self._write(key, value))
-
     def _write(self, key: str, value: int | Calibration) -> int | Calibration:
         if isinstance(value, int):
             if key == ParameterKey.DEVICE_NUMBER:
@@ -402,14 +397,16 @@ class _Work:
         if self.fatal_error is None and self.cancelled():
             self.fatal_error = Skipped(ErrorCode.WRITE_CANCELLED)
 
-    def _try(self, key: str, write: Callable[[], int | Calibration]) -> None:
+    def store(self, key: str, value: int | Calibration, *, may_cancel: bool = True) -> None:
         """Write a value, unless an earlier error was fatal."""
+        if may_cancel:
+            self._check_cancelled()
         result = WriteResult(key, error=self.fatal_error)
         if self.fatal_error is None:
             try:
                 self.progress(len(self.results), self.total, self._name(key))
                 self._sent = 0
-                result = WriteResult(key, write())
+                result = WriteResult(key, self._write(key, value))
             except _FAILURES as error:
                 result = WriteResult(key, error=error)
                 self.fatal_error = _if_fatal(error)

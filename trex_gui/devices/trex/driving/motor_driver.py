@@ -14,8 +14,14 @@ from trex_gui.core.session import SHORTEST_WAIT
 from trex_gui.devices.trex.client.client import BOARD_DELAY, LONGEST_REPLY, TrexClient
 from trex_gui.devices.trex.client.telemetry import LatchedStatus, StatusReader
 from trex_gui.devices.trex.driving.motor_output import MotorOutput, OutputEvent
-from trex_gui.devices.trex.driving.requests import HEARTBEAT_INTERVAL, Stop, packets
-from trex_gui.devices.trex.protocol.commands import STOP, Command, ReplyT_co
+from trex_gui.devices.trex.driving.requests import (
+    HEARTBEAT_INTERVAL,
+    MotorsStopped,
+    Stop,
+    StopSent,
+    packets,
+)
+from trex_gui.devices.trex.protocol.commands import STOP
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexNoReplyError
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 
@@ -69,7 +75,7 @@ class MotorDriver:
     def _send_stop(self) -> None:
         for command in STOP:
             self.client.send(command)
-        self.output.note_stop_sent()
+        self.output.report(StopSent())
 
     def _stop(
         self,
@@ -186,7 +192,8 @@ class MotorDriver:
             self.serve_stops()
         elif output.seconds_to_heartbeat_timeout(now) <= 0:
             output.handle(OutputEvent.LOCK_OUT, now)
-            output.end_heartbeat_stop(answered=self._stop(_ATTEMPTS))
+            confirmed = self._stop(_ATTEMPTS) and not output.may_move
+            output.report(MotorsStopped(ErrorCode.NO_HEARTBEAT, confirmed))
         elif output.seconds_to_stop_retry(now) <= 0:
             self._stop(_RETRY_ATTEMPTS)
             output.end_stop_retry()
@@ -265,15 +272,6 @@ class MotorDriver:
             self._refresh(is_waiting=True)
             seconds = self._interval
         return max(SHORTEST_WAIT, min(seconds, HEARTBEAT_INTERVAL))
-
-    def run_direct(self, command: Command[ReplyT_co]) -> ReplyT_co:
-        """Send one motor command that is not a setpoint.
-
-        Raises:
-            NoReply, BadReply: its echo is corrupted.
-        """
-        self.begin_direct()
-        return self.client.request(command)
 
     def begin_direct(self) -> None:
         """Note that a motor command that is not a setpoint is about to be sent."""

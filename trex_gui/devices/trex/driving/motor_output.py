@@ -22,7 +22,6 @@ from trex_gui.devices.trex.driving.requests import (
     MotorsStopped,
     Setpoint,
     Stop,
-    StopSent,
 )
 from trex_gui.devices.trex.driving.restart import RestartWatch
 from trex_gui.devices.trex.driving.setpoints import (
@@ -144,7 +143,7 @@ class MotorOutput:
         self.quality = LineQuality()  # whether the line damages bytes
         self.restart = RestartWatch(self.quality)
         self.refresh = SetpointRefresh(self.quality, lambda: self.restart.is_checking)
-        self._report = report
+        self.report = report
         self._timeouts = timeouts or Timeouts()
         self.retry = SetpointRetry()  # the unconfirmed setpoints
         self._sent_at = 0.0
@@ -259,7 +258,7 @@ class MotorOutput:
         """Report that every setpoint is sent again, once until the line is quiet."""
         if not self._is_repeating:
             self._is_repeating = True
-            self._report(CommandsRepeated())
+            self.report(CommandsRepeated())
 
     def take_setpoints(self, now: float) -> list[Setpoint]:
         """Return the queued setpoints, or else those to repeat, and count them as sent."""
@@ -292,9 +291,6 @@ class MotorOutput:
     def put_back(self, stops: Sequence[Stop]) -> None:
         """Queue stops again, before those that have come meanwhile."""
         self.stops[:0] = stops
-
-    def note_stop_sent(self) -> None:
-        self._report(StopSent())
 
     def note_stop(
         self, now: float, statuses: Sequence[LatchedStatus], *, confirmed: bool, final: bool
@@ -335,18 +331,13 @@ class MotorOutput:
 
     def end_stop_retry(self) -> None:
         if not self.may_move:
-            self._report(MotorsStopped(None, confirmed=True))
+            self.report(MotorsStopped(None, confirmed=True))
         elif self._stopped_at >= self._noisy_until:
             self._end_noisy_stops(TrexNoReplyError(ErrorCode.STOP_ON_NOISY_LINE))
 
-    def end_heartbeat_stop(self, *, answered: bool) -> None:
-        """Report that the motors were stopped because the heartbeat was missing."""
-        confirmed = answered and not self.may_move
-        self._report(MotorsStopped(ErrorCode.NO_HEARTBEAT, confirmed))
-
     def report_stops(self, stops: Sequence[Stop], error: StudioError | None) -> None:
         for stop in stops:
-            self._report(Outcome(stop.id, error=error))
+            self.report(Outcome(stop.id, error=error))
 
     def _end_noisy_stops(self, error: StudioError | None) -> None:
         stops, self._noisy_stops = self._noisy_stops, []

@@ -63,7 +63,8 @@ class JobServer:
             case RunCommand(command=command) if command.moves:
                 # At once: behind a stop that comes now it would start what was stopped.
                 line.motors.check(command, line.now())
-                return line.driver.run_direct(command)
+                line.driver.begin_direct()
+                return line.client.request(command)
             case RunCommand(command=command):
                 return line.request(command)
             case SendPacket(packet=packet):
@@ -202,7 +203,7 @@ class JobServer:
 
         def request(command: Command[ReplyT_co]) -> ReplyT_co:
             nonlocal stop_is_due
-            if stop_is_due and line.is_closing() and line.motors.may_move:
+            if stop_is_due and line.queue.sees_close() and line.motors.may_move:
                 stop_is_due = False
                 line.driver.stop_on_close()
             line.serve_motors()
@@ -217,7 +218,7 @@ class JobServer:
                 line.report_progress,
                 before=job.before or state,
                 has_crc=line.client.has_crc,
-                cancelled=line.is_closing,
+                cancelled=line.queue.sees_close,
                 stored=self._note_stored,
             )
         except OtherBoard:

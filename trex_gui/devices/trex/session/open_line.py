@@ -74,10 +74,6 @@ class OpenLine:
         if self.queue.is_closing:
             raise Closing
 
-    def is_closing(self) -> bool:
-        self.queue.collect()
-        return self.queue.is_closing
-
     def serve_motors(self) -> bool:
         """Stop or drive if that is due; return whether the line was used."""
         try:

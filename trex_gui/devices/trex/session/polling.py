@@ -160,6 +160,3 @@ class Polling:
         if timeout <= 0:
             return math.inf
         return max(0.0, self._polled_at + timeout * _KEEPALIVE_SHARE - now)
-
-
-# --- Samples ----------------------------------------------------------------------------

@@ -56,10 +56,8 @@ class LivenessMonitor:
         self._failures_of.clear()
         self._has_probed = False
 
-    def note_answer(self, topic: Topic | None = None) -> None:
-        self._failures = 0
-        if topic is not None:
-            self._failures_of[topic] = 0
+    def note_answer(self, topic: Topic) -> None:
+        self._failures = self._failures_of[topic] = 0
 
     def note_failure(self, now: float, topic: Topic | None = None) -> bool:
         """Count a failed transaction; return whether the board counts as silent from now on."""

@@ -10,15 +10,11 @@ from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, Stop
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexRequestError
 from trex_gui.devices.trex.session.messages import (
     Job,
-    ProbeNumber,
-    Reload,
     Request,
     RunCommand,
-    SelectBoard,
     SendPacket,
     SetReconnectCandidates,
     SetWatched,
-    Write,
 )
 from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
 
@@ -55,15 +51,18 @@ class TrexRequestQueue:
                     self._liveness.expect(settings)
                 case SetWatched(watched=watched):
                     self.is_watched = watched
-                case (
-                    RunCommand() | SendPacket() | Write() | Reload() | ProbeNumber() | SelectBoard()
-                ):
-                    self.jobs.append(request)
                 case Arm(selection=selection) if selection != self.selection:
                     pass  # meant for another board
+                case _ if isinstance(request, Job):
+                    self.jobs.append(request)
                 case _ if isinstance(request, Heartbeat) or not self.is_closing:
                     self._output.take(request, self._clock())
             request = self._inbox.get(0.0)
+
+    def sees_close(self) -> bool:
+        """Sort what has come; return whether a `Close` is or was among it."""
+        self.collect()
+        return self.is_closing
 
     def _reject_motor_commands(self) -> None:
         for job in list(self.jobs):

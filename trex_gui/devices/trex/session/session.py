@@ -102,7 +102,7 @@ class TrexSession:
         )
         client = TrexClient(transport, self._settings)
         status, batcher = StatusReader(transport.clock), SampleBatcher(self._emit)
-        driver = MotorDriver(self._motors, client, status, batcher.extend, self._is_closing)
+        driver = MotorDriver(self._motors, client, status, batcher.extend, self._queue.sees_close)
         self._line = OpenLine(
             client=client,
             transport=transport,
@@ -168,10 +168,6 @@ class TrexSession:
     def _stop_early(self) -> None:
         self._queue.collect()
         self._line.driver.stop_early()
-
-    def _is_closing(self) -> bool:
-        self._queue.collect()
-        return self._queue.is_closing
 
     def _leave_safely(self) -> None:
         """Stop motors that were driven and close the port, whatever the line does."""
