@@ -152,7 +152,7 @@ class MotorOutput:
         self._stopped_at = -math.inf
         self._noisy_stops: list[Stop] = []
         self._noisy_until = -math.inf
-        self._is_repeating = False  # whether `CommandsRepeated` was reported and still holds
+        self.is_repeating = False  # whether `CommandsRepeated` was reported and still holds
 
     @property
     def is_armed(self) -> bool:
@@ -250,14 +250,14 @@ class MotorOutput:
         """Return when to send every setpoint again, on the line's clock."""
         due = math.inf
         if self.arming is not Arming.UNREACHABLE:
-            due = self.refresh.due(interval, armed=self.is_armed, may_move=self.may_move)
-        self._is_repeating = self._is_repeating and due < math.inf
+            due = self.refresh.due(interval, armed=self.is_armed)
+        self.is_repeating = self.is_repeating and due < math.inf
         return due
 
     def note_refresh(self) -> None:
         """Report that every setpoint is sent again, once until the line is quiet."""
-        if not self._is_repeating:
-            self._is_repeating = True
+        if not self.is_repeating:
+            self.is_repeating = True
             self.report(CommandsRepeated())
 
     def take_setpoints(self, now: float) -> list[Setpoint]:

@@ -236,16 +236,12 @@ class SetpointRefresh:
         """Send nothing until the next setpoint or stop: it is not known which motors are idle."""
         self._is_active = False
 
-    def due(self, interval: float, *, armed: bool, may_move: bool) -> float:
-        """Return when to send, on the line's clock; never while the line is quiet.
-
-        After a confirmed stop only queries follow. One that arrives as a motor command has no
-        reply, which is damage, too.
-        """
+    def due(self, interval: float, *, armed: bool) -> float:
+        """Return when to send, on the line's clock; never while the line is quiet."""
         self._is_active = self._is_active or armed
         if self._quality.is_quiet:
             self._watch_auxiliary()
-        if self._quality.is_quiet_for(_REFRESHED if armed or may_move else QUIET):
+        if self._quality.is_quiet_for(_REFRESHED):
             return math.inf
         return self._sent_at + interval if self._is_active else math.inf
 

@@ -228,7 +228,8 @@ class TrexSession:
     @property
     def _is_watched(self) -> bool:
         motors = self._motors
-        return self._queue.is_watched or motors.is_armed or motors.may_move
+        in_use = motors.is_armed or motors.may_move or motors.is_repeating
+        return self._queue.is_watched or in_use
 
     def _set_pace(self, now: float) -> None:
         watched = self._is_watched
