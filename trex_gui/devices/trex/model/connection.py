@@ -9,7 +9,13 @@ from PySide6.QtCore import QObject, Signal, Slot
 from trex_gui.core.errors import StudioError
 from trex_gui.core.session import Close, Outcome, Progress
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.driving.requests import MotorsStopped, SetpointRequest, Stop, StopSent
+from trex_gui.devices.trex.driving.requests import (
+    CommandsRepeated,
+    MotorsStopped,
+    SetpointRequest,
+    Stop,
+    StopSent,
+)
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import (
     BoardElsewhere,
@@ -47,6 +53,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
     guardian_changed = Signal()  # `is_guarded`
     stop_sent = Signal()  # a stop has left; its confirmation follows
     motors_stopped = Signal(object)  # a `MotorsStopped`: the session stopped them by itself
+    commands_repeated = Signal(object)  # a `CommandsRepeated`
     sampled = Signal(object)  # a `Batch`
     progressed = Signal(int, int, str)  # steps done, steps in all, the next step
 
@@ -132,6 +139,8 @@ class Connection(DeviceConnection[ConnectionSettings]):
                 self.stop_sent.emit()
             case MotorsStopped():
                 self.motors_stopped.emit(report)
+            case CommandsRepeated():
+                self.commands_repeated.emit(report)
             case Connected() | NotResponding() | Progress() if (
                 self.link is ConnectionState.DISCONNECTING
             ):

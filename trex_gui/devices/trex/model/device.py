@@ -78,6 +78,7 @@ class Device(QObject):
 
         self.connection.changed.connect(self.link_changed)
         self.connection.device_read.connect(self._take)
+        self.connection.commands_repeated.connect(self._take)
         self.connection.ready.connect(self._on_ready)
         self.connection.not_responding.connect(self._on_not_responding)
         self.connection.line_closed.connect(self._on_closed)
