@@ -1083,8 +1083,8 @@
         <translation>Das Board hat innerhalb seines seriellen Timeouts nichts empfangen, daher wurden die Motoren gestoppt.</translation></message>
     <message><source>The board stopped its motors because of an error on the line ({0}): UART-Error Shutdown is set.</source>
         <translation>Das Board hat seine Motoren wegen eines Fehlers auf der Leitung ({0}) gestoppt: „Abschaltung bei UART-Fehlern“ ist eingestellt.</translation></message>
-    <message><source>The board stopped responding</source>
-        <translation>Das Board antwortet nicht mehr</translation></message>
+    <message><source>The board stopped responding.</source>
+        <translation>Das Board antwortet nicht mehr.</translation></message>
     <message><source>Bytes were corrupted: motor commands are repeated until the line is quiet</source>
         <translation>Bytes wurden verfälscht: Motorbefehle werden wiederholt, bis die Leitung ruhig ist</translation></message>
     <message><source>Disconnected before a stop was confirmed: motors may still turn</source>
@@ -1281,8 +1281,6 @@
         <translation>Im Parallelbetrieb misst das Board keinen Strom; ein Prüflauf ließe sich nicht abbrechen.</translation></message>
     <message><source>No current was read yet.</source>
         <translation>Es wurde noch kein Strom gelesen.</translation></message>
-    <message><source>The board stopped responding.</source>
-        <translation>Das Board antwortet nicht mehr.</translation></message>
     <message><source>The connection was closed.</source>
         <translation>Die Verbindung wurde geschlossen.</translation></message>
     <message><source>Serial commands no longer control the motors.</source>

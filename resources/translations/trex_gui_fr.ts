@@ -1083,8 +1083,8 @@
         <translation>La carte n'a rien reçu pendant son « Délai série » ; les moteurs ont donc été arrêtés.</translation></message>
     <message><source>The board stopped its motors because of an error on the line ({0}): UART-Error Shutdown is set.</source>
         <translation>La carte a arrêté ses moteurs à cause d'une erreur sur la liaison ({0}) : « Arrêt sur erreur UART » est activé.</translation></message>
-    <message><source>The board stopped responding</source>
-        <translation>La carte a cessé de répondre</translation></message>
+    <message><source>The board stopped responding.</source>
+        <translation>La carte a cessé de répondre.</translation></message>
     <message><source>Bytes were corrupted: motor commands are repeated until the line is quiet</source>
         <translation>Des octets ont été altérés : les commandes des moteurs sont répétées jusqu'à ce que la ligne soit calme</translation></message>
     <message><source>Disconnected before a stop was confirmed: motors may still turn</source>
@@ -1281,8 +1281,6 @@
         <translation>En mode jumelé, la carte ne mesure pas de courant : un essai ne pourrait pas être interrompu.</translation></message>
     <message><source>No current was read yet.</source>
         <translation>Aucun courant n'a encore été lu.</translation></message>
-    <message><source>The board stopped responding.</source>
-        <translation>La carte a cessé de répondre.</translation></message>
     <message><source>The connection was closed.</source>
         <translation>La connexion a été fermée.</translation></message>
     <message><source>Serial commands no longer control the motors.</source>

@@ -126,7 +126,7 @@ def test_log_keeps_what_happened_over_disconnects(
         "Apply: Serial Timeout",
         "1 setting written and verified.",
         "Apply: Reset to factory defaults",
-        "⚠ The board stopped responding",
+        "⚠ The board stopped responding.",
         "The board responds again",
         "Disconnected",
         f"⚠ The line to {url} is gone.",

@@ -269,7 +269,7 @@ class BoardMirror:
                 self.counters = counters
                 self.is_responding = False
                 yield from self._forget()
-                text = tr("The board stopped responding")
+                text = tr("The board stopped responding.")
                 yield Event(now, EventKind.LINK, text, is_problem=True)
             case CommandsRepeated():
                 text = tr(
