@@ -122,10 +122,7 @@ class TrexClient:
             framing = replace(self.settings.framing, device_number=packet.device_number)
             if framing.encode(packet.command) == packet.raw:
                 return self._request(packet.command, framing)
-        self.drain()
-        late = self._drain_late_reply() + self.transport.discard()
-        self.counters.requests += 1
-        self.counters.unsolicited += len(late)
+        self._begin_transaction()
         self.transport.write(packet.raw)
         seconds = self.settings.line.seconds(len(packet.raw)) + self._allowance
         received = b""
@@ -141,10 +138,7 @@ class TrexClient:
         line = self.settings.line
         packet = framing.encode(command)
         parser = ReplyParser(command, framing, self.echo)
-        self.drain()
-        late = self._drain_late_reply() + self.transport.discard()
-        self.counters.requests += 1
-        self.counters.unsolicited += len(late)
+        self._begin_transaction()
         begun = self.transport.clock()
         self.transport.write(packet)
         # What is queued in the port must leave before the board can reply; a port may also keep the
@@ -183,6 +177,12 @@ class TrexClient:
                     self.counters.slowest = max(self.counters.slowest, took)
                     self._free_at = min(self._free_at, self.transport.clock())
                 return state
+
+    def _begin_transaction(self) -> None:
+        self.drain()
+        late = self._drain_late_reply() + self.transport.discard()
+        self.counters.requests += 1
+        self.counters.unsolicited += len(late)
 
     def send(self, command: Command[None]) -> None:
         """Send a command without a reply; an echo is awaited and not checked."""

@@ -248,7 +248,7 @@ class MotorDriver:
         for command in refresh.take_idle():
             self.client.send(command)  # goes before the rest of a reply is awaited
         refresh.note_sent(self._now())  # from now on: polls have a turn in between
-        if (refresh.stops_on_error or refresh.holds_speeds) and refresh.has_running_motors:
+        if (refresh.stops_on_error or refresh.holds_speeds) and refresh.running:
             if is_waiting:
                 return
             latched = LatchedStatus(self._now(), Status(0), UartError(0), is_whole=False)

@@ -229,7 +229,7 @@ class SetpointRefresh:
         self.stops_on_error = stops_on_error
         self.holds_speeds = latched.stops_motors(on_error=stops_on_error)
         if latched.uart and stops_on_error:  # no bit that noise added
-            for setpoint in self._running():
+            for setpoint in self.running:
                 del self._setpoints[setpoint.motor]
 
     def on_direct_command(self) -> None:
@@ -264,16 +264,13 @@ class SetpointRefresh:
             idle.append(auxiliary)
         return [command for setpoint in idle for command in packets([setpoint])]
 
-    @property
-    def has_running_motors(self) -> bool:
-        return bool(self._running())
-
     def speeds(self) -> list[Command[None]]:
         """Return the packets of every motor that runs, as far as the status shows."""
-        running = [] if self.holds_speeds or self._is_held() else self._running()
+        running = [] if self.holds_speeds or self._is_held() else self.running
         return [each for one in running for each in packets([replace(one, accelerate=True)])]
 
-    def _running(self) -> list[Setpoint]:
+    @property
+    def running(self) -> list[Setpoint]:
         return [one for one in self._setpoints.values() if not is_idle(one)]
 
     def _note_auxiliary_risk(self) -> None:

@@ -35,15 +35,12 @@ class LivenessMonitor:
     """Counts failed transactions, and probes for a board that does not respond."""
 
     def __init__(self, timeouts: Timeouts) -> None:
-        self.silent = False  # whether the board has stopped responding
-        self.retry_at = 0.0  # when to look for it again, on the line's clock
+        self.retry_at = 0.0  # when to look for the board again, on the line's clock
+        self.candidates: tuple[ConnectionSettings, ...] = ()  # where to look for it, too
         self._retry = timeouts.retry
-        self._failures = 0
-        self._failures_of: Counter[Topic] = Counter()
-        self._has_probed = False
-        self._places: deque[ConnectionSettings] = deque()
-        # Settings at which to look for it, too
-        self.candidates: tuple[ConnectionSettings, ...] = ()
+        self._failures_of = Counter[Topic]()
+        self._places = deque[ConnectionSettings]()
+        self.begin()
 
     def expect(self, candidates: tuple[ConnectionSettings, ...]) -> None:
         if candidates != self.candidates:
@@ -51,7 +48,7 @@ class LivenessMonitor:
             self._places.clear()
 
     def begin(self) -> None:
-        self.silent = False
+        self.silent = False  # whether the board has stopped responding
         self._failures = 0
         self._failures_of.clear()
         self._has_probed = False

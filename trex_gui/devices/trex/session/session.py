@@ -209,8 +209,12 @@ class TrexSession:
         line.report_guardian()
         line.collect()
         now = line.now()
-        self._set_pace(now)
-        line.has_driven = line.has_driven or self._motors.may_move
+        motors = self._motors
+        in_use = motors.is_armed or motors.may_move or motors.is_repeating
+        watched = in_use or self._queue.is_watched
+        reader.polling.set_watched(watched, now)
+        line.batcher.interval = FRAME if watched else UNWATCHED_INTERVAL
+        line.has_driven = line.has_driven or motors.may_move
         line.flush_if_due(now)
         if line.serve_motors():
             return
@@ -218,23 +222,12 @@ class TrexSession:
             self._jobs.serve(self._queue.jobs.popleft())
         elif self._liveness.silent and now >= self._liveness.retry_at:
             reader.try_to_reconnect()
-        elif not self._liveness.silent and now >= reader.safety_read_at and self._is_watched:
+        elif not self._liveness.silent and now >= reader.safety_read_at and watched:
             reader.check_safety_parameter(now)
         elif not self._liveness.silent and (topic := reader.next_topic(now)):
             reader.poll(topic)
         else:
             line.collect(self._seconds_to_wait(now))
-
-    @property
-    def _is_watched(self) -> bool:
-        motors = self._motors
-        in_use = motors.is_armed or motors.may_move or motors.is_repeating
-        return self._queue.is_watched or in_use
-
-    def _set_pace(self, now: float) -> None:
-        watched = self._is_watched
-        self._reader.polling.set_watched(watched, now)
-        self._line.batcher.interval = FRAME if watched else UNWATCHED_INTERVAL
 
     def _seconds_to_wait(self, now: float) -> float:
         line = self._line
