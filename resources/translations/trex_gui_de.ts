@@ -2227,8 +2227,6 @@
         <translation>Die angesteuerten Motoren nehmen keinen Strom auf: Vielleicht wurde das Board neu gestartet.</translation></message>
     <message><source>The guardian process ended, and another one could not be started.</source>
         <translation>Der Wächterprozess wurde beendet, und ein neuer konnte nicht gestartet werden.</translation></message>
-    <message><source>The motors are locked for a while after a stop; nothing was sent.</source>
-        <translation>Die Motoren sind nach einem Stopp eine Zeit lang gesperrt; es wurde nichts gesendet.</translation></message>
     <message><source>These bytes may move a motor; nothing was sent. Arm the motors first.</source>
         <translation>Diese Bytes können einen Motor bewegen; es wurde nichts gesendet. Geben Sie zuerst die Motoren frei.</translation></message>
     <message><source>These bytes may move a motor of another board, which a stop on this connection does not reach; nothing was sent. Address device {0} in them, or connect with the compact protocol.</source>

@@ -2227,8 +2227,6 @@
         <translation>Les moteurs pilotés n'absorbent aucun courant : la carte a peut-être redémarré.</translation></message>
     <message><source>The guardian process ended, and another one could not be started.</source>
         <translation>Le processus gardien s'est terminé, et un autre n'a pas pu être démarré.</translation></message>
-    <message><source>The motors are locked for a while after a stop; nothing was sent.</source>
-        <translation>Les moteurs sont verrouillés quelque temps après un arrêt ; rien n'a été envoyé.</translation></message>
     <message><source>These bytes may move a motor; nothing was sent. Arm the motors first.</source>
         <translation>Ces octets peuvent faire tourner un moteur ; rien n'a été envoyé. Activez d'abord les moteurs.</translation></message>
     <message><source>These bytes may move a motor of another board, which a stop on this connection does not reach; nothing was sent. Address device {0} in them, or connect with the compact protocol.</source>

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from tests.devices.aracna.session.scripted_session import ScriptedSession
+from tests.devices.trex.session.helpers import packet
 from tests.fuzz.fuzzing import Make, Target, mutations
 from tests.support.aracna import AracnaStage
 from tests.support.virtual import Stage, VirtualTransport
@@ -129,11 +130,11 @@ BOARD_REQUESTS: Sequence[tuple[float, board.Request]] = (
     (1.3, SetMotor(1, Drive.at(60))),
     (1.3, SetAuxiliary(30)),
     (1.4, Heartbeat()),
-    (1.6, board.RunCommand(2, GetSignature())),
+    (1.6, packet(2, GetSignature())),
     (1.8, Stop(3)),
     (2.2, board.Write(4, (), ((CalibrationKey.of(InputSource.RC, 1), Calibration(1, 2, 3, 1)),))),
     (2.6, board.Write(5, (("uart_settings", 0x05),))),
-    (2.8, board.RunCommand(6, SetParameter(0, 8))),
+    (2.8, packet(6, SetParameter(0, 8))),
     (3.0, board.Reload(7)),
 )
 

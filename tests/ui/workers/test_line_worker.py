@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.devices.trex.session.helpers import packet
 from tests.support.patient import PATIENT, PatientQtBot
 from tests.support.simulator import SimulatedDevice
 from trex_gui.core.session import Closed, Outcome, Progress
@@ -15,7 +16,7 @@ from trex_gui.devices.trex.driving.requests import SetMotor
 from trex_gui.devices.trex.protocol.commands import GetParameter
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
-from trex_gui.devices.trex.session.messages import Batch, Connected, Report, RunCommand
+from trex_gui.devices.trex.session.messages import Batch, Connected, Report
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.ui.runtime import now, open_transport
 from trex_gui.ui.workers.session_thread import LineWorker
@@ -120,14 +121,14 @@ def test_reports_arrive_in_gui_thread_and_requests_from_any(line: Watched) -> No
     (connected,) = [one for one in line.reports if isinstance(one, Connected)]
     assert str(connected.state.signature) == "TReX 1.2"
     threads = [
-        threading.Thread(target=line.worker.submit, args=(RunCommand(number, GetParameter(0)),))
+        threading.Thread(target=line.worker.submit, args=(packet(number, GetParameter(0)),))
         for number in range(20)
     ]
     for thread in threads:
         thread.start()
     for thread in threads:
         thread.join()
-    assert {line.outcome(number).value for number in range(20)} == {7}
+    assert {line.outcome(number).value for number in range(20)} == {b"\x07"}
     assert line.threads == {threading.main_thread()}
 
 

@@ -1,6 +1,5 @@
 """After a stop nothing drives for a while, and nothing does while nobody is there."""
 
-import math
 from collections.abc import Callable
 
 import pytest
@@ -9,6 +8,7 @@ from tests.devices.trex.session.helpers import (
     among,
     is_stopped,
     outcomes,
+    packet,
     run_for,
     seen_at,
     staged,
@@ -30,7 +30,7 @@ from trex_gui.devices.trex.protocol.commands import DriveMotor
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
-from trex_gui.devices.trex.session.messages import NotResponding, Reload, Request, RunCommand
+from trex_gui.devices.trex.session.messages import NotResponding, Reload, Request
 from trex_gui.devices.trex.session.session import TrexSession
 
 STOP_BYTES = bytes.fromhex("D0 7F 7F")
@@ -41,9 +41,8 @@ HEARTBEAT = Timeouts().heartbeat
 # --- The lock after a stop --------------------------------------------------------------
 
 
-@pytest.mark.parametrize("lockout", [0.0, 1.0, math.inf])
-def test_setpoints_after_stop_are_dropped_until_armed(stage: Stage, lockout: float) -> None:
-    stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80))).at(1.2, Stop(1, lockout))
+def test_setpoints_after_stop_are_dropped_until_armed(stage: Stage) -> None:
+    stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80))).at(1.2, Stop(1))
     stage.script.at(1.2, SetMotor(1, Drive.at(80))).at(2.5, SetMotor(1, Drive.at(40)))
     dropped = seen_at(stage, 2.8, lambda: is_stopped(stage.board))
     stage.script.at(3.0, Arm()).at(3.0, SetMotor(1, Drive.at(50)))
@@ -150,9 +149,10 @@ def test_requested_motor_command_never_follows_stop(stage: Stage) -> None:
         stage = staged()[0]
         serve(
             stage,
-            lambda: RunCommand(5, DriveMotor(1, Drive.at(100))),
+            Arm,
+            lambda: packet(5, DriveMotor(1, Drive.at(100))),
             *([nothing] * looks),
-            lambda: Stop(6, 0.0),
+            lambda: Stop(6),
             *([nothing] * 100),
             Close,
         )
@@ -167,11 +167,11 @@ def test_stops_during_confirmation_get_outcome_on_port_loss(
 ) -> None:
     def mute() -> Request:
         stage.line.faults.mute = True
-        return Stop(7, 0.0)
+        return Stop(7)
 
     def pull() -> Request:
         stage.transport.fail = PortUnavailable("gone")
-        return Stop(8, 0.0)
+        return Stop(8)
 
     serve(stage, mute, nothing, pull)
     found = outcomes(stage.reports)
@@ -187,7 +187,7 @@ def test_stop_while_board_returns_gets_its_outcome(stage: Stage, seconds: float)
     stage.script.at(1.0, Arm()).at(1.1, SetMotor(1, Drive.at(80)))
     for step in range(1, 8):
         stage.script.at(1.1 + step / 5, Heartbeat())
-    stage.script.at(2.0, stage.fault(mute=True)).at(2.7, Stop(7, 3.0))
+    stage.script.at(2.0, stage.fault(mute=True)).at(2.7, Stop(7))
     stage.script.at(2.75, stage.fault(mute=False))
     stage.script.at(2.75 + seconds, stage.fault(mute=True))
     seen = seen_at(stage, 10.0, lambda: 7 in outcomes(stage.reports))
@@ -205,7 +205,7 @@ def test_echo_of_our_own_requests_confirms_no_stop(stage: Stage, number: int | N
         stage.line.faults.to_drop_sent = 10**9
 
     stage.script.at(1.0, Arm()).at(1.1, SetMotor(1, Drive.at(80))).at(1.5, short_circuit)
-    stage.script.at(1.6, Stop(7, 3.0))
+    stage.script.at(1.6, Stop(7))
     run_for(stage, 10.0, ConnectionSettings("virtual", device_number=number))
     assert outcomes(stage.reports)[7].error is not None
     (closed,) = among(stage.reports, Closed)

@@ -10,9 +10,10 @@ from trex_gui.devices.trex.client.telemetry import PolledValue, Sample
 from trex_gui.devices.trex.driving.requests import HEARTBEAT_INTERVAL, Heartbeat
 from trex_gui.devices.trex.protocol.commands import Command, ReplyT_co
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.framing import Packet, PacketParser
+from trex_gui.devices.trex.protocol.framing import Framing, Packet, PacketParser
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.devices.trex.session.messages import Report
+from trex_gui.devices.trex.protocol.raw_packets import packets_of
+from trex_gui.devices.trex.session.messages import Report, SendPacket
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
@@ -48,6 +49,12 @@ def replying(stage: Stage, kind: type[Command[Any]], replies: Iterable[object]) 
         return cast("ReplyT_co", next(corrupted)) if isinstance(command, kind) else reply
 
     return request
+
+
+def packet(number: int, command: Command[Any]) -> SendPacket:
+    """Return the request to send a command as a packet that the user typed."""
+    (only,) = packets_of(Framing().encode(command), None)
+    return SendPacket(number, only)
 
 
 def among(reports: Iterable[object], kind: type[KindT]) -> list[KindT]:

@@ -4,7 +4,15 @@ from dataclasses import replace
 
 import pytest
 
-from tests.devices.trex.session.helpers import among, moving, outcomes, run_for, samples, seen_at
+from tests.devices.trex.session.helpers import (
+    among,
+    moving,
+    outcomes,
+    packet,
+    run_for,
+    samples,
+    seen_at,
+)
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.virtual import Stage
 from trex_gui.core.errors import BadReply, BadRequest, NoReply
@@ -30,7 +38,6 @@ from trex_gui.devices.trex.session.messages import (
     ProbeNumber,
     ReadReason,
     Report,
-    RunCommand,
     SelectBoard,
     SetReconnectCandidates,
     Write,
@@ -121,9 +128,9 @@ def test_setpoints_for_former_board_never_reach_selected_one(line: Line) -> None
 
 def test_motor_command_behind_selection_is_rejected(line: Line) -> None:
     line.script.at(1.0, SelectBoard(1, 9))
-    line.script.at(1.0, RunCommand(2, DriveMotor(1, Drive.at(90))))
+    line.script.at(1.0, packet(2, DriveMotor(1, Drive.at(90))))
     reports = run_for(line, 3.0, SEVENTH)
-    assert code_of(reports, 2) is ErrorCode.LOCKED_OUT
+    assert code_of(reports, 2) is ErrorCode.NOT_ARMED
     assert not moving(line.transport.sent)
 
 

@@ -6,7 +6,7 @@ from itertools import cycle, pairwise, product
 
 import pytest
 
-from tests.devices.trex.session.helpers import among, outcomes, staged
+from tests.devices.trex.session.helpers import among, outcomes, packet, staged
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.matrix import sampled
 from tests.support.virtual import Stage
@@ -29,7 +29,6 @@ from trex_gui.devices.trex.session.messages import (
     ReadReason,
     Reload,
     Report,
-    RunCommand,
     SetReconnectCandidates,
     Write,
 )
@@ -276,7 +275,7 @@ def test_requests_are_rejected_while_reconnecting() -> None:
     place.script.at(ON + 0.01, place.board.power_off)
     marks: list[int] = []
     place.script.at(3.5, lambda: marks.append(len(place.transport.sent)))
-    place.script.at(4.0, RunCommand(1, GetSignature())).at(4.1, Reload(2))
+    place.script.at(4.0, packet(1, GetSignature())).at(4.1, Reload(2))
     place.script.at(4.2, Write(3, (("serial_timeout", 5),))).at(4.3, SetMotor(1, Drive.at(9)))
     place.end(7.0)
     assert {str(outcomes(place.reports)[number].error) for number in (1, 2, 3)} == {

@@ -5,6 +5,7 @@ from collections import deque
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.devices.trex.session.helpers import packet
 from tests.support.matrix import examples
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.session import Close, Outcome
@@ -25,7 +26,6 @@ from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.session.messages import (
     Reload,
     Request,
-    RunCommand,
     SetReconnectCandidates,
     Write,
 )
@@ -170,7 +170,7 @@ def test_close_discards_earlier_and_later_setpoints() -> None:
 
 def test_abandon_returns_each_request_once() -> None:
     queue = collected(
-        RunCommand(1, GetMode()), Stop(2), SetMotor(1, Drive.at(1)), Write(3), Reload(4), Stop(5)
+        packet(1, GetMode()), Stop(2), SetMotor(1, Drive.at(1)), Write(3), Reload(4), Stop(5)
     )
     assert sorted(queue.abandon()) == [1, 2, 3, 4, 5]
     assert queue.abandon() == []
@@ -178,7 +178,7 @@ def test_abandon_returns_each_request_once() -> None:
 
 
 def test_motor_command_overtaken_by_stop_is_rejected() -> None:
-    queue = collected(RunCommand(1, GetMode()), RunCommand(2, DriveMotor(1, Drive.at(9))), Stop(3))
+    queue = collected(packet(1, GetMode()), packet(2, DriveMotor(1, Drive.at(9))), Stop(3))
     assert [job.id for job in queue.jobs] == [1]
     (outcome,) = queue.outcomes
     assert outcome.id == 2

@@ -51,7 +51,7 @@ def test_packet_that_moves_is_sent_only_while_armed(stage: Stage) -> None:
     stage.script.at(1.2, Arm()).at(1.2, packet(2, "C2 50"))
     pulses(stage, 1.2, 1.6)
     during = seen_at(stage, 1.6, lambda: stage.board.motors[0].speed)
-    stage.script.at(2.0, Stop(3, lockout=1.0)).at(2.0, packet(4, "C2 50"))
+    stage.script.at(2.0, Stop(3)).at(2.0, packet(4, "C2 50"))
     stage.script.at(2.5, packet(5, "C2 50"))
     found = outcomes(run_for(stage, 4.0))
     assert (before, during) == ([0], [80])

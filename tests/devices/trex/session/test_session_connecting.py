@@ -2,13 +2,7 @@
 
 import pytest
 
-from tests.devices.trex.session.helpers import (
-    among,
-    moving,
-    outcomes,
-    run_for,
-    staged,
-)
+from tests.devices.trex.session.helpers import among, moving, outcomes, packet, run_for, staged
 from tests.support.matrix import sampled
 from tests.support.virtual import Stage, VirtualTransport
 from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
@@ -27,7 +21,6 @@ from trex_gui.devices.trex.session.messages import (
     ReadReason,
     Reload,
     Report,
-    RunCommand,
     Write,
 )
 from trex_gui.devices.trex.session.session import TrexSession
@@ -220,7 +213,7 @@ def test_requests_fail_when_port_does_not_open() -> None:
     def refuse(_settings: ConnectionSettings) -> Transport:
         raise refusal
 
-    for request in (RunCommand(1, GetMode()), Stop(2), Write(3), Reload(4)):
+    for request in (packet(1, GetMode()), Stop(2), Write(3), Reload(4)):
         stage.script.at(0.0, request)
     TrexSession(ConnectionSettings("/dev/ttyUSB9"), stage.script, reports.append, refuse).run()
     assert sorted(outcomes(reports)) == [1, 2, 3, 4]
@@ -230,7 +223,7 @@ def test_requests_fail_when_port_does_not_open() -> None:
 
 def test_requests_fail_when_no_board_is_found(stage: Stage) -> None:
     stage.board.power_off()
-    stage.script.at(0.0, RunCommand(1, GetMode())).at(0.0, Write(3)).at(0.0, Reload(4))
+    stage.script.at(0.0, packet(1, GetMode())).at(0.0, Write(3)).at(0.0, Reload(4))
     closed = end(stage)
     found = outcomes(stage.reports)
     assert sorted(found) == [1, 3, 4]

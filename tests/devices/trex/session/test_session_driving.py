@@ -10,6 +10,7 @@ from tests.devices.trex.session.helpers import (
     is_stopped,
     moving,
     outcomes,
+    packet,
     run_for,
     samples,
     seen_at,
@@ -34,7 +35,7 @@ from trex_gui.devices.trex.protocol.commands import (
 )
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.line_settings import Detection
-from trex_gui.devices.trex.session.messages import Connected, Reload, RunCommand, Write
+from trex_gui.devices.trex.session.messages import Connected, Reload, Write
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
@@ -153,7 +154,7 @@ def test_stop_overtakes_reload(stage: Stage) -> None:
 
 def test_stop_overtakes_queued_requests(stage: Stage) -> None:
     for number in range(1, 20):
-        stage.script.at(1.0, RunCommand(number, GetMode()))
+        stage.script.at(1.0, packet(number, GetMode()))
     stage.script.at(1.0, Stop(20))
     run_for(stage, 2.0)
     assert next(iter(outcomes(stage.reports))) == 20
@@ -254,7 +255,7 @@ def test_setpoint_with_corrupted_echo_is_resent(board: Board) -> None:
     stage = Stage(board, echo=True)
 
     stage.script.at(1.0, stage.fault(to_drop=1)).at(1.0, SetMotor(1, Drive.at(50)))
-    stage.script.at(2.0, RunCommand(1, GetMode()))
+    stage.script.at(2.0, packet(1, GetMode()))
     reports = run_for(stage, 3.0)
     # Once damaged and once whole; the echo said so, and the status of the board proves it.
     sent = moving(stage.transport.sent)

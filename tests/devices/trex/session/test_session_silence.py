@@ -7,6 +7,7 @@ from tests.devices.trex.session.helpers import (
     commands,
     moving,
     outcomes,
+    packet,
     run_for,
     samples,
     seen_at,
@@ -26,7 +27,6 @@ from trex_gui.devices.trex.session.messages import (
     NotResponding,
     ReadReason,
     Reload,
-    RunCommand,
     Write,
     Written,
 )
@@ -136,7 +136,7 @@ def test_stop_is_sent_to_unresponsive_board(stage: Stage) -> None:
 
 def test_requests_to_unresponsive_board_fail(stage: Stage) -> None:
     stage.script.at(1.0, stage.board.power_off)
-    stage.script.at(2.0, RunCommand(1, GetMode())).at(2.0, Reload(2))
+    stage.script.at(2.0, packet(1, GetMode())).at(2.0, Reload(2))
     run_for(stage, 4.0)
     found = outcomes(stage.reports)
     assert isinstance(found[1].error, NoReply)

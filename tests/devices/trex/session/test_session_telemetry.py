@@ -9,6 +9,7 @@ from tests.devices.trex.session.helpers import (
     among,
     commands,
     moving,
+    packet,
     run_for,
     samples,
     seen_at,
@@ -40,7 +41,6 @@ from trex_gui.devices.trex.session.messages import (
     Connected,
     ReadReason,
     Request,
-    RunCommand,
     SetWatched,
     Write,
 )
@@ -238,7 +238,7 @@ def test_error_latched_before_connecting_is_reported(stage: Stage) -> None:
 
 def test_telemetry_continues_during_single_requests(stage: Stage) -> None:
     for number in range(100):
-        stage.script.at(1.0 + number / 100, RunCommand(number, GetMode()))
+        stage.script.at(1.0 + number / 100, packet(number, GetMode()))
     run_for(stage, 2.0)
     currents = [one for one in samples(stage.reports, Currents) if 1.0 < one.time < 2.0]
     assert len(currents) > 60

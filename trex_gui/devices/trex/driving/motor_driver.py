@@ -191,7 +191,7 @@ class MotorDriver:
         if output.stops:
             self.serve_stops()
         elif output.seconds_to_heartbeat_timeout(now) <= 0:
-            output.handle(OutputEvent.LOCK_OUT, now)
+            output.handle(OutputEvent.STOP, now)
             confirmed = self._stop(_ATTEMPTS) and not output.may_move
             output.report(MotorsStopped(ErrorCode.NO_HEARTBEAT, confirmed))
         elif output.seconds_to_stop_retry(now) <= 0:

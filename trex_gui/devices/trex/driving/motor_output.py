@@ -30,8 +30,7 @@ from trex_gui.devices.trex.driving.setpoints import (
     SetpointRetry,
     SetpointSlots,
 )
-from trex_gui.devices.trex.protocol.commands import Command
-from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexNoReplyError, TrexRequestError
+from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexNoReplyError
 
 STOP_RETRY_INTERVAL = 0.25  # seconds after which an unconfirmed stop is sent again
 
@@ -41,8 +40,7 @@ class Arming(Enum):
 
     INITIAL = auto()  # all; the motors were neither armed nor stopped yet
     ARMED = auto()  # all, as long as heartbeats come
-    DISARMED = auto()  # no setpoints, but single commands
-    LOCKED_OUT = auto()  # none, for a time or until the motors are armed
+    DISARMED = auto()  # none, until the motors are armed
     UNREACHABLE = auto()  # none, and arming has no effect: the board does not respond
 
 
@@ -58,8 +56,6 @@ class Motion(Enum):
 class OutputEvent(Enum):
     ARM = auto()
     STOP = auto()
-    LOCK_OUT = auto()
-    LOCKOUT_OVER = auto()
     NOT_RESPONDING = auto()
     BOARD_READ = auto()
     SETPOINT_SENT = auto()
@@ -71,7 +67,6 @@ class OutputEvent(Enum):
 
 class Action(Enum):
     START_WATCHDOG = auto()
-    EXTEND_LOCKOUT = auto()
     DROP_SETPOINTS = auto()  # drop those that are queued, unconfirmed or refreshed
     FAIL_NOISY_STOPS = auto()  # report the stops that wait for a quiet line as unconfirmed
     CONFIRM_NOISY_STOPS = auto()
@@ -79,32 +74,22 @@ class Action(Enum):
 
 _ARM = (Action.START_WATCHDOG,)
 _DROP = (Action.DROP_SETPOINTS,)
-_LOCK = (Action.DROP_SETPOINTS, Action.EXTEND_LOCKOUT)
 _CONFIRM = (Action.CONFIRM_NOISY_STOPS,)
-_UNREACHABLE = (*_LOCK, Action.FAIL_NOISY_STOPS)
+_UNREACHABLE = (*_DROP, Action.FAIL_NOISY_STOPS)
 
 _ARMING: Mapping[tuple[Arming, OutputEvent], tuple[Arming, tuple[Action, ...]]] = {
     (Arming.INITIAL, OutputEvent.ARM): (Arming.ARMED, _ARM),
     (Arming.INITIAL, OutputEvent.STOP): (Arming.DISARMED, _DROP),
-    (Arming.INITIAL, OutputEvent.LOCK_OUT): (Arming.LOCKED_OUT, _LOCK),
     (Arming.INITIAL, OutputEvent.NOT_RESPONDING): (Arming.UNREACHABLE, _UNREACHABLE),
     (Arming.ARMED, OutputEvent.ARM): (Arming.ARMED, _ARM),
     (Arming.ARMED, OutputEvent.STOP): (Arming.DISARMED, _DROP),
-    (Arming.ARMED, OutputEvent.LOCK_OUT): (Arming.LOCKED_OUT, _LOCK),
     (Arming.ARMED, OutputEvent.NOT_RESPONDING): (Arming.UNREACHABLE, _UNREACHABLE),
     (Arming.DISARMED, OutputEvent.ARM): (Arming.ARMED, _ARM),
     (Arming.DISARMED, OutputEvent.STOP): (Arming.DISARMED, _DROP),
-    (Arming.DISARMED, OutputEvent.LOCK_OUT): (Arming.LOCKED_OUT, _LOCK),
     (Arming.DISARMED, OutputEvent.NOT_RESPONDING): (Arming.UNREACHABLE, _UNREACHABLE),
-    (Arming.LOCKED_OUT, OutputEvent.ARM): (Arming.ARMED, _ARM),
-    (Arming.LOCKED_OUT, OutputEvent.STOP): (Arming.LOCKED_OUT, _DROP),
-    (Arming.LOCKED_OUT, OutputEvent.LOCK_OUT): (Arming.LOCKED_OUT, _LOCK),
-    (Arming.LOCKED_OUT, OutputEvent.LOCKOUT_OVER): (Arming.DISARMED, ()),
-    (Arming.LOCKED_OUT, OutputEvent.NOT_RESPONDING): (Arming.UNREACHABLE, _UNREACHABLE),
     (Arming.UNREACHABLE, OutputEvent.STOP): (Arming.UNREACHABLE, _DROP),
-    (Arming.UNREACHABLE, OutputEvent.LOCK_OUT): (Arming.UNREACHABLE, _DROP),
     (Arming.UNREACHABLE, OutputEvent.NOT_RESPONDING): (Arming.UNREACHABLE, _UNREACHABLE),
-    (Arming.UNREACHABLE, OutputEvent.BOARD_READ): (Arming.LOCKED_OUT, ()),
+    (Arming.UNREACHABLE, OutputEvent.BOARD_READ): (Arming.DISARMED, ()),
 }
 """The next state for each event; an event that is not listed changes nothing."""
 
@@ -148,7 +133,6 @@ class MotorOutput:
         self.retry = SetpointRetry()  # the unconfirmed setpoints
         self._sent_at = 0.0
         self._heartbeat_at = -math.inf
-        self._lockout_end = -math.inf
         self._stopped_at = -math.inf
         self._noisy_stops: list[Stop] = []
         self._noisy_until = -math.inf
@@ -163,21 +147,14 @@ class MotorOutput:
         """Whether a motor was driven and no stop was confirmed since."""
         return self.motion is not Motion.STOPPED
 
-    def handle(self, event: OutputEvent, now: float, lockout: float = math.inf) -> None:
-        """Change the state as the tables say, and perform the actions.
-
-        A lock-out of `lockout` seconds does not shorten an earlier one; without an end it lasts
-        until the motors are armed.
-        """
+    def handle(self, event: OutputEvent, now: float) -> None:
+        """Change the state as the tables say, and perform the actions."""
         self.arming, actions = _ARMING.get((self.arming, event), (self.arming, ()))
         self.motion, more = _MOTION.get((self.motion, event), (self.motion, ()))
         for action in (*actions, *more):
             match action:
                 case Action.START_WATCHDOG:
                     self._heartbeat_at = now
-                    self._lockout_end = -math.inf
-                case Action.EXTEND_LOCKOUT:
-                    self._lockout_end = max(self._lockout_end, now + lockout)
                 case Action.DROP_SETPOINTS:
                     self.setpoints.clear()
                     self.retry.clear()
@@ -193,9 +170,9 @@ class MotorOutput:
     def take(self, request: MotorRequest, now: float) -> None:
         """Take a request; a setpoint is dropped unless `arming` lets it pass."""
         match request:
-            case Stop(lockout=lockout):
+            case Stop():
                 self.stops.append(request)
-                self.handle(OutputEvent.LOCK_OUT if lockout > 0 else OutputEvent.STOP, now, lockout)
+                self.handle(OutputEvent.STOP, now)
             case Arm():
                 self.handle(OutputEvent.ARM, now)
             case Heartbeat(sent=sent):
@@ -204,17 +181,6 @@ class MotorOutput:
                 self._heartbeat_received(now)
                 if self.arming in {Arming.INITIAL, Arming.ARMED}:
                     self.setpoints.put(request)
-
-    def check(self, command: Command[object], now: float) -> None:
-        """Reject a command that moves a motor during a lock-out.
-
-        Raises:
-            BadRequest: it does.
-        """
-        if self.arming is Arming.LOCKED_OUT and now >= self._lockout_end:
-            self.handle(OutputEvent.LOCKOUT_OVER, now)
-        if command.moves and self.arming in {Arming.LOCKED_OUT, Arming.UNREACHABLE}:
-            raise TrexRequestError(ErrorCode.LOCKED_OUT)
 
     def _heartbeat_received(self, at: float) -> None:
         """Take a heartbeat, but not one that comes after the timeout.

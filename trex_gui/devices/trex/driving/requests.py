@@ -41,11 +41,10 @@ class SetAuxiliary:
 class Stop:
     """Stop every motor before anything else is sent; its `Outcome` is its confirmation.
 
-    Setpoints are dropped until an `Arm`; for `lockout` seconds other motor commands are rejected.
+    Setpoints are dropped until an `Arm`, and other motor commands are rejected.
     """
 
     id: int
-    lockout: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)

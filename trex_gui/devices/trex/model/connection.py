@@ -1,7 +1,6 @@
 """Connection to a board."""
 
 import logging
-import math
 from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Signal, Slot
@@ -125,7 +124,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
         Does not wait and reports nothing; `Motors.stop` has to follow in the window's thread.
         Setpoints that are queued behind it are dropped until motors are armed again.
         """
-        stop = Stop(NO_HANDLER, lockout=math.inf)
+        stop = Stop(NO_HANDLER)
         self.submit_now(*((stop, Close()) if ending else (stop,)))
 
     def take(self, report: object) -> None:

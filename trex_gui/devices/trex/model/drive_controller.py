@@ -186,8 +186,7 @@ class DriveController(QObject):
             self._on_stopped(outcome)
             self._answer(waiting, outcome.error)
 
-        lockout = self._motors.locked_for
-        if not self._connection.request(lambda number: Stop(number, lockout), report):
+        if not self._connection.request(Stop, report):
             self._answer(waiting, NoReply(tr("No board is connected.")))
         elif (
             self.may_move

@@ -89,7 +89,6 @@ class ErrorCode(Enum):
         "The motors that were driven draw no current: the board may have restarted."
     )
     NO_GUARDIAN = tr_noop("The guardian process ended, and another one could not be started.")
-    LOCKED_OUT = tr_noop("The motors are locked for a while after a stop; nothing was sent.")
     NOT_ARMED = tr_noop("These bytes may move a motor; nothing was sent. Arm the motors first.")
     MOVES_ANOTHER_BOARD = tr_noop(
         "These bytes may move a motor of another board, which a stop on this connection does not "

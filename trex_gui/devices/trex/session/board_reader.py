@@ -50,7 +50,7 @@ class BoardReader:
         """
         line = self._line
         if occasion.power_cycled:
-            line.motors.handle(OutputEvent.LOCK_OUT, line.now())
+            line.motors.handle(OutputEvent.STOP, line.now())
         self.state = read_everything(
             line.request, line.report_progress, has_crc=line.client.has_crc
         )
@@ -62,7 +62,7 @@ class BoardReader:
         self.signature = self.state.signature
         if occasion is not ReadReason.RELOADED:
             if occasion.power_cycled or line.motors.is_armed:
-                line.motors.handle(OutputEvent.LOCK_OUT, line.now())
+                line.motors.handle(OutputEvent.STOP, line.now())
             line.stop_if_moving()
         self.polling.start(self.state.source, line.now())
         line.liveness.begin()

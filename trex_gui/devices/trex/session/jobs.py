@@ -26,7 +26,6 @@ from trex_gui.devices.trex.session.messages import (
     ProbeNumber,
     ReadReason,
     Reload,
-    RunCommand,
     SelectBoard,
     SendPacket,
     Write,
@@ -60,13 +59,6 @@ class JobServer:
             # Nothing may reach a board at unknown settings.
             raise TrexNoReplyError(ErrorCode.SCANNING)
         match job:
-            case RunCommand(command=command) if command.moves:
-                # At once: behind a stop that comes now it would start what was stopped.
-                line.motors.check(command, line.now())
-                line.driver.begin_direct()
-                return line.client.request(command)
-            case RunCommand(command=command):
-                return line.request(command)
             case SendPacket(packet=packet):
                 return self._send_packet(packet)
             case Write():
@@ -91,7 +83,7 @@ class JobServer:
         line = self._line
         motors, client, before = line.motors, line.client, line.client.settings
         selection = line.queue.selection
-        motors.handle(OutputEvent.LOCK_OUT, line.now())
+        motors.handle(OutputEvent.STOP, line.now())
         if motors.may_move:
             if not line.driver.stop_and_confirm():
                 raise TrexNoReplyError(ErrorCode.NOT_SELECTED_MOVING, job.number)

@@ -13,18 +13,9 @@ from trex_gui.devices.trex.client.telemetry import Sample
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.driving.requests import MotorReport, MotorRequest
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
-from trex_gui.devices.trex.protocol.commands import Command
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.protocol.raw_packets import RawPacket
-
-
-@dataclass(frozen=True, slots=True)
-class RunCommand:
-    """Run one command; the value of its `Outcome` is the reply."""
-
-    id: int
-    command: Command[object]
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,7 +101,7 @@ class SetWatched:
     watched: bool
 
 
-Job = RunCommand | SendPacket | Write | Reload | ProbeNumber | SelectBoard
+Job = SendPacket | Write | Reload | ProbeNumber | SelectBoard
 """Requests that are served in their order; each has an `Outcome`."""
 
 Request = Job | MotorRequest | SetReconnectCandidates | SetWatched | Close

@@ -11,7 +11,6 @@ from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexRequestError
 from trex_gui.devices.trex.session.messages import (
     Job,
     Request,
-    RunCommand,
     SendPacket,
     SetReconnectCandidates,
     SetWatched,
@@ -66,9 +65,7 @@ class TrexRequestQueue:
 
     def _reject_motor_commands(self) -> None:
         for job in list(self.jobs):
-            if (isinstance(job, RunCommand) and job.command.moves) or (
-                isinstance(job, SendPacket) and job.packet.moves
-            ):
+            if isinstance(job, SendPacket) and job.packet.moves:
                 self.jobs.remove(job)
                 error = TrexRequestError(ErrorCode.OVERTAKEN_BY_STOP)
                 self._report(Outcome(job.id, error=error))

@@ -155,7 +155,7 @@ class TrexSession:
     def _on_taken_over(self, confirmed: bool | None) -> None:
         """Drop the setpoints; the motors are stopped again before the line is used for more."""
         self._motors.quality.is_shared = True
-        self._motors.handle(OutputEvent.LOCK_OUT, self._now())
+        self._motors.handle(OutputEvent.STOP, self._now())
         code = ErrorCode.NO_GUARDIAN if confirmed is None else ErrorCode.NO_HEARTBEAT
         self._emit(MotorsStopped(code, bool(confirmed)))
 
