@@ -837,10 +837,10 @@
         <translation>Der Roboter von oben</translation></message>
     <message><source>Legs at their reported positions, goals dashed; the table says both in numbers.</source>
         <translation>Beine in den gemeldeten Positionen, Ziele gestrichelt; die Tabelle nennt beides in Zahlen.</translation></message>
+    <message><source>front</source>
+        <translation>vorn</translation></message>
     <message><source>{0}: {1}</source>
         <translation>{0}: {1}</translation></message>
-    <message><source>▲ front*</source>
-        <translation>▲ vorn*</translation></message>
     <message><source>goal in units</source>
         <translation>Ziel in Einheiten</translation></message>
     <message><source>lowest position</source>
@@ -4249,8 +4249,6 @@ bisher {1}</translation></message>
         <translation>Rechtes Rad, rückwärts</translation></message>
     <message><source>Nothing</source>
         <translation>Nichts</translation></message>
-    <message><source>front</source>
-        <translation>vorn</translation></message>
     <message><source>Read the settings from the board and discard the edits made here?</source>
         <translation>Die Einstellungen vom Board lesen und die hier gemachten Änderungen verwerfen?</translation></message>
     <message><source>{0} is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use it, too.</source>

@@ -837,10 +837,10 @@
         <translation>Le robot vu de dessus</translation></message>
     <message><source>Legs at their reported positions, goals dashed; the table says both in numbers.</source>
         <translation>Pattes aux positions transmises, cibles en tirets ; le tableau donne les deux en chiffres.</translation></message>
+    <message><source>front</source>
+        <translation>avant</translation></message>
     <message><source>{0}: {1}</source>
         <translation>{0} : {1}</translation></message>
-    <message><source>▲ front*</source>
-        <translation>▲ avant*</translation></message>
     <message><source>goal in units</source>
         <translation>cible en unités</translation></message>
     <message><source>lowest position</source>
@@ -4249,8 +4249,6 @@ avant {1}</translation></message>
         <translation>Roue droite, vers l'arrière</translation></message>
     <message><source>Nothing</source>
         <translation>Rien</translation></message>
-    <message><source>front</source>
-        <translation>avant</translation></message>
     <message><source>Read the settings from the board and discard the edits made here?</source>
         <translation>Lire les réglages de la carte et abandonner les modifications faites ici ?</translation></message>
     <message><source>{0} is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use it, too.</source>

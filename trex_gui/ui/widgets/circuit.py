@@ -1,9 +1,9 @@
-"""Painted parts of a circuit board, not to scale: its body, header blocks, jumpers and texts."""
+"""Painted parts of a board, not to scale: body, header blocks, jumpers, texts. Body of a robot."""
 
 from collections.abc import Sequence
 
 from PySide6.QtCore import QPointF, QRect, QRectF, QSizeF, Qt
-from PySide6.QtGui import QFont, QFontMetrics, QPainter, QPen
+from PySide6.QtGui import QFont, QFontMetrics, QPainter, QPen, QPolygonF
 
 from trex_gui.ui.theme.theme import scaled_font, theme
 
@@ -14,11 +14,25 @@ _LEFT = Qt.AlignmentFlag.AlignLeft
 _CENTER = Qt.AlignmentFlag.AlignHCenter
 
 
-def paint_body(painter: QPainter, body: QRectF, name: str) -> None:
-    """Paint a board with a hole in each corner, and its name at the top."""
+def _paint_plate(painter: QPainter, plate: QRectF, radius: float) -> None:
     painter.setPen(QPen(theme().color("board_edge"), 2))
     painter.setBrush(theme().color("board"))
-    painter.drawRoundedRect(body, 10, 10)
+    painter.drawRoundedRect(plate, radius, radius)
+
+
+def paint_chassis(painter: QPainter, chassis: QRectF) -> None:
+    """Paint the body of a robot seen from above, with a triangle at its front."""
+    unit = chassis.width() / 220
+    _paint_plate(painter, chassis, 34 * unit)
+    tip, wide, high = QPointF(chassis.center().x(), chassis.top() + 7 * unit), 14 * unit, 15 * unit
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(theme().color("mark"))
+    painter.drawPolygon(QPolygonF([tip, tip + QPointF(wide, high), tip + QPointF(-wide, high)]))
+
+
+def paint_body(painter: QPainter, body: QRectF, name: str) -> None:
+    """Paint a board with a hole in each corner, and its name at the top."""
+    _paint_plate(painter, body, 10)
     painter.setBrush(theme().color("base"))
     holes = body.adjusted(_INSET, _INSET, -_INSET, -_INSET)
     for hole in (holes.topLeft(), holes.topRight(), holes.bottomLeft(), holes.bottomRight()):

@@ -3,7 +3,7 @@
 from functools import partial
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal, Slot
-from PySide6.QtGui import QPainter, QPaintEvent, QPen, QPolygonF, QResizeEvent
+from PySide6.QtGui import QPainter, QPaintEvent, QPen, QResizeEvent
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from trex_gui.core.translation import tr, tr_noop
@@ -11,7 +11,7 @@ from trex_gui.devices.trex.model.setup.wiring import Movement, Side
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets.builders import named
-from trex_gui.ui.widgets.circuit import write
+from trex_gui.ui.widgets.circuit import paint_chassis, write
 from trex_gui.ui.widgets.painted import Painted, Painter, never_mirror, wants_motion
 
 _FRAME_MS = 40
@@ -127,15 +127,7 @@ class RobotView(Painted):
 
     def paint_robot(self, painter: QPainter, place: QRectF) -> None:
         """Paint chassis and wheels, and the next frame while a wheel turns."""
-        color, unit = theme().color, place.height() / _SIZE[1]
-        body = _placed(_CHASSIS, place)
-        painter.setPen(QPen(color("board_edge"), 2))
-        painter.setBrush(color("board"))
-        painter.drawRoundedRect(body, 34 * unit, 34 * unit)
-        tip, wide, high = QPointF(body.center().x(), body.top() + 7 * unit), 14 * unit, 15 * unit
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(color("mark"))
-        painter.drawPolygon(QPolygonF([tip, tip + QPointF(wide, high), tip + QPointF(-wide, high)]))
+        paint_chassis(painter, _placed(_CHASSIS, place))
         for side in self._amounts:
             self._paint_wheel(painter, side, _placed(_WHEEL, place, side))
         if any(self._amounts.values()) and wants_motion(self) and not self._timer.isActive():

@@ -9,7 +9,7 @@ import math
 from dataclasses import dataclass
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal, Slot
-from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from trex_gui.core.translation import tr
@@ -19,6 +19,7 @@ from trex_gui.devices.aracna.model.texts import position_text, spoken_joint
 from trex_gui.devices.aracna.protocol.joints import LEGS, MOTORS, Leg, degrees
 from trex_gui.ui.theme.theme import CARD_PADDING, theme
 from trex_gui.ui.widgets.builders import Card, column, named, plain
+from trex_gui.ui.widgets.circuit import paint_chassis, write
 from trex_gui.ui.widgets.painted import Painted, Painter
 
 _OUTWARD = {
@@ -37,6 +38,7 @@ _BODY = 0.24  # half the edge of the body; the picture goes from -1 to 1 both wa
 _HIP = 0.26
 _UPPER = 0.33
 _LOWER = 0.34
+_LEG = 0.08  # width
 _RADIUS = 0.075
 _REACH = 0.13  # distance within which the mouse points at a joint
 Point = tuple[float, float]
@@ -166,35 +168,28 @@ class RobotDrawing(Painted):
             self._paint_body(painter)
             for index, leg in enumerate(solid):
                 is_known = None not in self._state.present[2 * index : 2 * index + 2]
-                self._paint_leg(painter, leg, theme().color("outline"), dashed=not is_known)
+                self._paint_leg(painter, leg, "outline", dashed=not is_known)
             for goal, leg in zip(drawn_legs(self._goals), solid, strict=False):
                 if _differ(goal, leg):
-                    self._paint_leg(painter, goal, theme().color("accent"), dashed=True)
+                    self._paint_leg(painter, goal, "accent", dashed=True)
             for motor in range(2 * len(solid)):
                 self._paint_joint(painter, motor)
 
     def _paint_body(self, painter: QPainter) -> None:
-        scale = self._scale()
-        corner = self._place((-_BODY, -_BODY))
-        body = QRectF(corner.x(), corner.y(), 2 * _BODY * scale, 2 * _BODY * scale)
-        painter.setPen(QPen(theme().color("board_edge"), 2))
-        painter.setBrush(theme().color("board"))
-        painter.drawRoundedRect(body, 10, 10)
-        painter.setPen(theme().color("muted"))
-        painter.drawText(body, Qt.AlignmentFlag.AlignCenter, tr("▲ front*").replace(" ", "\n"))
+        body = QRectF(self._place((-_BODY, -_BODY)), self._place((_BODY, _BODY)))
+        paint_chassis(painter, body)
+        front = tr("front") + "*"
+        write(painter, body, front, "muted", align=Qt.AlignmentFlag.AlignHCenter)
 
-    def _paint_leg(self, painter: QPainter, leg: DrawnLeg, color: QColor, *, dashed: bool) -> None:
-        pen = QPen(color, max((0.018 if dashed else 0.05) * self._scale(), 1.5))
-        pen.setCapStyle(Qt.PenCapStyle.RoundCap)
-        if dashed:
-            pen.setStyle(Qt.PenStyle.DashLine)
-        painter.setPen(pen)
+    def _paint_leg(self, painter: QPainter, leg: DrawnLeg, color: str, *, dashed: bool) -> None:
         places = [self._place(point) for point in (leg.inner, leg.outer, leg.foot)]
-        painter.drawPolyline(places)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(color)
-        radius = (0.022 if dashed else 0.035) * self._scale()
-        painter.drawEllipse(places[2], radius, radius)
+        style = Qt.PenStyle.DashLine if dashed else Qt.PenStyle.SolidLine
+        wide, join = _LEG * self._scale(), Qt.PenJoinStyle.RoundJoin
+        pens = [(color, 2.0)] if dashed else [(color, wide), ("track", wide - 4)]
+        for name, width in pens:  # a leg is filled, as wheels are
+            cap = Qt.PenCapStyle.RoundCap
+            painter.setPen(QPen(theme().color(name), max(width, 1.0), style, cap, join))
+            painter.drawPolyline(places)
 
     def _paint_joint(self, painter: QPainter, motor: int) -> None:
         state = self._state
