@@ -421,8 +421,8 @@
         <translation>Motor {0} ist {1} Einheiten von seinem Ziel entfernt.</translation></message>
     <message><source>A sequence is playing: stop it first.</source>
         <translation>Eine Sequenz läuft: Stoppen Sie sie zuerst.</translation></message>
-    <message><source>Newer speeds replaced these.</source>
-        <translation>Neuere Geschwindigkeiten haben diese ersetzt.</translation></message>
+    <message><source>A newer request replaced this one.</source>
+        <translation>Ein neuerer Auftrag hat diesen ersetzt.</translation></message>
     <message><source>Stopped before it was sent.</source>
         <translation>Vor dem Senden gestoppt.</translation></message>
     <message><source>The robot's board has restarted.</source>

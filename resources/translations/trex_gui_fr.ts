@@ -421,8 +421,8 @@
         <translation>Le moteur {0} est à {1} unités de sa cible.</translation></message>
     <message><source>A sequence is playing: stop it first.</source>
         <translation>Une séquence est en cours : arrêtez-la d'abord.</translation></message>
-    <message><source>Newer speeds replaced these.</source>
-        <translation>Des vitesses plus récentes ont remplacé celles-ci.</translation></message>
+    <message><source>A newer request replaced this one.</source>
+        <translation>Une demande plus récente a remplacé celle-ci.</translation></message>
     <message><source>Stopped before it was sent.</source>
         <translation>Arrêté avant l'envoi.</translation></message>
     <message><source>The robot's board has restarted.</source>

@@ -175,8 +175,8 @@ def _check_session(reports: Sequence[Any], taken: Sequence[Any], internal: objec
 ROBOT_REQUESTS: Sequence[tuple[float, robot.Request]] = (
     (0.5, robot.SetSpeeds(1, (300,) * 8)),
     (0.6, robot.Move(2, (500,) * 8, (200,) * 8)),
-    (1.5, robot.Drag((510,) * 8)),
-    (1.8, robot.Play(3, (robot.Step((520,) * 8, 0.3), robot.Step((500,) * 8, 0.3)), 2)),
+    (1.5, robot.Move(3, (510,) * 8, dragged=True)),
+    (1.8, robot.Play(4, (robot.Step((520,) * 8, 0.3), robot.Step((500,) * 8, 0.3)), 2)),
     (2.5, robot.EndPlay()),
     (3.0, robot.Halt()),
 )

@@ -11,8 +11,6 @@ from trex_gui.devices.aracna.session.errors import ErrorCode, RobotError
 from trex_gui.devices.aracna.session.liveness import BOOT_TIME
 from trex_gui.devices.aracna.session.messages import (
     Connected,
-    Drag,
-    DragDropped,
     Ending,
     LineStats,
     Move,
@@ -70,10 +68,9 @@ def test_restart_voids_speed_command(delay: float) -> None:
 
 @pytest.mark.parametrize("delay", [0.0005, 0.012, 0.1, 0.38])
 def test_restart_voids_move_while_servos_keep_moving(delay: float) -> None:
-    session = (
-        ScriptedSession().at(0.2, SetSpeeds(9, SLOW)).at(0.5, Move(1, THERE)).at(0.5, Move(2, HERE))
-    )
-    session.at(0.5, Drag(HERE)).at(0.5 + delay, "reset").until(5.0).run()
+    session = ScriptedSession().at(0.2, SetSpeeds(9, SLOW)).at(0.5, Move(1, THERE))
+    session.on(lambda report: isinstance(report, Moving), Move(2, HERE))
+    session.at(0.5 + delay, "reset").until(5.0).run()
     _assert_goes_on_after_a_restart(session, voided=True)
     outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
     assert code(outcomes[1]) is ErrorCode.RESTARTED
@@ -146,8 +143,8 @@ def test_servo_failing_in_motion_is_reported_stuck_once() -> None:
 
 def test_recovered_servo_ends_move_and_starts_nothing_else() -> None:
     session = _stuck_session()
-    session.at(0.9, Move(4, HERE)).at(0.9, Drag((400,) * 8))  # both wait
-    session.at(3.0, Drag((410,) * 8)).at(3.1, Move(5, HERE)).at(3.2, Play(6, STEPS))
+    session.at(0.9, Move(4, HERE))  # waits
+    session.at(3.1, Move(5, HERE)).at(3.2, Play(6, STEPS))
     session.at(9.0, "servo 3 alive").at(10.5, Move(7, HERE)).until(14.0).run()
     assert len(session.of(Stuck)) == 1
     assert [moved.present[3] for moved in session.of(Moved)] == [512, 600, 512]
@@ -155,7 +152,6 @@ def test_recovered_servo_ends_move_and_starts_nothing_else() -> None:
     outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
     assert [number for number, error in outcomes.items() if error is None] == [1, 2, 3, 7]
     assert {code(outcomes[number]) for number in (4, 5, 6)} == {ErrorCode.STUCK}
-    assert [dropped.goals for dropped in session.of(DragDropped)] == [(410,) * 8]
     assert not session.of(NotResponding)
 
 

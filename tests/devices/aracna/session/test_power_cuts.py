@@ -8,7 +8,6 @@ import pytest
 from tests.devices.aracna.session.scripted_session import ScriptedSession
 from trex_gui.core.session import Outcome
 from trex_gui.devices.aracna.session.messages import (
-    Drag,
     Ending,
     Move,
     Moving,
@@ -54,8 +53,9 @@ def test_move_after_power_cut_in_motion_keeps_requested_speed(cut: float) -> Non
 
 def test_speeds_are_resent_after_long_motion_but_not_short_one() -> None:
     session = ScriptedSession(positions=[500] * 8)
-    session.at(0.5, Move(1, (520,) * 8, SLOW)).at(1.0, Drag((540,) * 8, SLOW))
-    session.at(1.5, Drag((800,) * 8, SLOW)).at(6.0, Drag((810,) * 8, SLOW)).until(8.0).run()
+    for number, (time, goal) in enumerate(((0.5, 520), (1.0, 540), (1.5, 800), (6.0, 810))):
+        session.at(time, Move(number, (goal,) * 8, SLOW, dragged=number > 0))
+    session.until(8.0).run()
     assert len(session.of(Moving)) == 4
     held = session.when(SpeedsHeld)
     assert len(held) == 2

@@ -10,7 +10,6 @@ from tests.support.matrix import examples
 from trex_gui.core.session import Closed, Outcome
 from trex_gui.devices.aracna.session.messages import (
     Connected,
-    Drag,
     EndPlay,
     Halt,
     Move,
@@ -31,7 +30,6 @@ PLACES = st.sampled_from([(400,) * 8, (512,) * 8, (600,) * 8, (5, 6)])
 STEPS = st.lists(st.builds(Step, PLACES, st.sampled_from([0.05, 0.4, 1.0])), max_size=3).map(tuple)
 REQUESTS: st.SearchStrategy[Callable[[int], Request]] = st.one_of(
     st.builds(lambda goals: lambda number: Move(number, goals), PLACES),
-    st.builds(lambda goals: lambda _number: Drag(goals), PLACES),
     st.builds(lambda speed: lambda number: SetSpeeds(number, (speed,) * 8), st.integers(50, 1100)),
     st.builds(
         lambda steps, rounds, out: lambda number: Play(number, steps, rounds, (), out),

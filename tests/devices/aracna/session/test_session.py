@@ -10,7 +10,6 @@ from trex_gui.core.session import Closed, Outcome
 from trex_gui.devices.aracna.session.liveness import BOOT_TIME, BOOT_TIMEOUT
 from trex_gui.devices.aracna.session.messages import (
     Connected,
-    Drag,
     Halt,
     LineStats,
     Move,
@@ -124,10 +123,14 @@ def test_second_move_starts_from_known_positions() -> None:
     assert session.of(Moving)[1].expected == pytest.approx(88 / 228)
 
 
+def is_moving(report: object) -> bool:
+    return isinstance(report, Moving)
+
+
 def test_next_move_is_sent_only_after_reply() -> None:
-    session = ScriptedSession()
-    for number in range(1, 6):
-        session.at(0.2, Move(number, THERE if number % 2 else HERE))
+    session = ScriptedSession().at(0.2, Move(1, THERE))
+    for number in range(2, 6):
+        session.on(is_moving, Move(number, THERE if number % 2 else HERE))
     session.until(5.0).run()
     starts, ends = session.when(Moving), session.when(Moved)
     assert len(starts) == len(ends) == 5
@@ -137,7 +140,7 @@ def test_next_move_is_sent_only_after_reply() -> None:
 
 @pytest.mark.parametrize("request_", [Move(1, (5,)), Move(1, (1024,) * 8), SetSpeeds(1, (-1,) * 8)])
 def test_invalid_positions_and_speeds_are_rejected(request_: Move | SetSpeeds) -> None:
-    session = ScriptedSession().at(0.2, request_).at(0.2, Drag((1, 2))).until(1.0).run()
+    session = ScriptedSession().at(0.2, request_).until(1.0).run()
     [outcome] = session.of(Outcome)
     assert isinstance(outcome.error, BadRequest)
     assert not session.of(Moving)
@@ -147,7 +150,7 @@ def test_invalid_positions_and_speeds_are_rejected(request_: Move | SetSpeeds) -
 def test_drag_sends_only_newest_goal_when_line_is_free() -> None:
     session = ScriptedSession().at(0.2, SetSpeeds(1, (1023,) * 8))
     for number in range(100):
-        session.at(0.3 + number / 100, Drag((500 + number,) * 8))
+        session.at(0.3 + number / 100, Move(number + 2, (500 + number,) * 8, dragged=True))
     session.until(3.0).run()
     sent = [moving.goals[0] for moving in session.of(Moving)]
     assert sent == sorted(set(sent))
@@ -159,7 +162,7 @@ def test_halt_drops_queued_moves_and_reports_motion_end() -> None:
     session = (
         ScriptedSession().at(0.1, SetSpeeds(9, SLOW)).at(0.4, Move(1, THERE)).at(0.5, Move(2, HERE))
     )
-    session.at(0.5, Drag(HERE)).at(0.5, SetSpeeds(3, SLOW)).at(0.6, Halt()).until(4.0).run()
+    session.at(0.5, SetSpeeds(3, SLOW)).at(0.6, Halt()).until(4.0).run()
     outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
     assert outcomes[1] is None
     assert "Stopped" in str(outcomes[2])

@@ -8,8 +8,6 @@ from tests.devices.aracna.session.scripted_session import ScriptedSession
 from trex_gui.core.session import Outcome
 from trex_gui.devices.aracna.protocol.joints import Limits
 from trex_gui.devices.aracna.session.messages import (
-    Drag,
-    DragDropped,
     Ending,
     Halt,
     Move,
@@ -57,10 +55,8 @@ def test_move_needs_servo_power_and_keeps_requested_speed() -> None:
 
 def test_motor_rejecting_its_speed_is_named_and_none_moves() -> None:
     session = ScriptedSession().at(0.1, "servo 3 dead")
-    session.at(0.2, Move(1, THERE, SLOW)).at(1.0, Drag(THERE, SLOW)).until(3.0).run()
+    session.at(0.2, Move(1, THERE, SLOW)).until(3.0).run()
     assert errors(session)[1] == "Motor 3 did not accept speed 30: it does not respond."
-    [dropped] = session.of(DragDropped)
-    assert str(dropped.error) == errors(session)[1]
     assert not lines(session, "c")
 
 
@@ -76,7 +72,7 @@ def test_lost_speed_reply_prevents_motion(lost: str) -> None:
 
 def test_drag_does_not_resend_confirmed_speeds() -> None:
     session = ScriptedSession().at(0.2, Move(1, THERE, FAST)).at(1.5, Move(2, HERE, FAST))
-    session.at(3.0, Drag(THERE, FAST)).until(5.0).run()
+    session.at(3.0, Move(3, THERE, FAST, dragged=True)).until(5.0).run()
     assert lines(session, "v") == ["700", "700"], (
         "before a move, and not again for a drag behind it"
     )
@@ -107,7 +103,7 @@ def test_speeds_are_resent_after_stuck_servo() -> None:
 
 def test_halt_during_speed_command_prevents_motion() -> None:
     session = ScriptedSession().at(0.2, Move(1, THERE, SLOW)).at(0.21, Halt())
-    session.at(1.0, Drag(THERE, FAST)).at(1.01, Halt()).until(3.0).run()
+    session.at(1.0, Move(2, THERE, FAST)).at(1.01, Halt()).until(3.0).run()
     assert lines(session, "v") == ["30", "700"]
     assert not lines(session, "c")
     assert "Stopped" in errors(session)[1]
@@ -126,29 +122,38 @@ def test_rejected_step_speed_ends_playback() -> None:
 
 def test_latest_speed_applies_to_next_motion() -> None:
     session = ScriptedSession().at(0.2, Move(1, HERE, FAST)).at(3.0, Move(2, THERE, (100,) * 8))
-    session.at(3.15, Drag(HERE, (100,) * 8))
+    session.at(3.15, Move(5, HERE, (100,) * 8))
     session.at(3.2, SetSpeeds(3, FAST)).at(3.2, SetSpeeds(4, (20,) * 8)).until(8.0).run()
     assert lines(session, "v") == ["700", "100", "20"]
     assert lines(session, "c") == ["512", "600", "512"]
     assert session.of(Moved)[-1].seconds > 1.8, "86 units at 20 are 1.89 s"
-    assert "Newer speeds" in errors(session)[3]
+    assert "A newer request" in errors(session)[3]
     assert errors(session)[4] == ""
 
 
-def test_newer_move_replaces_older_drag() -> None:
-    session = ScriptedSession().at(0.2, Move(1, THERE, SLOW)).at(0.5, Drag((300,) * 8, SLOW))
-    session.at(0.6, Move(2, HERE, SLOW)).until(6.0).run()
+def test_newer_move_replaces_older_one_that_waits() -> None:
+    session = ScriptedSession().at(0.2, Move(1, THERE, SLOW)).at(0.5, Move(2, (300,) * 8, SLOW))
+    session.at(0.6, Move(3, HERE, SLOW)).until(6.0).run()
     assert lines(session, "c") == ["600", "512"]
+    assert [number for number, error in errors(session).items() if not error] == [1, 3]
+    assert "A newer request" in errors(session)[2]
+
+
+def test_newer_move_replaces_one_whose_speeds_are_being_set() -> None:
+    session = ScriptedSession().at(0.2, Move(1, THERE, SLOW)).at(0.21, Move(2, HERE, SLOW))
+    session.until(3.0).run()
+    assert lines(session, "c") == ["512"]
+    assert "A newer request" in errors(session)[1]
 
 
 # --- Limits ---------------------------------------------------------------------------------
 
 
-def test_newest_limits_apply_to_moves_drags_and_playback() -> None:
+def test_newest_limits_apply_to_moves_and_playback() -> None:
     session = (
         ScriptedSession().at(0.1, Move(1, HERE, FAST)).at(3.0, SetLimits((Limits(520, 550),) * 8))
     )
-    session.at(3.1, Move(2, THERE, FAST)).at(5.0, Drag(HERE, FAST))
+    session.at(3.1, Move(2, THERE, FAST)).at(5.0, Move(4, HERE, FAST))
     session.at(7.0, Play(3, (Step((530,) * 8, 0.5), Step((545,) * 8, 0.5)), rounds=0))
     session.on(
         lambda report: isinstance(report, StepBegun) and report.round == 2,

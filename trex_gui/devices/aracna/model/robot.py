@@ -18,8 +18,6 @@ from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS, travel_seco
 from trex_gui.devices.aracna.session.errors import suggests_scan
 from trex_gui.devices.aracna.session.messages import (
     Connected,
-    Drag,
-    DragDropped,
     EndPlay,
     Halt,
     Move,
@@ -159,9 +157,6 @@ class Robot(DeviceConnection[PortSettings]):
                     self._replies.append(moment)
                 if self._is_holding:
                     self.aim_at_present()
-            case DragDropped(error=error):
-                self.dragging = False  # reported once, not for every goal
-                self._reject_because(tr("Not moved: {0}"), error)
             case _:
                 pass
         if self.link is not ConnectionState.DISCONNECTING:
@@ -199,14 +194,17 @@ class Robot(DeviceConnection[PortSettings]):
         if cropped != tuple(goals):
             self._inform(cropped_goals_text(goals, cropped))
         self.targets.set_all(cropped)
-        self._is_holding = False
-        speeds = self.speeds
         self.events.add(EventKind.NOTE, tr("Move to {0}.").format(", ".join(map(str, cropped))))
-        if self.state.moving is not None or self._pending_moves:
-            return self.submit(Drag(cropped, speeds))
-        if self.request(lambda number: Move(number, cropped, speeds), self._on_move_done):
-            self._pending_moves += 1
-        return True
+        return self._request_move(cropped, dragged=False)
+
+    def _request_move(self, goals: tuple[int, ...], *, dragged: bool) -> bool:
+        """Send goals after a running motion, unless newer ones replace them until then."""
+        speeds, self._is_holding = self.speeds, False
+        is_sent = self.request(
+            lambda number: Move(number, goals, speeds, dragged), self._on_move_done
+        )
+        self._pending_moves += is_sent
+        return is_sent
 
     def begin_drag(self) -> None:
         """Let `drag` send goals until `end_drag` or `halt`."""
@@ -218,8 +216,7 @@ class Robot(DeviceConnection[PortSettings]):
     def drag(self, goals: Sequence[int]) -> None:
         """Send goals as soon as the robot is ready; only the newest ones count."""
         if self.dragging and self.link is ConnectionState.CONNECTED:
-            self._is_holding = False
-            self.submit(Drag(self.limits.crop(goals), self.speeds))
+            self._request_move(self.limits.crop(goals), dragged=True)
 
     def end_drag(self) -> None:
         """End dragging; the newest goals are still sent."""
@@ -383,7 +380,9 @@ class Robot(DeviceConnection[PortSettings]):
 
     def _on_move_done(self, outcome: Outcome) -> None:
         self._pending_moves -= 1
-        if outcome.error is not None and not self._is_holding:
+        is_newest = not self._pending_moves
+        if outcome.error is not None and is_newest and not self._is_holding:
+            self.dragging = False  # reported once, not for every goal
             self._reject_because(tr("Not moved: {0}"), outcome.error)
         self.changed.emit()
 

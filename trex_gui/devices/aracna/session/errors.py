@@ -55,7 +55,7 @@ class ErrorCode(Enum):
     )
     GOAL_MISSED = tr_noop("Motor {0} is {1} units off its goal.")
     PLAYING = tr_noop("A sequence is playing: stop it first.")
-    SUPERSEDED = tr_noop("Newer speeds replaced these.")
+    SUPERSEDED = tr_noop("A newer request replaced this one.")
     HALTED = tr_noop("Stopped before it was sent.")
     RESTARTED = tr_noop("The robot's board has restarted.")
     OTHER_ROBOT = tr_noop("Another robot now responds on this port.")

@@ -36,26 +36,17 @@ class SetLed:
 
 @dataclass(frozen=True, slots=True)
 class Move:
-    """Move every motor to a goal; the value of its `Outcome` is the `Moved`.
+    """Move every motor to a goal, instead of a queued one; its `Outcome` has the `Moved`.
 
     With `speeds` it runs at these or not at all: they are sent first unless the servos are known to
-    hold them, and its outcome is an error if a servo does not take its speed.
+    hold them, and its outcome is an error if a servo does not take its speed. `dragged`: one of
+    many in a row, between which the speeds are not sent again.
     """
 
     id: int
     goals: tuple[int, ...]
     speeds: tuple[int, ...] | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Drag:
-    """Move every motor to a goal; the newest queued one replaces the others. No `Outcome`.
-
-    `speeds` as in `Move`; if they are not taken, `DragDropped` follows.
-    """
-
-    goals: tuple[int, ...]
-    speeds: tuple[int, ...] | None = None
+    dragged: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,9 +100,7 @@ class Halt:
     """
 
 
-Request = (
-    SetSpeeds | SetLed | SetLimits | Move | Drag | Play | SetTimeScale | EndPlay | Halt | Close
-)
+Request = SetSpeeds | SetLed | SetLimits | Move | Play | SetTimeScale | EndPlay | Halt | Close
 
 # --- Reports --------------------------------------------------------------------------------
 
@@ -188,14 +177,6 @@ class SpeedsHeld:
 
 
 @dataclass(frozen=True, slots=True)
-class DragDropped:
-    """A `Drag` was not sent, and will not be."""
-
-    goals: tuple[int, ...]
-    error: StudioError
-
-
-@dataclass(frozen=True, slots=True)
 class Stuck:
     """The reply to a `.c` is late: the robot waits for `motor`; `None` if nothing has arrived.
 
@@ -259,7 +240,6 @@ Report = (
     | Passed
     | Moved
     | SpeedsHeld
-    | DragDropped
     | Stuck
     | NotResponding
     | StepBegun

@@ -38,7 +38,6 @@ from trex_gui.devices.aracna.session.job_queue import Job, JobQueue
 from trex_gui.devices.aracna.session.liveness import QUERY_INTERVAL, LivenessMonitor, QueryReason
 from trex_gui.devices.aracna.session.messages import (
     Connected,
-    Drag,
     Ending,
     EndPlay,
     Halt,
@@ -149,12 +148,10 @@ class AracnaSession:
         elif liveness.reason is not None:
             if query_due:
                 self._client.query(QUERY_INTERVAL)
-        elif self._jobs.has_jobs:  # queued before the sequence, so sent before it
+        elif self._jobs.has_queued:  # before the sequence, so sent before it
             self._jobs.send_next(self._send)
         elif self._player.seconds_to_next(now) <= 0:
             self._play(now)
-        elif self._jobs.drag is not None:
-            self._jobs.send_next(self._send)
         elif query_due:
             self._client.query()
 
@@ -175,8 +172,6 @@ class AracnaSession:
         match request:
             case Halt():
                 self._drop(self._now(), Ending.HALTED, RobotError(ErrorCode.HALTED))
-            case Drag():
-                self._take_drag(request)
             case SetLimits(limits=limits):
                 self._servos.limits = limits
             case EndPlay():
@@ -185,21 +180,12 @@ class AracnaSession:
                 self._player.set_time_scale(scale)
             case Play():
                 self._check_ready()
-                self._jobs.drop_drag()
                 self._player.start(request, self._now())
             case Move() | SetSpeeds() | SetLed():
                 self._check_ready()
                 self._jobs.add(request)
             case _:
                 pass
-
-    def _take_drag(self, drag: Drag) -> None:
-        if not self._liveness.is_responding or self._player.is_playing:
-            return
-        if self._is_stuck:
-            self._jobs.reject_drag(drag, RobotNoReplyError(ErrorCode.STUCK))
-        else:
-            self._jobs.drag = drag
 
     def _check_ready(self) -> None:
         if not self._liveness.is_responding:
@@ -219,14 +205,14 @@ class AracnaSession:
 
     # --- Sending ------------------------------------------------------------------------
 
-    def _send(self, job: Job | Drag) -> bool:
+    def _send(self, job: Job) -> bool:
         """Send a job, or first the speeds of a motion; return whether it was only those.
 
         BadRequest: not one value of 0-1023 for each motor.
         """
         match job:
-            case Move(goals=goals, speeds=speeds) | Drag(goals=goals, speeds=speeds):
-                trust = TRUST_BEFORE_MOVE if isinstance(job, Move) else TRUST
+            case Move(goals=goals, speeds=speeds, dragged=dragged):
+                trust = TRUST if dragged else TRUST_BEFORE_MOVE
                 self._servos.expire_speeds(self._now(), trust)
                 if speeds is not None and speeds != self._servos.speeds:
                     commands.positions(self._servos.crop(goals), self._client.motors)  # checks them
