@@ -11,11 +11,10 @@ from trex_gui.devices.aracna.session.client import (
     Answered,
     AracnaClient,
     CommandEvent,
-    LateReply,
-    PartialReply,
     ReplyLost,
 )
 from trex_gui.devices.aracna.session.errors import printable
+from trex_gui.devices.aracna.session.messages import Passed, Stuck
 
 THERE = (600,) * 8
 
@@ -61,13 +60,13 @@ def test_only_queries_follow_late_move_until_it_is_answered() -> None:
     client = client_of(stage)
     client.move(THERE, 1.0)
     events = received(client, 30.0)
-    assert [type(one) for one in events if not isinstance(one, PartialReply)] == [LateReply]
+    assert [type(one) for one in events if not isinstance(one, Passed)] == [Stuck]
     assert client.awaited_motor == 1
     behind = bytes(stage.transport.sent).partition(b"600\n")[2]
     assert behind == b".q\n" * behind.count(b".q\n")
     assert 1 < behind.count(b".q\n") <= 2 + 29 / QUERY_RETRY
     stage.do("servo 1 free")
-    first, second = [one for one in received(client, 2.0) if not isinstance(one, PartialReply)]
+    first, second = [one for one in received(client, 2.0) if not isinstance(one, Passed)]
     assert isinstance(first, Answered)
     assert isinstance(first.reply, Positions)
     assert isinstance(second, Answered)
@@ -96,7 +95,7 @@ def test_lost_move_ends_when_following_query_is_answered() -> None:
     stage.line.advance(0.2)
     stage.do("line drop 0 sent")
     late, lost = received(client, 2.0)
-    assert isinstance(late, LateReply)
+    assert isinstance(late, Stuck)
     assert late.motor is None
     assert isinstance(lost, ReplyLost)
     assert lost.robot_free

@@ -59,6 +59,8 @@ class Unrecognized:
 
 
 Reply = Hello | Version | Speeds | Positions | Led | Unrecognized
+ANSWERS: dict[str, type[Reply]] = {"q": Version, "v": Speeds, "c": Positions, "l": Led}
+"""The kind of reply to a command, by its letter."""
 
 _LONGEST = 200  # bytes kept without a line end; the longest reply of eight motors has 43
 _NUMBER = rb"-1|0|[1-9]\d{0,4}"  # as `%d` prints it: no padding, and no sign except in -1

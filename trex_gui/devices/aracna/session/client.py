@@ -16,6 +16,7 @@ from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.aracna.protocol import commands
 from trex_gui.devices.aracna.protocol.replies import (
+    ANSWERS,
     Hello,
     Led,
     Positions,
@@ -33,7 +34,7 @@ from trex_gui.devices.aracna.session.errors import (
     RobotNoReplyError,
     printable,
 )
-from trex_gui.devices.aracna.session.messages import LineStats
+from trex_gui.devices.aracna.session.messages import LineStats, Passed, Stuck
 
 LINE = SerialFormat(commands.BAUD)
 
@@ -65,24 +66,6 @@ class Answered:
 
 
 @dataclass(frozen=True, slots=True)
-class PartialReply:
-    """The reply to a `.c` so far; the firmware is waiting for the next motor."""
-
-    command: SentCommand
-    present: tuple[int, ...]
-    time: float
-
-
-@dataclass(frozen=True, slots=True)
-class LateReply:
-    """The reply to a `.c` is late; `motor` is awaited, `None` if nothing has arrived."""
-
-    command: SentCommand
-    motor: int | None
-    time: float
-
-
-@dataclass(frozen=True, slots=True)
 class ReplyLost:
     """No reply will come; `robot_free`: the robot has answered a `.q` sent behind the command."""
 
@@ -100,7 +83,7 @@ class Voided:
     time: float
 
 
-CommandEvent = Answered | PartialReply | LateReply | ReplyLost | Voided
+CommandEvent = Answered | Passed | Stuck | ReplyLost | Voided
 
 
 class AracnaClient:
@@ -199,17 +182,9 @@ class AracnaClient:
         return []
 
     def _matches(self, command: SentCommand, reply: Reply) -> bool:
-        match reply:
-            case Version():
-                return command.letter == "q"
-            case Speeds(values):
-                return command.letter == "v" and len(values) == self.motors
-            case Positions(values):
-                return command.letter == "c" and len(values) == self.motors
-            case Led():
-                return command.letter == "l"
-            case _:
-                return False
+        if isinstance(reply, Speeds | Positions) and len(reply.values) != self.motors:
+            return False
+        return isinstance(reply, ANSWERS[command.letter])
 
     def _query_behind(self, now: float) -> SentCommand | None:
         """Return the `.q` that was sent behind a late command and is answered next, if any."""
@@ -227,7 +202,7 @@ class AracnaClient:
             self._is_late = False
             elapsed = now - self.pending.sent + REPLY_TIMEOUT + self.extra_time
             self.pending = replace(self.pending, timeout=max(self.pending.timeout, elapsed))
-        return [PartialReply(self.pending, arrived or (), now)]
+        return [Passed(now, arrived or ())]
 
     def _check_timeouts(self, now: float) -> list[CommandEvent]:
         command = self.pending
@@ -245,7 +220,7 @@ class AracnaClient:
             return [self._lose(now, robot_free=False)]
         self._is_late = True
         self._send_query_behind(now + REPLY_TIMEOUT + self.extra_time)
-        return [LateReply(command, self.awaited_motor, now)]
+        return [Stuck(now, self.awaited_motor)]
 
     def _send_query_behind(self, deadline: float) -> None:
         if self._query_deadline is None:

@@ -19,8 +19,6 @@ from trex_gui.devices.aracna.session.client import (
     Answered,
     AracnaClient,
     CommandEvent,
-    LateReply,
-    PartialReply,
     ReplyLost,
     SentCommand,
     Voided,
@@ -249,11 +247,11 @@ class AracnaSession:
                 case Answered(time=time):
                     self._liveness.on_reply(time)
                     self._on_answered(event)
-                case PartialReply(present=present, time=time):
+                case Passed(time=time):
                     self._liveness.on_reply(time)
-                    self._report(Passed(time, present))
-                case LateReply(motor=motor, time=time):
-                    self._on_late_reply(motor, time)
+                    self._report(event)
+                case Stuck():
+                    self._on_stuck(event)
                 case ReplyLost():
                     self._on_reply_lost(event)
                 case Voided(command=command, time=time):
@@ -305,15 +303,15 @@ class AracnaSession:
         if not was_responding:
             self._report(Connected(reply.version, motors))
 
-    def _on_late_reply(self, motor: int | None, now: float) -> None:
+    def _on_stuck(self, stuck: Stuck) -> None:
         """Drop what is queued: it must not start when a servo recovers, perhaps in an hour."""
         self._is_stuck = True
         self._servos.forget_speeds()  # a servo without power loses its speed
-        self._report(Stuck(now, motor))
+        self._report(stuck)
         error = RobotNoReplyError(ErrorCode.TIMEOUT)
-        if motor is not None:
-            error = RobotNoReplyError(ErrorCode.MOTOR_STUCK, motor)
-        self._player.stop(now, Ending.STUCK, error)
+        if stuck.motor is not None:
+            error = RobotNoReplyError(ErrorCode.MOTOR_STUCK, stuck.motor)
+        self._player.stop(stuck.time, Ending.STUCK, error)
         self._jobs.drop(RobotNoReplyError(ErrorCode.STUCK))
 
     def _on_reply_lost(self, loss: ReplyLost) -> None:

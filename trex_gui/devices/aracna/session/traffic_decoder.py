@@ -3,6 +3,7 @@
 from trex_gui.core.translation import tr, tr_noop
 from trex_gui.core.transport.traffic import Decoded, Decoder, Transaction
 from trex_gui.devices.aracna.protocol.replies import (
+    ANSWERS,
     UNREADABLE,
     Hello,
     Led,
@@ -19,12 +20,6 @@ _COMMANDS = {
     b".l1": tr_noop("switch the debug LED on"),
     b".l0": tr_noop("switch the debug LED off"),
     b"": tr_noop("end an unfinished line in the robot's buffer"),
-}
-_REPLY_KINDS: dict[bytes, type[Reply]] = {
-    b".q": Version,
-    b".c": Positions,
-    b".v": Speeds,
-    b".l": Led,
 }
 
 
@@ -103,7 +98,7 @@ class AracnaDecoder(Decoder):
 
 def _answers(reply: Reply, sent: bytes) -> bool:
     """Return whether it is the reply to this command, or voids it; an empty line has none."""
-    kind = _REPLY_KINDS.get(sent[:2])
+    kind = ANSWERS.get(sent[1:2].decode("latin-1"))
     return kind is None or isinstance(reply, kind | Hello)
 
 
