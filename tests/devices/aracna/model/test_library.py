@@ -257,14 +257,14 @@ def test_gait_becomes_sequence_and_adds_its_poses_once(library: Library) -> None
     assert library.add_gait(star) == "star 6"
     assert library.add_gait(star) == "star 6 2"
     assert library.undo.count() == 2
-    assert len(library.project.poses) == len(BUILT_IN_POSES) + len(star.stages)
+    assert len(library.project.poses) == len(BUILT_IN_POSES) + len(star.poses)
     first, second = library.project.sequences
     assert first.steps == second.steps
-    for step, stage in zip(first.steps, star.stages, strict=True):
+    for step, own, its_pose in zip(first.steps, star.steps, star.poses, strict=True):
         pose = library.project.pose(step.pose_name)
         assert pose is not None
-        assert pose.positions == stage.pose.positions
-        assert step.milliseconds == stage.seconds * 1000
+        assert pose.positions == its_pose.positions
+        assert step.milliseconds == own.milliseconds
 
 
 def test_gait_of_built_in_poses_adds_no_poses(library: Library) -> None:

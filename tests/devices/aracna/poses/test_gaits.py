@@ -4,8 +4,8 @@ import math
 
 import pytest
 
-from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES, GAITS, Gait, GaitStage
-from trex_gui.devices.aracna.poses.project import Pose
+from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES, GAITS, Gait
+from trex_gui.devices.aracna.poses.playing import blend_in, steps_of
 from trex_gui.devices.aracna.protocol.joints import crop, factory_limits
 
 
@@ -31,16 +31,15 @@ def test_built_in_poses_repeat_joint_pair_within_limits(name: str, inner: int, o
 
 
 def test_every_built_in_motion_fits_the_usual_limits() -> None:
-    poses = [*BUILT_IN_POSES, *(stage.pose for one in GAITS for stage in one.stages)]
-    for pose in poses:
+    for pose in (*BUILT_IN_POSES, *(pose for one in GAITS for pose in one.poses)):
         assert crop(pose.positions, factory_limits()) == pose.positions, pose.name
 
 
 @pytest.mark.parametrize("number", [0, 2, 4, 6])
 def test_star_gait_lifts_diagonal_legs_and_swings_outer_joints(number: int) -> None:
     star = gait(f"star {number}")
-    assert [stage.seconds for stage in star.stages] == [0.5, 0.2, 0.5, 0.2]
-    off = [[position - 300 for position in stage.pose.positions] for stage in star.stages]
+    assert [step.milliseconds for step in star.steps] == [500, 200, 500, 200]
+    off = [[position - 300 for position in pose.positions] for pose in star.poses]
     swung, opposite = number + 1, (number + 5) % 8
     ours, others = {number, (number + 4) % 8}, {(number + 2) % 8, (number + 6) % 8}
     for changes, lifted, swing in zip(
@@ -54,21 +53,22 @@ def test_star_gait_lifts_diagonal_legs_and_swings_outer_joints(number: int) -> N
 
 
 def test_cyclic_gait_starts_in_last_pose() -> None:
-    low, high = Pose("low", (0, 100)), Pose("high", (100, 300))
-    assert Gait("to and fro", (GaitStage(high, 2.0), GaitStage(low, 1.0))).start == low
+    steps = steps_of(gait("push-ups"), (), factory_limits())
+    [slow] = blend_in(gait("push-ups"), (), factory_limits())
+    assert slow.goals == steps[-1].goals != steps[0].goals
 
 
 def test_sine_gait_follows_sine_function() -> None:
-    stages = gait("sine").stages
-    assert sum(stage.seconds for stage in stages) == pytest.approx(2 * math.pi)
-    for number, stage in enumerate(stages, 1):
+    sine = gait("sine")
+    assert sine.seconds == pytest.approx(2 * math.pi, abs=16 * 0.0005)  # whole milliseconds
+    for number, pose in enumerate(sine.poses, 1):
         time = 2 * math.pi * number / 16
         position = min(512 + 100 * math.sin(time), 600)  # cropped as on the robot
-        assert stage.pose.positions[0] == pytest.approx(position, abs=0.51)
+        assert pose.positions[0] == pytest.approx(position, abs=0.51)
 
 
 def test_every_gait_has_unique_name_text_and_eight_motors() -> None:
     assert len({one.name for one in GAITS}) == len(GAITS)
     for one in GAITS:
         assert one.about.endswith(".")
-        assert all(len(stage.pose.positions) == 8 for stage in one.stages)
+        assert all(len(pose.positions) == 8 for pose in one.poses)

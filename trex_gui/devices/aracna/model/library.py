@@ -1,5 +1,6 @@
 """The poses and sequences that the user edits: one pose file, with undo."""
 
+from collections.abc import Mapping
 from collections.abc import Sequence as Many
 from dataclasses import dataclass, replace
 from enum import Enum
@@ -65,7 +66,7 @@ class Library(QObject):
     def modified(self) -> bool:
         return self.project != self._saved
 
-    def playable(self, key: ItemKey | None) -> Sequence | Gait | None:
+    def playable(self, key: ItemKey | None) -> Sequence | None:
         if key is None:
             return None
         if key.built_in:
@@ -109,9 +110,8 @@ class Library(QObject):
         new_name = checked_name(new_name, [item.name for item in items if item.name != name])
         after = self._with(kind, place, [replace(items[place], name=new_name)])
         if kind is ItemKind.POSE:
-            after = replace(
-                after, sequences=tuple(_renamed(one, name, new_name) for one in after.sequences)
-            )
+            sequences = tuple(_with_poses(one, {name: new_name}) for one in after.sequences)
+            after = replace(after, sequences=sequences)
         self._edit(tr("Rename {0}").format(name), after)
 
     def duplicate(self, kind: ItemKind, name: str) -> str:
@@ -170,17 +170,18 @@ class Library(QObject):
 
         Poses with the same name and other positions stay, and the gait's own get another name.
         """
-        poses, steps = list(self.project.poses), []
-        for stage, step in zip(gait.stages, gait.steps, strict=True):
-            pose = stage.pose
+        poses, names = list(self.project.poses), {}
+        for own in gait.poses:
+            pose = own
             if pose not in self.project.poses:
                 pose = replace(pose, name=f"{gait.name} {pose.name}")
             if pose not in poses:
                 pose = replace(pose, name=free_name(pose.name, [one.name for one in poses]))
                 poses.append(pose)
-            steps.append(replace(step, pose_name=pose.name))
+            names[own.name] = pose.name
         name = free_name(gait.name, [sequence.name for sequence in self.project.sequences])
-        self._add_sequence(replace(self.project, poses=tuple(poses)), Sequence(name, tuple(steps)))
+        sequence = _with_poses(Sequence(name, gait.steps), names)
+        self._add_sequence(replace(self.project, poses=tuple(poses)), sequence)
         return name
 
     def _add_sequence(self, project: Project, sequence: Sequence) -> None:
@@ -213,9 +214,10 @@ class Library(QObject):
         self.changed.emit()
 
 
-def _renamed(sequence: Sequence, name: str, new_name: str) -> Sequence:
+def _with_poses(sequence: Sequence, names: Mapping[str, str]) -> Sequence:
+    """Return a sequence whose steps name other poses."""
     steps = tuple(
-        replace(step, pose_name=new_name) if step.pose_name == name else step
+        replace(step, pose_name=names.get(step.pose_name, step.pose_name))
         for step in sequence.steps
     )
     return replace(sequence, steps=steps)

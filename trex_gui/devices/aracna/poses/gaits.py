@@ -9,11 +9,11 @@ were tuned on the robot, as the authors' programs do before they send a goal.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from trex_gui.core.translation import tr_noop
-from trex_gui.devices.aracna.poses.project import SHORTEST_MS, Pose, SequenceStep
+from trex_gui.devices.aracna.poses.project import Pose, Sequence, SequenceStep
 from trex_gui.devices.aracna.protocol.joints import MOTORS, crop, factory_limits
 
 SLOW_SECONDS = 3.0  # time in which the authors' robot goes to flat, and from there to stand
@@ -24,7 +24,7 @@ def all_legs(name: str, inner: int, outer: int) -> Pose:
     return _within_limits(name, (inner, outer) * (MOTORS // 2))
 
 
-def _within_limits(name: str, positions: Sequence[float]) -> Pose:
+def _within_limits(name: str, positions: Iterable[float]) -> Pose:
     return Pose(name, crop(positions, factory_limits()))
 
 
@@ -46,34 +46,21 @@ BUILT_IN_POSES = (
 
 
 @dataclass(frozen=True, slots=True)
-class GaitStage:
-    """Reach a pose in so many seconds, more than 0."""
+class Gait(Sequence):
+    """A sequence with its own poses; it has at least one step."""
 
-    pose: Pose
-    seconds: float
-
-
-@dataclass(frozen=True, slots=True)
-class Gait:
-    """Stages one after the other, at least one."""
-
-    name: str
-    stages: tuple[GaitStage, ...]
+    poses: tuple[Pose, ...] = ()
     about: str = ""
-    cyclic: bool = True  # it can repeat: the first stage starts in the last pose
+    cyclic: bool = True  # it can repeat: the first step starts in the last pose
     ours: bool = False  # the robot's authors do not have it
 
-    @property
-    def steps(self) -> tuple[SequenceStep, ...]:
-        return tuple(
-            SequenceStep(stage.pose.name, max(round(stage.seconds * 1000), SHORTEST_MS))
-            for stage in self.stages
-        )
 
-    @property
-    def start(self) -> Pose | None:
-        """Pose in which it starts; `None` if it starts anywhere."""
-        return self.stages[-1].pose if self.cyclic else None
+def _gait(
+    name: str, about: str, *stages: tuple[Pose, float], cyclic: bool = True, ours: bool = False
+) -> Gait:
+    """Return a gait that reaches each pose in so many seconds."""
+    steps = tuple(SequenceStep(pose.name, round(1000 * seconds)) for pose, seconds in stages)
+    return Gait(name, steps, tuple(pose for pose, _ in stages), about, cyclic, ours)
 
 
 _NEUTRAL = 300
@@ -99,17 +86,15 @@ def _star(swung: int) -> Gait:
         return _within_limits(name, positions)
 
     swinging = (swung, opposite)
-    return Gait(
+    return _gait(
         f"star {2 * swung}",
-        (
-            GaitStage(pose("swing", standing, 1), 0.5),
-            GaitStage(pose("change over", swinging, 1), 0.2),
-            GaitStage(pose("swing back", swinging, -1), 0.5),
-            GaitStage(pose("change back", standing, 0), 0.2),
-        ),
         tr_noop(
             "Lifts two opposite legs, swings the other two, changes over and swings them back."
         ),
+        (pose("swing", standing, 1), 0.5),
+        (pose("change over", swinging, 1), 0.2),
+        (pose("swing back", swinging, -1), 0.5),
+        (pose("change back", standing, 0), 0.2),
     )
 
 
@@ -118,15 +103,15 @@ def _sine() -> Gait:
     for number in range(1, samples + 1):
         place = 512 + 100 * math.sin(period * number / samples)
         pose = _within_limits(f"{number} of {samples}", (place,) * MOTORS)
-        stages.append(GaitStage(pose, period / samples))
-    about = tr_noop("All motors together, 100 units about the centre.")
-    return Gait("sine", tuple(stages), about)
+        stages.append((pose, period / samples))
+    return _gait("sine", tr_noop("All motors together, 100 units about the centre."), *stages)
 
 
-STAND_UP = Gait(
+STAND_UP = _gait(
     "stand up",
-    (GaitStage(FLAT, SLOW_SECONDS), GaitStage(STAND, SLOW_SECONDS)),
     tr_noop("Lies down flat in 3 s and stands up in 3 s, from any position."),
+    (FLAT, SLOW_SECONDS),
+    (STAND, SLOW_SECONDS),
     cyclic=False,
 )
 
@@ -134,23 +119,26 @@ GAITS = (
     STAND_UP,
     *(_star(leg) for leg in range(4)),
     _sine(),
-    Gait(
+    _gait(
         "self-test",
-        (GaitStage(SELF_TEST_A, 1.0), GaitStage(SELF_TEST_B, 1.0)),
         tr_noop(
             "To and fro between two poses; motors that stay more than 50 units off are suspect."
         ),
+        (SELF_TEST_A, 1.0),
+        (SELF_TEST_B, 1.0),
     ),
-    Gait(
+    _gait(
         "push-ups",
-        (GaitStage(HALF_STAND, 1.0), GaitStage(STAND, 1.0)),
         tr_noop("Down to half-stand and up again."),
+        (HALF_STAND, 1.0),
+        (STAND, 1.0),
         ours=True,
     ),
-    Gait(
+    _gait(
         "lie down",
-        (GaitStage(HALF_STAND, 2.0), GaitStage(FLAT, 2.0)),
         tr_noop("By way of half-stand to flat, from any position."),
+        (HALF_STAND, 2.0),
+        (FLAT, 2.0),
         cyclic=False,
         ours=True,
     ),

@@ -19,7 +19,7 @@ COMMAND_SECONDS = 0.1
 
 
 def steps_of(
-    played: Sequence | Gait, poses: Iterable[Pose], limits: Many[Limits], time_scale: float = 1.0
+    played: Sequence, poses: Iterable[Pose], limits: Many[Limits], time_scale: float = 1.0
 ) -> tuple[Step, ...]:
     """Return the steps of a sequence or gait for as many motors as `limits`, cropped to them.
 
@@ -32,7 +32,7 @@ def steps_of(
 
 
 def limited_motors(
-    played: Sequence | Gait, poses: Iterable[Pose], limits: Many[Limits]
+    played: Sequence, poses: Iterable[Pose], limits: Many[Limits]
 ) -> dict[int, list[int]]:
     """Return the motors that `steps_of` crops, by step; raises as it does."""
     found = {}
@@ -60,16 +60,18 @@ def cropped(pose: Pose, limits: Many[Limits]) -> tuple[int, ...]:
 
 
 def blend_in(
-    played: Sequence | Gait, poses: Iterable[Pose], limits: Many[Limits], present: Present = ()
+    played: Sequence, poses: Iterable[Pose], limits: Many[Limits], present: Present = ()
 ) -> tuple[Step, ...]:
     """Return the slow step to the start; none if it starts anywhere, or the robot is there.
 
     A cyclic gait starts in its last pose, a sequence in its first. Raises as `steps_of` does.
     """
-    stages = stages_of(played, poses)
-    start = played.start if isinstance(played, Gait) else stages[0][0]
-    if start is None:
-        return ()
+    place = 0
+    if isinstance(played, Gait):
+        if not played.cyclic:
+            return ()
+        place = -1
+    start, _ = stages_of(played, poses)[place]
     goals = cropped(start, limits)
     return () if tuple(present) == goals else (Step(goals, SLOW_SECONDS, start.name),)
 
@@ -115,10 +117,8 @@ def _late_in(step: Step, before: Present) -> dict[int, float]:
     return late
 
 
-def stages_of(played: Sequence | Gait, poses: Iterable[Pose]) -> list[tuple[Pose, float]]:
-    if isinstance(played, Gait):
-        return [(stage.pose, stage.seconds) for stage in played.stages]
-    known = {pose.name: pose for pose in poses}
+def stages_of(played: Sequence, poses: Iterable[Pose]) -> list[tuple[Pose, float]]:
+    known = {pose.name: pose for pose in (played.poses if isinstance(played, Gait) else poses)}
     if missing := played.missing(known):
         raise BadRequest(
             tr("{0} uses poses that are not defined: {1}").format(played.name, ", ".join(missing))

@@ -7,7 +7,7 @@ documentation (units).
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from enum import Enum
 
@@ -74,7 +74,7 @@ def factory_limits(motors: int = MOTORS) -> tuple[Limits, ...]:
     return tuple(FACTORY_LIMITS[motor % 2] for motor in range(motors))
 
 
-def crop(goals: Sequence[float], limits: Sequence[Limits]) -> tuple[int, ...]:
+def crop(goals: Iterable[float], limits: Sequence[Limits]) -> tuple[int, ...]:
     """Return the nearest allowed goals; a motor without limits keeps its goal."""
     known = len(limits)
     return tuple(

@@ -29,7 +29,7 @@ from PySide6.QtWidgets import (
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.library import ItemKey, ItemKind, Library
-from trex_gui.devices.aracna.poses.gaits import GAITS, Gait
+from trex_gui.devices.aracna.poses.gaits import GAITS
 from trex_gui.devices.aracna.poses.project import (
     DEFAULT_MS,
     LONGEST_MS,
@@ -109,7 +109,7 @@ class MotionBox(ui.Card):
         return self._list.current
 
     @property
-    def played(self) -> Sequence | Gait | None:
+    def played(self) -> Sequence | None:
         """The current sequence or gait, as it can be played."""
         return self._library.playable(self._list.current)
 
