@@ -67,8 +67,14 @@ class Card(QGroupBox):
         self._title.setGeometry(inside.x(), inside.x(), inside.width(), height)
 
 
-class ComboBox(QComboBox):
+class SpinBox(QSpinBox):
     """The wheel changes it only while it has the focus. Otherwise the page scrolls."""
+
+    wheelEvent = focused_wheel(QSpinBox.wheelEvent)
+
+
+class ComboBox(QComboBox):
+    """The wheel changes it as it does a `SpinBox`."""
 
     wheelEvent = focused_wheel(QComboBox.wheelEvent)
 
@@ -282,7 +288,8 @@ def spin_box(
 
     It shows `value`, or `lowest`; `value` is set before `on_change` is connected.
     """
-    made = named(QSpinBox(parent), name, accessible=accessible, tip=tip)
+    made = named(SpinBox(parent), name, accessible=accessible, tip=tip)
+    made.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
     made.setLocale(UNGROUPED)
     made.setRange(lowest, highest)
     made.setSingleStep(step)
@@ -309,6 +316,8 @@ def make_bare(box: QAbstractSpinBox, widest: str) -> None:
 class DecimalSpinBox(QDoubleSpinBox):
     """Takes a point and a comma for the decimal separator, and neither for that of thousands."""
 
+    wheelEvent = focused_wheel(QDoubleSpinBox.wheelEvent)
+
     def validate(self, text: str, position: int) -> Any:
         return super().validate(re.sub("[.,]", self.locale().decimalPoint(), text), position)
 
@@ -328,6 +337,7 @@ def double_spin_box(
 ) -> QDoubleSpinBox:
     """Create what `spin_box` does, for numbers with decimals. It shows `lowest`."""
     made = named(DecimalSpinBox(parent), name, accessible=accessible, tip=tip)
+    made.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
     made.setDecimals(decimals)
     made.setRange(lowest, highest)
     made.setSingleStep(step)

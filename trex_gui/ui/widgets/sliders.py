@@ -17,6 +17,8 @@ class PaintedSlider(QSlider, Spoken):
     positions_per_unit = 1.0  # of the unit in which users and screen readers see the value
     room_below = 0  # pixels of height below groove and handle
 
+    wheelEvent = focused_wheel(QSlider.wheelEvent)
+
     def __init__(self, lowest: int, highest: int, parent: QWidget | None = None) -> None:
         super().__init__(Qt.Orientation.Horizontal, parent)
         never_mirror(self)
@@ -146,8 +148,6 @@ class StickSlider(PaintedSlider):
 
     def minimumSizeHint(self) -> QSize:
         return QSize(40, super().minimumSizeHint().height())
-
-    wheelEvent = focused_wheel(QSlider.wheelEvent)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         if event.button() is Qt.MouseButton.LeftButton:

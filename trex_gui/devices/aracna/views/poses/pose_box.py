@@ -72,7 +72,6 @@ class PoseBox(ui.Card):
         accessible = tr("Position of motor {0} in this pose").format(motor)
         box = ui.spin_box(self, f"aracnaPosition{motor}", accessible, 0, HIGHEST)
         ui.make_bare(box, str(HIGHEST))
-        box.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         box.valueChanged.connect(lambda value: self._on_position_edited(motor, value))
         return box
 

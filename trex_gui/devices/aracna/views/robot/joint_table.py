@@ -91,9 +91,6 @@ class JointRow(QObject):
                 self.pointed.emit(self._motor)
             case QEvent.Type.HoverLeave:
                 self.pointed.emit(-1)
-            case QEvent.Type.Wheel if isinstance(watched, QWidget) and not watched.hasFocus():
-                event.ignore()  # scrolls the page
-                return True
             case _:
                 pass
         return super().eventFilter(watched, event)

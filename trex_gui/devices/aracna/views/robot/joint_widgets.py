@@ -4,14 +4,13 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QPointF, QRect, QSignalBlocker, QSize, Qt, QTimer, Slot
 from PySide6.QtGui import QFocusEvent, QKeyEvent, QPainter, QPen, QPolygonF
-from PySide6.QtWidgets import QSpinBox, QWidget
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.texts import speed_text
 from trex_gui.devices.aracna.protocol.joints import HIGHEST, Limits
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import focused_wheel
 from trex_gui.ui.widgets.sliders import PressSlider
 
 _WEDGE = 7
@@ -92,7 +91,7 @@ class JointSlider(PressSlider):
         painter.drawPolygon(QPolygonF(wedge))
 
 
-class SpeedBox(QSpinBox):
+class SpeedBox(ui.SpinBox):
     """A speed setting, 0-1023, and its meaning; 0 is unlimited."""
 
     def __init__(self, name: str, accessible: str, parent: QWidget | None = None) -> None:
@@ -110,8 +109,6 @@ class SpeedBox(QSpinBox):
         )
         self.valueChanged.connect(self.update_suffix)
         self.update_suffix()
-
-    wheelEvent = focused_wheel(QSpinBox.wheelEvent)
 
     @Slot()
     def update_suffix(self) -> None:

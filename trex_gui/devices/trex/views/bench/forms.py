@@ -4,7 +4,7 @@ from dataclasses import replace
 from functools import partial
 from typing import TypeVar
 
-from PySide6.QtCore import QSignalBlocker, Qt, Slot
+from PySide6.QtCore import QSignalBlocker, Slot
 from PySide6.QtWidgets import QDoubleSpinBox, QFormLayout, QLabel, QSizePolicy, QSpinBox, QWidget
 
 from trex_gui.core.errors import BadRequest
@@ -97,8 +97,6 @@ class PlanForm(ui.Card):
             on_toggle=self._on_edited,
         )
         form.addRow(self._at_limit)
-        for box in (self._speed, self._duration, self._period, self._abort):
-            box.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         _align(form)
         ui.column(form, into=self)
 
