@@ -205,8 +205,6 @@
         <translation>Gestoppt: Es wird nichts mehr gesendet.</translation></message>
     <message><source>{0}. Nothing more is sent; a running motion continues to its goal.</source>
         <translation>{0}. Es wird nichts mehr gesendet; eine laufende Bewegung geht bis zu ihrem Ziel weiter.</translation></message>
-    <message><source>The robot is waiting for motor {0} and reads nothing until it responds.</source>
-        <translation>Der Roboter wartet auf Motor {0} und liest nichts, bis dieser reagiert.</translation></message>
     <message numerus="yes"><source>%n time(s)</source>
         <translation><numerusform>%n-mal</numerusform><numerusform>%n-mal</numerusform></translation></message>
     <message><source>repeating</source>
@@ -221,8 +219,6 @@
         <translation>Es ist kein Roboter verbunden.</translation></message>
     <message><source>A sequence is playing. Stop it first.</source>
         <translation>Eine Sequenz läuft. Stoppen Sie sie zuerst.</translation></message>
-    <message><source>The robot does not respond.</source>
-        <translation>Der Roboter antwortet nicht.</translation></message>
     <message numerus="yes"><source>Connected to Aracna: firmware {0}, %n motor(s).</source>
         <translation><numerusform>Mit Aracna verbunden: Firmware {0}, %n Motor.</numerusform><numerusform>Mit Aracna verbunden: Firmware {0}, %n Motoren.</numerusform></translation></message>
     <message><source>The board has restarted; it is ready again in a second …</source>
@@ -253,18 +249,20 @@
         <translation>Motor {0} steht auf {1}, {2} von seinem Ziel {3} entfernt.</translation></message>
     <message><source>Playing step {0} of {1} “{2}”, round {3} of {4}.</source>
         <translation>Schritt {0} von {1} „{2}“ läuft, Durchlauf {3} von {4}.</translation></message>
+    <message><source>Check its power and the cable.</source>
+        <translation>Prüfen Sie seine Stromversorgung und das Kabel.</translation></message>
     <message><source>unlimited</source>
         <translation>unbegrenzt</translation></message>
     <message><source>The reply was lost (or no motor responds): positions are not known.</source>
         <translation>Die Antwort ging verloren (oder kein Motor reagiert): Die Positionen sind nicht bekannt.</translation></message>
-    <message><source>Stuck: the robot is waiting for motor {0} and reads nothing.</source>
-        <translation>Hängt: Der Roboter wartet auf Motor {0} und liest nichts.</translation></message>
     <message><source>Unknown: an earlier motion may continue for about {0:.0f} s.</source>
         <translation>Unbekannt: Eine frühere Bewegung kann noch etwa {0:.0f} s weitergehen.</translation></message>
     <message><source>Nothing is sent. Whether it is moving is not known before its first move.</source>
         <translation>Es wird nichts gesendet. Ob er sich bewegt, ist bis zu seiner ersten Bewegung unbekannt.</translation></message>
-    <message><source>The robot does not respond at all. Check its power and the cable.</source>
-        <translation>Der Roboter antwortet überhaupt nicht. Prüfen Sie seine Stromversorgung und das Kabel.</translation></message>
+    <message><source>The robot does not respond.</source>
+        <translation>Der Roboter antwortet nicht.</translation></message>
+    <message><source>Check servo power, cable and whether it is blocked. A reset of the board ends the wait; it does not stop the servos.</source>
+        <translation>Prüfen Sie Servoversorgung, Kabel und ob er blockiert ist. Ein Reset des Boards beendet das Warten; die Servos stoppt er nicht.</translation></message>
     <message><source>Motor {0}, {1} leg</source>
         <translation>Motor {0}, Bein {1}</translation></message>
     <message><source>stuck here</source>
@@ -283,8 +281,6 @@
         <translation>Einblendung läuft.</translation></message>
     <message><source>Playing blend-out.</source>
         <translation>Ausblendung läuft.</translation></message>
-    <message><source>The robot is waiting for motor {0} and reads nothing until it responds. Check the servo power, the board's power, the cable of this servo, and whether it is blocked. A reset of the board ends the wait; it does not stop the servos.</source>
-        <translation>Der Roboter wartet auf Motor {0} und liest nichts, bis dieser reagiert. Prüfen Sie die Servoversorgung, die Versorgung des Boards, das Kabel dieses Servos und ob es blockiert ist. Ein Reset des Boards beendet das Warten; die Servos stoppt er nicht.</translation></message>
     <message><source>Cropped to the limits of the joints: {0}.</source>
         <translation>Auf die Gelenkgrenzen begrenzt: {0}.</translation></message>
     <message><source>The board has restarted. Its servos continue to their goals.</source>
@@ -307,12 +303,12 @@
         <translation>Die Bewegung endet in etwa {0:.1f} s von selbst.</translation></message>
     <message><source>Waiting for motor {0} to arrive …</source>
         <translation>Warten, bis Motor {0} ankommt …</translation></message>
-    <message><source>All motors together, 100 units about the centre.</source>
-        <translation>Alle Motoren gemeinsam, 100 Einheiten um die Mitte.</translation></message>
     <message><source>Lies down flat in 3 s and stands up in 3 s, from any position.</source>
         <translation>Legt sich in 3 s flach hin und steht in 3 s auf, aus jeder Stellung.</translation></message>
     <message><source>Lifts two opposite legs, swings the other two, changes over and swings them back.</source>
         <translation>Hebt zwei gegenüberliegende Beine, schwenkt die anderen beiden, wechselt und schwenkt sie zurück.</translation></message>
+    <message><source>All motors together, 100 units about the centre.</source>
+        <translation>Alle Motoren gemeinsam, 100 Einheiten um die Mitte.</translation></message>
     <message><source>To and fro between two poses; motors that stay more than 50 units off are suspect.</source>
         <translation>Zwischen zwei Posen hin und her; Motoren, die mehr als 50 Einheiten abweichen, sind verdächtig.</translation></message>
     <message><source>Down to half-stand and up again.</source>
@@ -403,8 +399,8 @@
         <translation>Der Roboter hat nicht rechtzeitig geantwortet.</translation></message>
     <message><source>The reply does not match the command: {0}.</source>
         <translation>Die Antwort passt nicht zum Befehl: {0}.</translation></message>
-    <message><source>The robot is waiting for motor {0}, which has not reached its goal.</source>
-        <translation>Der Roboter wartet auf Motor {0}, der sein Ziel nicht erreicht hat.</translation></message>
+    <message><source>The robot is waiting for motor {0} and reads nothing until it responds.</source>
+        <translation>Der Roboter wartet auf Motor {0} und liest nichts, bis dieser reagiert.</translation></message>
     <message><source>The robot is stuck: nothing was sent.</source>
         <translation>Der Roboter hängt: Es wurde nichts gesendet.</translation></message>
     <message><source>Motor {0} did not accept speed {1}; it still has speed {2}.</source>
@@ -747,8 +743,6 @@
         <translation>braucht {0:.2f} s: Motor {1}</translation></message>
     <message><source>Rounds</source>
         <translation>Durchläufe</translation></message>
-    <message><source>Loop fore&amp;ver</source>
-        <translation>Endlos &amp;wiederholen</translation></message>
     <message><source>Speed in percent</source>
         <translation>Geschwindigkeit in Prozent</translation></message>
     <message><source>&amp;Blend in</source>
@@ -763,8 +757,8 @@
         <translation>{0}, {1} pro Durchlauf, {2} insgesamt.</translation></message>
     <message><source>{0} min {1:02d} s</source>
         <translation>{0} min {1:02d} s</translation></message>
-    <message><source>Repeat until stopped.</source>
-        <translation>Wiederholen, bis gestoppt wird.</translation></message>
+    <message><source>0: repeat until stopped.</source>
+        <translation>0: wiederholen, bis gestoppt wird.</translation></message>
     <message><source> %</source>
         <translation> %</translation></message>
     <message><source>Also while playing, from the next step on. 50 %: each step takes twice.</source>
@@ -1161,8 +1155,6 @@
         <translation>Trennen Sie die Motorversorgung.</translation></message>
     <message><source>The board does not respond.</source>
         <translation>Das Board antwortet nicht.</translation></message>
-    <message><source>Check its power and the cable.</source>
-        <translation>Prüfen Sie seine Stromversorgung und das Kabel.</translation></message>
     <message><source>Channel {0} is required but has no signal.</source>
         <translation>Kanal {0} ist erforderlich, hat aber kein Signal.</translation></message>
     <message><source>Safe-start keeps the motors off: switch the transmitter on and release its sticks.</source>

@@ -205,8 +205,6 @@
         <translation>Arrêt : plus rien n'est envoyé.</translation></message>
     <message><source>{0}. Nothing more is sent; a running motion continues to its goal.</source>
         <translation>{0}. Plus rien n'est envoyé ; un mouvement en cours continue jusqu'à sa cible.</translation></message>
-    <message><source>The robot is waiting for motor {0} and reads nothing until it responds.</source>
-        <translation>Le robot attend le moteur {0} et ne lit rien tant que celui-ci ne répond pas.</translation></message>
     <message numerus="yes"><source>%n time(s)</source>
         <translation><numerusform>%n fois</numerusform><numerusform>%n fois</numerusform></translation></message>
     <message><source>repeating</source>
@@ -221,8 +219,6 @@
         <translation>Aucun robot n'est connecté.</translation></message>
     <message><source>A sequence is playing. Stop it first.</source>
         <translation>Une séquence est en cours. Arrêtez-la d'abord.</translation></message>
-    <message><source>The robot does not respond.</source>
-        <translation>Le robot ne répond pas.</translation></message>
     <message numerus="yes"><source>Connected to Aracna: firmware {0}, %n motor(s).</source>
         <translation><numerusform>Connecté à l'Aracna : firmware {0}, %n moteur.</numerusform><numerusform>Connecté à l'Aracna : firmware {0}, %n moteurs.</numerusform></translation></message>
     <message><source>The board has restarted; it is ready again in a second …</source>
@@ -253,18 +249,20 @@
         <translation>Le moteur {0} est à {1}, soit {2} par rapport à sa cible {3}.</translation></message>
     <message><source>Playing step {0} of {1} “{2}”, round {3} of {4}.</source>
         <translation>Étape {0} sur {1} « {2} » en cours, cycle {3} sur {4}.</translation></message>
+    <message><source>Check its power and the cable.</source>
+        <translation>Vérifiez son alimentation et le câble.</translation></message>
     <message><source>unlimited</source>
         <translation>illimitée</translation></message>
     <message><source>The reply was lost (or no motor responds): positions are not known.</source>
         <translation>La réponse s'est perdue (ou aucun moteur ne répond) : les positions ne sont pas connues.</translation></message>
-    <message><source>Stuck: the robot is waiting for motor {0} and reads nothing.</source>
-        <translation>Figé : le robot attend le moteur {0} et ne lit rien.</translation></message>
     <message><source>Unknown: an earlier motion may continue for about {0:.0f} s.</source>
         <translation>Inconnu : un mouvement antérieur peut continuer pendant {0:.0f} s environ.</translation></message>
     <message><source>Nothing is sent. Whether it is moving is not known before its first move.</source>
         <translation>Rien n'est envoyé. On ne sait pas s'il bouge avant son premier mouvement.</translation></message>
-    <message><source>The robot does not respond at all. Check its power and the cable.</source>
-        <translation>Le robot ne répond pas du tout. Vérifiez son alimentation et le câble.</translation></message>
+    <message><source>The robot does not respond.</source>
+        <translation>Le robot ne répond pas.</translation></message>
+    <message><source>Check servo power, cable and whether it is blocked. A reset of the board ends the wait; it does not stop the servos.</source>
+        <translation>Vérifiez l'alimentation des servos, le câble, et s'il est bloqué. Une réinitialisation de la carte met fin à l'attente ; elle n'arrête pas les servos.</translation></message>
     <message><source>Motor {0}, {1} leg</source>
         <translation>Moteur {0}, patte {1}</translation></message>
     <message><source>stuck here</source>
@@ -283,8 +281,6 @@
         <translation>Transition d'entrée en cours.</translation></message>
     <message><source>Playing blend-out.</source>
         <translation>Transition de sortie en cours.</translation></message>
-    <message><source>The robot is waiting for motor {0} and reads nothing until it responds. Check the servo power, the board's power, the cable of this servo, and whether it is blocked. A reset of the board ends the wait; it does not stop the servos.</source>
-        <translation>Le robot attend le moteur {0} et ne lit rien tant que celui-ci ne répond pas. Vérifiez l'alimentation des servos, celle de la carte, le câble de ce servo, et s'il est bloqué. Une réinitialisation de la carte met fin à l'attente ; elle n'arrête pas les servos.</translation></message>
     <message><source>Cropped to the limits of the joints: {0}.</source>
         <translation>Ramené aux limites des articulations : {0}.</translation></message>
     <message><source>The board has restarted. Its servos continue to their goals.</source>
@@ -307,12 +303,12 @@
         <translation>Le mouvement se termine de lui-même dans {0:.1f} s environ.</translation></message>
     <message><source>Waiting for motor {0} to arrive …</source>
         <translation>En attente de l'arrivée du moteur {0} …</translation></message>
-    <message><source>All motors together, 100 units about the centre.</source>
-        <translation>Tous les moteurs ensemble, ±100 unités autour du centre.</translation></message>
     <message><source>Lies down flat in 3 s and stands up in 3 s, from any position.</source>
         <translation>Se couche à plat en 3 s et se relève en 3 s, depuis n'importe quelle position.</translation></message>
     <message><source>Lifts two opposite legs, swings the other two, changes over and swings them back.</source>
         <translation>Lève deux pattes opposées, fait pivoter les deux autres, alterne et les ramène.</translation></message>
+    <message><source>All motors together, 100 units about the centre.</source>
+        <translation>Tous les moteurs ensemble, ±100 unités autour du centre.</translation></message>
     <message><source>To and fro between two poses; motors that stay more than 50 units off are suspect.</source>
         <translation>Va-et-vient entre deux poses ; les moteurs qui restent à plus de 50 unités de leur cible sont suspects.</translation></message>
     <message><source>Down to half-stand and up again.</source>
@@ -403,8 +399,8 @@
         <translation>Le robot n'a pas répondu à temps.</translation></message>
     <message><source>The reply does not match the command: {0}.</source>
         <translation>La réponse ne correspond pas à la commande : {0}.</translation></message>
-    <message><source>The robot is waiting for motor {0}, which has not reached its goal.</source>
-        <translation>Le robot attend le moteur {0}, qui n'a pas atteint sa cible.</translation></message>
+    <message><source>The robot is waiting for motor {0} and reads nothing until it responds.</source>
+        <translation>Le robot attend le moteur {0} et ne lit rien tant que celui-ci ne répond pas.</translation></message>
     <message><source>The robot is stuck: nothing was sent.</source>
         <translation>Le robot est figé : rien n'a été envoyé.</translation></message>
     <message><source>Motor {0} did not accept speed {1}; it still has speed {2}.</source>
@@ -747,8 +743,6 @@
         <translation>nécessite {0:.2f} s : moteur {1}</translation></message>
     <message><source>Rounds</source>
         <translation>Cycles</translation></message>
-    <message><source>Loop fore&amp;ver</source>
-        <translation>En &amp;boucle</translation></message>
     <message><source>Speed in percent</source>
         <translation>Vitesse en pour cent</translation></message>
     <message><source>&amp;Blend in</source>
@@ -763,8 +757,8 @@
         <translation>{0}, {1} par cycle, {2} au total.</translation></message>
     <message><source>{0} min {1:02d} s</source>
         <translation>{0} min {1:02d} s</translation></message>
-    <message><source>Repeat until stopped.</source>
-        <translation>Répéter jusqu'à l'arrêt.</translation></message>
+    <message><source>0: repeat until stopped.</source>
+        <translation>0 : répéter jusqu'à l'arrêt.</translation></message>
     <message><source> %</source>
         <translation> %</translation></message>
     <message><source>Also while playing, from the next step on. 50 %: each step takes twice.</source>
@@ -1161,8 +1155,6 @@
         <translation>Coupez l'alimentation.</translation></message>
     <message><source>The board does not respond.</source>
         <translation>La carte ne répond pas.</translation></message>
-    <message><source>Check its power and the cable.</source>
-        <translation>Vérifiez son alimentation et le câble.</translation></message>
     <message><source>Channel {0} is required but has no signal.</source>
         <translation>La voie {0} est requise, mais n'a pas de signal.</translation></message>
     <message><source>Safe-start keeps the motors off: switch the transmitter on and release its sticks.</source>

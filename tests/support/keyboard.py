@@ -213,8 +213,8 @@ def _above(widget: QWidget) -> Iterator[QWidget]:
 # --- What can be reached ----------------------------------------------------------------
 
 _ELSEWHERE = {
-    "aracnaDrawing": {"aracnaSlider0", "aracnaCurveBox0"},  # its joints are rows of a table
-    "aracnaPosesDrawing": {"aracnaPosition0"},
+    # its joints are rows of a table, and fields of a pose
+    "aracnaDrawing": {"aracnaSlider0", "aracnaCurveBox0", "aracnaPosition0"},
     "eventMarks": {"eventList"},
 }
 """Takes the mouse only; by keyboard one of the others does the same."""

@@ -6,7 +6,7 @@ from typing import Any
 
 from PySide6.QtCore import QItemSelectionModel
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QListView, QMenu, QSlider, QSpinBox, QWidget
+from PySide6.QtWidgets import QLabel, QListView, QMenu, QSlider, QSpinBox, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.program import aracna
@@ -122,6 +122,12 @@ class RobotWindow(WindowDriver):
         self.control(f"servo {motor} dead")
         self.control(f"servo {motor} free")
         self.wait(lambda: self.robot.state.stuck is not None)
+
+    def page_text(self, page: str, name: str) -> str:
+        """Return the text of a label that several pages have."""
+        label = self.find(QWidget, page).findChild(QLabel, name)
+        assert label is not None
+        return label.text()
 
     def goal_box(self, motor: int) -> QSpinBox:
         return self.find(QSpinBox, f"aracnaGoal{motor}")

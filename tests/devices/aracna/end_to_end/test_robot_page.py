@@ -35,7 +35,7 @@ def is_dragging(window: RobotWindow) -> bool:
 def test_move_sends_goals_and_speeds(connected_window: RobotWindow) -> None:
     window = connected_window
     assert "are unknown" in window.text("aracnaTitle")
-    assert "speed 100 (67 °/s)" in window.text("aracnaReport")
+    assert "speed 100 (67 °/s)" in window.page_text("aracnaRobotPage", "pageState")
     assert window.text("aracnaPresent0") == "–"
     window.drag("aracnaSlider0", 300)
     assert not window.goals, "a slider by itself moves nothing"

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 import pytest
-from PySide6.QtWidgets import QApplication, QPushButton
+from PySide6.QtWidgets import QApplication, QPushButton, QSpinBox
 from pytestqt.qtbot import QtBot
 
 from tests.support.causes import watched
@@ -25,7 +25,7 @@ def test_gait_plays_until_stopped(window: RobotWindow, qapp: QApplication, qtbot
     robot = window.robot
     window.show_page(POSES_PAGE)
     assert window.is_enabled("aracnaPlay"), "a gait is chosen"
-    assert window.text("aracnaPosesFootnote").startswith("* Which leg is which")
+    assert "* Which leg is which" in window.page_text("aracnaPosesPage", "aracnaCaption")
     buttons = window.find_all(QPushButton)
     ends = [
         each.objectName() for each in buttons if each.isVisible() and each.text().startswith("End")
@@ -35,7 +35,7 @@ def test_gait_plays_until_stopped(window: RobotWindow, qapp: QApplication, qtbot
     window.move()
     window.show_page(POSES_PAGE)
     window.choose_row("aracnaMotions", "push-ups")
-    window.click("aracnaLoop")
+    window.find(QSpinBox, "aracnaRounds").setValue(0)
     window.trigger("aracna_play")
     window.wait(lambda: robot.state.step is not None and robot.state.step.index == 1)
     assert "Playing" in window.text("aracnaMotionLabel")

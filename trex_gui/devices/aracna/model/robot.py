@@ -13,7 +13,7 @@ from trex_gui.core.translation import Number, tr
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.model.setpoints import JointLimits, Targets
-from trex_gui.devices.aracna.model.texts import cropped_goals_text, event_of
+from trex_gui.devices.aracna.model.texts import cropped_goals_text, event_of, waiting_text
 from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS, travel_seconds
 from trex_gui.devices.aracna.session.errors import suggests_scan
 from trex_gui.devices.aracna.session.messages import (
@@ -345,12 +345,7 @@ class Robot(DeviceConnection[PortSettings]):
             return tr("No robot is connected.")
         if self.state.play is not None:
             return tr("A sequence is playing. Stop it first.")
-        if (stuck := self.state.stuck) is None:
-            return ""
-        if stuck.motor is None:
-            return tr("The robot does not respond.")
-        text = tr("The robot is waiting for motor {0} and reads nothing until it responds.")
-        return text.format(stuck.motor)
+        return "" if self.state.stuck is None else waiting_text(self.state.stuck.motor)
 
     def _can_move(self) -> bool:
         if blocker := self.move_blocker:

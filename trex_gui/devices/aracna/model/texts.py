@@ -7,6 +7,7 @@ from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.aracna.model.robot_state import MissedGoal, RobotState
 from trex_gui.devices.aracna.protocol.joints import LEGS, MOTORS, degrees, degrees_per_second
+from trex_gui.devices.aracna.session.errors import ErrorCode
 from trex_gui.devices.aracna.session.messages import Moved, PlayEnded, Restarted, SpeedsHeld, Stuck
 from trex_gui.ui.translations import error_text
 
@@ -79,10 +80,7 @@ def activity_text(state: RobotState, left: float) -> tuple[str, bool]:
     `left`: seconds until a motion should end.
     """
     if state.stuck is not None:
-        if state.stuck.motor is None:
-            return tr("The robot does not respond."), True
-        text = tr("Stuck: the robot is waiting for motor {0} and reads nothing.")
-        return text.format(state.stuck.motor), True
+        return waiting_text(state.stuck.motor), True
     texts = [_playing_text(state)]
     if state.moving is not None and left > 0:
         texts.append(tr("The motion ends by itself in about {0:.1f} s.").format(Number(left)))
@@ -116,14 +114,21 @@ def _playing_text(state: RobotState) -> str:
     return text.format(number, len(play.steps), name, round_, play.rounds or "∞")
 
 
-def stuck_text(motor: int | None) -> str:
+def waiting_text(motor: int | None) -> str:
+    """Return why a stuck robot reads nothing; `motor` is the awaited one, if it is known."""
     if motor is None:
-        return tr("The robot does not respond at all. Check its power and the cable.")
-    return tr(
-        "The robot is waiting for motor {0} and reads nothing until it responds. Check the servo "
-        "power, the board's power, the cable of this servo, and whether it is blocked. A reset "
-        "of the board ends the wait; it does not stop the servos."
-    ).format(motor)
+        return tr("The robot does not respond.")
+    return tr(ErrorCode.MOTOR_STUCK.value).format(motor)
+
+
+def stuck_text(motor: int | None) -> str:
+    advice = tr("Check its power and the cable.")
+    if motor is not None:
+        advice = tr(
+            "Check servo power, cable and whether it is blocked. A reset of the board ends the "
+            "wait; it does not stop the servos."
+        )
+    return f"{waiting_text(motor)} {advice}"
 
 
 def cropped_goals_text(goals: Sequence[int], cropped: Sequence[int]) -> str:

@@ -43,7 +43,7 @@ class ErrorCode(Enum):
     )
     TIMEOUT = tr_noop("The robot did not reply in time.")
     UNEXPECTED_REPLY = tr_noop("The reply does not match the command: {0}.")
-    MOTOR_STUCK = tr_noop("The robot is waiting for motor {0}, which has not reached its goal.")
+    MOTOR_STUCK = tr_noop("The robot is waiting for motor {0} and reads nothing until it responds.")
     STUCK = tr_noop("The robot is stuck: nothing was sent.")
     SPEEDS_REJECTED = "{0}"
     SPEED_REJECTED = tr_noop("Motor {0} did not accept speed {1}; it still has speed {2}.")

@@ -45,7 +45,7 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import paint_placeholder, take_typed
 
 _Index = QModelIndex | QPersistentModelIndex
-_LINES = 5
+_LINES = 3
 
 
 class StepColumn(IntEnum):

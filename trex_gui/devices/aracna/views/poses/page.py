@@ -14,7 +14,7 @@ from trex_gui.devices.aracna.views.poses.play_bar import PlayBar
 from trex_gui.devices.aracna.views.poses.pose_box import PoseBox
 from trex_gui.devices.aracna.views.robot.drawing import RobotCard
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.labels import PageHead
+from trex_gui.ui.widgets.labels import PAGE_MARGINS, PageHead
 
 
 class PosesPage(QWidget):
@@ -25,20 +25,18 @@ class PosesPage(QWidget):
         self.setObjectName("aracnaPosesPage")
         self._library = library
         self.files = PoseFiles(library, robot.notifier, self)
-        text = f"* {assumed_text()}"
-        remark = ui.label(None, "aracnaPosesFootnote", text, wrap=True, size="caption")
-        self._drawn = RobotCard(robot, remark, "aracnaPosesDrawing", self)
         self._head = PageHead(tr("Poses"), self)
-        poses = PoseBox(robot, library, self)
-        motions = MotionBox(library, robot.notifier, self)
-        bar = PlayBar(robot, library, motions, self)
+        panel = QWidget(self)
+        poses = PoseBox(robot, library, panel)
+        motions = MotionBox(library, robot.notifier, panel)
+        bar = PlayBar(robot, library, motions, panel)
         self.capture = poses.capture
         self.play = bar.play
-        self._panel = panel = ui.column(
-            (ui.row((poses, 2), (motions, 3), spacing=16), 1), bar, spacing=8
-        )
-        below = ui.row((self._drawn, 1), (panel, 4), spacing=16)
-        ui.column(self._head, (below, 1), into=self, margins=16, spacing=8)
+        cards = ui.row((poses, 2), (motions, 3), spacing=16)
+        ui.column((cards, 1), bar, into=panel, margins=0, spacing=8)
+        self._drawn = RobotCard(robot, f"* {assumed_text()}", panel, self)
+        below = ui.row((self._drawn, 2), (panel, 7), spacing=16)
+        ui.column(self._head, (below, 1), into=self, margins=PAGE_MARGINS, spacing=8)
 
         poses.pose_chosen.connect(motions.show_pose)
         motions.show_pose(poses.current_name)
@@ -47,7 +45,7 @@ class PosesPage(QWidget):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._drawn.show_in(self.contentsRect().width() - self._panel.minimumSize().width())
+        self._drawn.show_in(self.contentsRect().width())
 
     @Slot()
     def _show_file(self) -> None:

@@ -25,6 +25,8 @@ from trex_gui.devices.aracna.poses.playing import (
 from trex_gui.devices.aracna.protocol.joints import Limits
 from trex_gui.devices.aracna.session.messages import Play
 from trex_gui.devices.aracna.views.poses.motion_box import MotionBox
+from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import take_typed
 from trex_gui.ui.widgets.labels import Note
@@ -51,15 +53,16 @@ class PlayBar(QWidget):
         self._played: ItemKey | None = None
 
         self._rounds = ui.spin_box(
-            self, "aracnaRounds", tr("Rounds"), 1, _MOST_ROUNDS, on_change=self._update_preview
-        )
-        self._loop = ui.check_box(
             self,
-            "aracnaLoop",
-            tr("Loop fore&ver"),
-            tip=tr("Repeat until stopped."),
-            on_toggle=self._on_loop_toggled,
+            "aracnaRounds",
+            tr("Rounds"),
+            0,
+            _MOST_ROUNDS,
+            value=1,
+            tip=tr("0: repeat until stopped."),
+            on_change=self._update_preview,
         )
+        self._rounds.setSpecialValueText(tr("repeating"))
         self._speed = ui.spin_box(
             self,
             "aracnaSpeedScale",
@@ -87,27 +90,26 @@ class PlayBar(QWidget):
             tip=tr("At the end go slowly, in 3 s, to the pose “stand”."),
             on_toggle=self._update_preview,
         )
-        self._play = ui.button(self, "aracnaPlay", tr("Pla&y"), icon="run", on_click=self.play)
-        for box in (self._rounds, self._speed):
-            box.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self._play = ui.button(self, "aracnaPlay", tr("Pla&y"), on_click=self.play)
+        set_look(self._play, "primary")
+        set_icon(self._play, "run", "primary_text")
         self._summary = ui.named(Note(2, self), "aracnaPlaySummary")
         self._summary.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         ui.column(
             ui.row(
                 ui.label(self, "", tr("R&ounds"), buddy=self._rounds),
                 self._rounds,
-                self._loop,
                 ui.label(self, "", tr("&Speed"), buddy=self._speed),
                 self._speed,
+                self._blend_in,
+                self._blend_out,
                 1,
                 spacing=8,
             ),
-            ui.row(self._blend_in, self._blend_out, 1),
-            self._summary,
-            ui.row(self._play, 1),
+            ui.row(self._play, (self._summary, 1), spacing=12),
             into=self,
             margins=0,
-            spacing=4,
+            spacing=8,
         )
 
         motions.shown.connect(self._update_preview)
@@ -127,11 +129,6 @@ class PlayBar(QWidget):
         if self._request is not None and not self._robot.move_blocker:
             self._played = self._motions.current
             self._robot.play(self._request)
-
-    @Slot(bool)
-    def _on_loop_toggled(self, checked: bool) -> None:
-        self._rounds.setEnabled(not checked)
-        self._update_preview()
 
     @Slot()
     def _on_speed_changed(self) -> None:
@@ -169,7 +166,7 @@ class PlayBar(QWidget):
         self._request = play = Play(
             0,
             steps,
-            0 if self._loop.isChecked() else self._rounds.value(),
+            self._rounds.value(),
             blend_in(played, poses, limits, present) if self._blend_in.isChecked() else (),
             blend_out(limits, poses) if self._blend_out.isChecked() else (),
             self._time_scale,

@@ -10,15 +10,15 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.model.texts import position_text, spoken_joint
 from trex_gui.devices.aracna.protocol.joints import LEGS, MOTORS, Leg, degrees
-from trex_gui.ui.theme.theme import CARD_PADDING, theme
-from trex_gui.ui.widgets.builders import Card, column, named, plain
+from trex_gui.ui.theme.theme import CARD_PADDING, follow_theme, theme
+from trex_gui.ui.widgets.builders import Card, column, label, plain
 from trex_gui.ui.widgets.circuit import paint_chassis, write
 from trex_gui.ui.widgets.painted import Painted, Painter
 
@@ -41,6 +41,7 @@ _LOWER = 0.34
 _LEG = 0.08  # width
 _RADIUS = 0.075
 _REACH = 0.13  # distance within which the mouse points at a joint
+_WIDEST = 130  # average characters of what is beside the drawing
 Point = tuple[float, float]
 
 
@@ -211,14 +212,17 @@ class RobotDrawing(Painted):
 
 
 class RobotCard(Card):
-    """The drawing of a robot, with a remark; hidden where the page has no room for it."""
+    """The drawing of a robot, with a remark: it takes the width that is left `beside` it."""
 
-    def __init__(self, robot: Robot, remark: QLabel, name: str, parent: QWidget) -> None:
+    def __init__(self, robot: Robot, remark: str, beside: QWidget, parent: QWidget) -> None:
         super().__init__(parent=parent)
+        self._beside = beside
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self.drawing = named(RobotDrawing(robot.state, self), name)
+        self.drawing = RobotDrawing(robot.state, self)
         self._robot = robot
-        column((self.drawing, 1), remark, into=self)
+        caption = label(self, "aracnaCaption", remark, wrap=True, size="caption")
+        column((self.drawing, 1), caption, into=self)
+        follow_theme(beside, "width", self._limit)
         robot.changed.connect(self._on_changed)
         robot.targets.changed.connect(self._on_changed)
         self._on_changed()
@@ -227,10 +231,14 @@ class RobotCard(Card):
     def _on_changed(self) -> None:
         self.drawing.show_robot(self._robot.state, self._robot.targets.goals)
 
-    def show_in(self, room: int) -> None:
-        """Show it if the page leaves so many pixels beside what it needs."""
+    def _limit(self) -> None:
+        widest = _WIDEST * self.fontMetrics().averageCharWidth()
+        self._beside.setMaximumWidth(max(widest, self._beside.minimumSizeHint().width()))
+
+    def show_in(self, width: int) -> None:
+        """Hide it if so many pixels do not leave enough for it."""
         needed = self.drawing.minimumSizeHint().width() + 3 * CARD_PADDING
-        self.setVisible(room >= needed)
+        self.setVisible(width >= self._beside.minimumSizeHint().width() + needed)
 
 
 def _differ(one: DrawnLeg, other: DrawnLeg) -> bool:

@@ -1,7 +1,7 @@
 """The robot page: a drawing, the joints in rows, and controls for all joints."""
 
-from PySide6.QtCore import Qt, Slot
-from PySide6.QtGui import QFontMetrics, QResizeEvent
+from PySide6.QtCore import Slot
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from trex_gui.core.translation import Number, tr
@@ -19,20 +19,13 @@ from trex_gui.devices.aracna.views.robot.joint_table import JointTable
 from trex_gui.devices.aracna.views.robot.joint_widgets import CommonSpeedBox
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
-from trex_gui.ui.theme.theme import (
-    follow_theme,
-    scaled_font,
-    set_look,
-    set_style_property,
-)
+from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.translations import error_text
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import take_typed
-from trex_gui.ui.widgets.labels import ElidedLabel, Note, Sign
+from trex_gui.ui.widgets.labels import PAGE_MARGINS, PageHead
 
 _WIDEST_RATE = 888.8
-_WIDEST_TABLE = 130  # average characters
-_TITLE, _LONG_TITLE = 1.6, 60  # times the size of the font, characters
 
 
 class RobotPage(QWidget):
@@ -46,43 +39,29 @@ class RobotPage(QWidget):
         self._start = start
         self._is_set_up_offline = False
         self._content = QWidget(self)
-        self._sign = Sign(self._content)
-        self._title = ui.named(ElidedLabel("", self._content), "aracnaTitle")
-        self._report = ui.named(Note(2, self._content), "aracnaReport")
+        self._head = PageHead("", self._content)
+        self._head.title.setObjectName("aracnaTitle")
+        joints = ui.Card(parent=self._content)
+        set_look(joints, "compact")  # with its controls it fits a low screen
+        table = JointTable(robot, joints)
+        self.controls = Controls(robot, table, joints)
+        ui.column((table, 1), self.controls, into=joints, spacing=8)
         text = tr("Full lines: last reported; dashed: goal. A sketch: angles are drawn flat.")
-        remark = ui.label(
-            None, "aracnaCaption", f"{text}\n* {assumed_text()}", wrap=True, size="caption"
-        )
-        self._drawn = RobotCard(robot, remark, "aracnaDrawing", self._content)
+        self._drawn = RobotCard(robot, f"{text}\n* {assumed_text()}", joints, self._content)
         drawing = self._drawn.drawing
-        self._joints = ui.Card(parent=self._content)
-        set_look(self._joints, "compact")  # with its controls it fits a low screen
-        table = JointTable(robot, self._joints)
-        self.controls = Controls(robot, table, self._joints)
-        ui.column((table, 1), self.controls, into=self._joints, spacing=8)
-        texts = ui.column(self._title, self._report, spacing=2)
-        head = ui.row((self._sign, 0, Qt.AlignmentFlag.AlignTop), (texts, 1), spacing=8)
-        cards = ui.row((self._drawn, 2), (self._joints, 7), spacing=16)
-        ui.column(head, (cards, 1), into=self._content, margins=0, spacing=8)
-        ui.column(start, self._content, into=self, margins=(16, 12, 16, 8))
+        cards = ui.row((self._drawn, 2), (joints, 7), spacing=16)
+        ui.column(self._head, (cards, 1), into=self._content, margins=0, spacing=8)
+        ui.column(start, self._content, into=self, margins=PAGE_MARGINS)
 
-        follow_theme(self._title, "room", self._make_room)
         drawing.pointed.connect(table.mark)
         table.pointed.connect(drawing.mark)
         drawing.chosen.connect(table.focus)
         robot.changed.connect(self._on_changed)
         self._on_changed()
 
-    def _make_room(self) -> None:
-        """Keep the room of a large title: a long one is smaller."""
-        font = scaled_font(self.font(), _TITLE)
-        self._title.setMinimumHeight(QFontMetrics(font).height())
-        widest = _WIDEST_TABLE * self.fontMetrics().averageCharWidth()
-        self._joints.setMaximumWidth(max(widest, self._joints.minimumSizeHint().width()))
-
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._drawn.show_in(self.contentsRect().width() - self._joints.minimumSizeHint().width())
+        self._drawn.show_in(self.contentsRect().width())
 
     def set_up_offline(self) -> None:
         """Show goals and limits instead of the start panel, until something was connected."""
@@ -97,11 +76,9 @@ class RobotPage(QWidget):
         self._start.setVisible(not shows_joints)
         self._content.setVisible(shows_joints)
         title, more, alarming = self._report_text()
-        self._sign.show_sign("warning" if alarming else "info", "warning" if alarming else "info")
-        self._title.show_text(title)
-        is_long = len(title) > _LONG_TITLE
-        set_style_property(self._title, "textSize", "heading" if is_long else "title")
-        self._report.show_note(more)
+        self._head.sign.show_sign("warning" if alarming else "", "warning")
+        self._head.show_title(title)
+        self._head.show_state(more)
 
     def _report_text(self) -> tuple[str, str, bool]:
         """Return the state of the robot, more about it, and if it alarms."""
