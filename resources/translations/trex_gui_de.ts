@@ -201,24 +201,16 @@
         <translation>Aufzeichnung {0} endete mit der Verbindung.</translation></message>
     <message><source>Recording {0} ended: the number of motors has changed.</source>
         <translation>Aufzeichnung {0} beendet: Die Anzahl der Motoren hat sich geändert.</translation></message>
-    <message><source>Stopped: nothing more is sent.</source>
-        <translation>Gestoppt: Es wird nichts mehr gesendet.</translation></message>
-    <message><source>{0}. Nothing more is sent; a running motion continues to its goal.</source>
-        <translation>{0}. Es wird nichts mehr gesendet; eine laufende Bewegung geht bis zu ihrem Ziel weiter.</translation></message>
     <message numerus="yes"><source>%n time(s)</source>
         <translation><numerusform>%n-mal</numerusform><numerusform>%n-mal</numerusform></translation></message>
     <message><source>repeating</source>
         <translation>endlos</translation></message>
     <message><source>slowly to the start</source>
         <translation>langsam zum Start</translation></message>
-    <message><source>{0}. No robot is connected; the motion continues (about {1:.0f} s).</source>
-        <translation>{0}. Es ist kein Roboter verbunden; die Bewegung geht weiter (etwa {1:.0f} s).</translation></message>
-    <message><source>{0}. Nothing more is sent; the running motion continues to its goal (about {1:.0f} s).</source>
-        <translation>{0}. Es wird nichts mehr gesendet; die laufende Bewegung geht bis zu ihrem Ziel weiter (etwa {1:.0f} s).</translation></message>
+    <message><source>A running motion continues to its goal.</source>
+        <translation>Eine laufende Bewegung geht bis zu ihrem Ziel weiter.</translation></message>
     <message><source>No robot is connected.</source>
         <translation>Es ist kein Roboter verbunden.</translation></message>
-    <message><source>A sequence is playing. Stop it first.</source>
-        <translation>Eine Sequenz läuft. Stoppen Sie sie zuerst.</translation></message>
     <message numerus="yes"><source>Connected to Aracna: firmware {0}, %n motor(s).</source>
         <translation><numerusform>Mit Aracna verbunden: Firmware {0}, %n Motor.</numerusform><numerusform>Mit Aracna verbunden: Firmware {0}, %n Motoren.</numerusform></translation></message>
     <message><source>The board has restarted; it is ready again in a second …</source>
@@ -239,14 +231,10 @@
         <translation>Bewegung nach {0}.</translation></message>
     <message numerus="yes"><source>Playing %n step(s), {0}.</source>
         <translation><numerusform>%n Schritt wird abgespielt, {0}.</numerusform><numerusform>%n Schritte werden abgespielt, {0}.</numerusform></translation></message>
-    <message><source>The running motion ends by itself in about {0:.1f} s.</source>
-        <translation>Die laufende Bewegung endet in etwa {0:.1f} s von selbst.</translation></message>
-    <message><source>{0}. Nothing more is sent to the robot.</source>
-        <translation>{0}. Es wird nichts mehr an den Roboter gesendet.</translation></message>
+    <message><source>Nothing more is sent.</source>
+        <translation>Es wird nichts mehr gesendet.</translation></message>
     <message><source>Which leg is which is assumed; even motors are inner joints, odd ones outer.</source>
         <translation>Welches Bein welches ist, ist angenommen; Motoren mit gerader Nummer sind innere Gelenke, solche mit ungerader äußere.</translation></message>
-    <message><source>Motor {0} is at {1}, {2} from its goal {3}.</source>
-        <translation>Motor {0} steht auf {1}, {2} von seinem Ziel {3} entfernt.</translation></message>
     <message><source>Playing step {0} of {1} “{2}”, round {3} of {4}.</source>
         <translation>Schritt {0} von {1} „{2}“ läuft, Durchlauf {3} von {4}.</translation></message>
     <message><source>Check its power and the cable.</source>
@@ -255,8 +243,8 @@
         <translation>unbegrenzt</translation></message>
     <message><source>The reply was lost (or no motor responds): positions are not known.</source>
         <translation>Die Antwort ging verloren (oder kein Motor reagiert): Die Positionen sind nicht bekannt.</translation></message>
-    <message><source>Unknown: an earlier motion may continue for about {0:.0f} s.</source>
-        <translation>Unbekannt: Eine frühere Bewegung kann noch etwa {0:.0f} s weitergehen.</translation></message>
+    <message><source>Unknown: a motion may continue for about {0:.0f} s.</source>
+        <translation>Unbekannt: Eine Bewegung kann noch etwa {0:.0f} s weiterlaufen.</translation></message>
     <message><source>Nothing is sent. Whether it is moving is not known before its first move.</source>
         <translation>Es wird nichts gesendet. Ob er sich bewegt, ist bis zu seiner ersten Bewegung unbekannt.</translation></message>
     <message><source>The robot does not respond.</source>
@@ -271,10 +259,10 @@
         <translation>keine Antwort (−1)</translation></message>
     <message><source>At rest: nothing is sent.</source>
         <translation>In Ruhe: Es wird nichts gesendet.</translation></message>
-    <message><source>Unknown: the last motion may continue for about {0:.0f} s.</source>
-        <translation>Unbekannt: Die letzte Bewegung kann noch etwa {0:.0f} s weitergehen.</translation></message>
     <message><source>Unknown: the last motion may still be running.</source>
         <translation>Unbekannt: Die letzte Bewegung läuft vielleicht noch.</translation></message>
+    <message><source>The motion ends by itself in about {0:.1f} s.</source>
+        <translation>Die Bewegung endet in etwa {0:.1f} s von selbst.</translation></message>
     <message><source>The sequence begins.</source>
         <translation>Die Sequenz beginnt.</translation></message>
     <message><source>Playing blend-in.</source>
@@ -289,8 +277,6 @@
         <translation>außen</translation></message>
     <message><source>inner</source>
         <translation>innen</translation></message>
-    <message><source>Motor {0} did not report its position (−1).</source>
-        <translation>Motor {0} hat seine Position nicht gemeldet (−1).</translation></message>
     <message><source>moving …</source>
         <translation>bewegt sich …</translation></message>
     <message><source>Playing step {0}, round {1}.</source>
@@ -299,8 +285,6 @@
         <translation>Motor {0} auf {1} statt {2}</translation></message>
     <message><source>{0} missed</source>
         <translation>{0} verfehlt</translation></message>
-    <message><source>The motion ends by itself in about {0:.1f} s.</source>
-        <translation>Die Bewegung endet in etwa {0:.1f} s von selbst.</translation></message>
     <message><source>Waiting for motor {0} to arrive …</source>
         <translation>Warten, bis Motor {0} ankommt …</translation></message>
     <message><source>Lies down flat in 3 s and stands up in 3 s, from any position.</source>
@@ -345,26 +329,16 @@
         <translation>Sequenz {0}: Ein Schritt ist eine Pose, ein senkrechter Strich und {1} bis {2} ms, nicht {3!r}</translation></message>
     <message><source>pose {0} has {1} positions for {2} servos; the last ones are kept, but not used</source>
         <translation>Pose {0} hat {1} Positionen für {2} Servos; die letzten bleiben erhalten, werden aber nicht verwendet</translation></message>
+    <message><source>line {0} has this {1} again, and counts; this one is called {2} now</source>
+        <translation>Zeile {0} enthält diese {1} noch einmal und gilt; diese hier heißt jetzt {2}</translation></message>
     <message><source>sequence {0} uses the pose {1}, which is not in the file</source>
         <translation>Sequenz {0} verwendet die Pose {1}, die nicht in der Datei steht</translation></message>
     <message><source>a {0} has a name before its colon</source>
         <translation>vor dem Doppelpunkt fehlt der Name ({0})</translation></message>
-    <message><source>the {0} {1} is repeated in line {2}</source>
-        <translation>{1} ({0}) kommt in Zeile {2} noch einmal vor</translation></message>
     <message><source>{0}; the line is kept, but not used</source>
         <translation>{0}; die Zeile bleibt erhalten, wird aber nicht verwendet</translation></message>
-    <message><source>apart from blanks around its name, {0}</source>
-        <translation>abgesehen von Leerzeichen um den Namen: {0}</translation></message>
-    <message><source>{0}, which counts; this one is called {1} now</source>
-        <translation>{0}; jene Zeile gilt, diese heißt jetzt {1}</translation></message>
-    <message><source>a name has at least one character</source>
-        <translation>ein Name hat mindestens ein Zeichen</translation></message>
-    <message><source>a name has no control characters</source>
-        <translation>ein Name enthält keine Steuerzeichen</translation></message>
-    <message><source>a name has at most {0} characters, not {1}</source>
-        <translation>ein Name hat höchstens {0} Zeichen, nicht {1}</translation></message>
-    <message><source>a name has no colon, comma or bar, which separate values: {0}</source>
-        <translation>ein Name enthält weder Doppelpunkt noch Komma noch senkrechten Strich, die Werte trennen: {0}</translation></message>
+    <message><source>a name has 1 to {0} printable characters, and no colon, comma or bar</source>
+        <translation>ein Name hat 1 bis {0} druckbare Zeichen und weder Doppelpunkt noch Komma noch senkrechten Strich</translation></message>
     <message><source>the name {0} is taken</source>
         <translation>der Name {0} ist schon vergeben</translation></message>
     <message><source>the speed of motor {0} is 0 to {1}, not {2}</source>
@@ -413,8 +387,10 @@
         <translation>Der Roboter hat seine Geschwindigkeiten nicht bestätigt, daher wurde kein Motor bewegt. {0}</translation></message>
     <message><source>{0} It is blocked, or servo power was off. The sequence does not continue by itself.</source>
         <translation>{0} Er ist blockiert, oder die Servoversorgung war aus. Die Sequenz wird nicht von selbst fortgesetzt.</translation></message>
-    <message><source>Motor {0} is {1} units off its goal.</source>
-        <translation>Motor {0} ist {1} Einheiten von seinem Ziel entfernt.</translation></message>
+    <message><source>Motor {0} is at {1}, {2} from its goal {3}.</source>
+        <translation>Motor {0} steht auf {1}, {2} von seinem Ziel {3} entfernt.</translation></message>
+    <message><source>Motor {0} did not report its position (−1).</source>
+        <translation>Motor {0} hat seine Position nicht gemeldet (−1).</translation></message>
     <message><source>A sequence is playing: stop it first.</source>
         <translation>Eine Sequenz läuft: Stoppen Sie sie zuerst.</translation></message>
     <message><source>A newer request replaced this one.</source>
@@ -621,8 +597,6 @@
         <translation>Die Sequenz beenden, nichts mehr senden, den Roboter dort lassen, wo er ist (Esc, überall)</translation></message>
     <message><source>End afte&amp;r this step</source>
         <translation>Nach diesem Schritt &amp;beenden</translation></message>
-    <message><source>The motion continues by itself for about {0:.0f} s.</source>
-        <translation>Die Bewegung geht noch etwa {0:.0f} s von selbst weiter.</translation></message>
     <message><source>Let the step finish, then blend out</source>
         <translation>Den Schritt zu Ende führen, dann ausblenden</translation></message>
     <message><source>Plot of the motors' positions against time</source>
@@ -755,8 +729,8 @@
         <translation>Die aktuelle Sequenz oder Gangart abspielen.</translation></message>
     <message><source>{0}, {1} per round, {2} in total.</source>
         <translation>{0}, {1} pro Durchlauf, {2} insgesamt.</translation></message>
-    <message><source>{0} min {1:02d} s</source>
-        <translation>{0} min {1:02d} s</translation></message>
+    <message><source>{0:.1f} s</source>
+        <translation>{0:.1f} s</translation></message>
     <message><source>0: repeat until stopped.</source>
         <translation>0: wiederholen, bis gestoppt wird.</translation></message>
     <message><source> %</source>
@@ -777,8 +751,6 @@
         <translation>{0}, {1}.</translation></message>
     <message><source>{0}, {1} per round, until stopped.</source>
         <translation>{0}, {1} pro Durchlauf, bis gestoppt wird.</translation></message>
-    <message><source>{0:.1f} s</source>
-        <translation>{0:.1f} s</translation></message>
     <message><source>R&amp;ounds</source>
         <translation>D&amp;urchläufe</translation></message>
     <message><source>&amp;Speed</source>
@@ -957,12 +929,6 @@
         <translation>&amp;Roboter</translation></message>
     <message><source>&amp;Move to the sliders' goals</source>
         <translation>Zu den Zielen der Schieberegler &amp;bewegen</translation></message>
-    <message><source>Sliders to the &amp;present position</source>
-        <translation>Schieberegler auf &amp;Istposition</translation></message>
-    <message><source>Sliders to the &amp;centre</source>
-        <translation>Schieberegler auf &amp;Mitte</translation></message>
-    <message><source>Sliders to &amp;stand</source>
-        <translation>Schieberegler auf &amp;Stand</translation></message>
     <message><source>Pla&amp;y the current sequence or gait</source>
         <translation>Aktuelle Sequenz oder &amp;Gangart abspielen</translation></message>
     <message><source>&amp;End sequence after this step</source>
@@ -971,8 +937,6 @@
         <translation>Aufzeich&amp;nung öffnen…</translation></message>
     <message><source>Set up &amp;goals and limits without a robot</source>
         <translation>&amp;Ziele und Grenzen ohne Roboter einstellen</translation></message>
-    <message><source>Reset the joints' &amp;limits</source>
-        <translation>Gelenkgrenzen zu&amp;rücksetzen</translation></message>
     <message><source>&amp;Debug LED of the board</source>
         <translation>&amp;Debug-LED des Boards</translation></message>
     <message><source>&amp;New pose file</source>

@@ -201,24 +201,16 @@
         <translation>Enregistrement {0} terminé avec la connexion.</translation></message>
     <message><source>Recording {0} ended: the number of motors has changed.</source>
         <translation>Enregistrement {0} terminé : le nombre de moteurs a changé.</translation></message>
-    <message><source>Stopped: nothing more is sent.</source>
-        <translation>Arrêt : plus rien n'est envoyé.</translation></message>
-    <message><source>{0}. Nothing more is sent; a running motion continues to its goal.</source>
-        <translation>{0}. Plus rien n'est envoyé ; un mouvement en cours continue jusqu'à sa cible.</translation></message>
     <message numerus="yes"><source>%n time(s)</source>
         <translation><numerusform>%n fois</numerusform><numerusform>%n fois</numerusform></translation></message>
     <message><source>repeating</source>
         <translation>en boucle</translation></message>
     <message><source>slowly to the start</source>
         <translation>lentement jusqu'au départ</translation></message>
-    <message><source>{0}. No robot is connected; the motion continues (about {1:.0f} s).</source>
-        <translation>{0}. Aucun robot n'est connecté ; le mouvement continue (environ {1:.0f} s).</translation></message>
-    <message><source>{0}. Nothing more is sent; the running motion continues to its goal (about {1:.0f} s).</source>
-        <translation>{0}. Plus rien n'est envoyé ; le mouvement en cours continue jusqu'à sa cible (environ {1:.0f} s).</translation></message>
+    <message><source>A running motion continues to its goal.</source>
+        <translation>Un mouvement en cours continue jusqu'à sa cible.</translation></message>
     <message><source>No robot is connected.</source>
         <translation>Aucun robot n'est connecté.</translation></message>
-    <message><source>A sequence is playing. Stop it first.</source>
-        <translation>Une séquence est en cours. Arrêtez-la d'abord.</translation></message>
     <message numerus="yes"><source>Connected to Aracna: firmware {0}, %n motor(s).</source>
         <translation><numerusform>Connecté à l'Aracna : firmware {0}, %n moteur.</numerusform><numerusform>Connecté à l'Aracna : firmware {0}, %n moteurs.</numerusform></translation></message>
     <message><source>The board has restarted; it is ready again in a second …</source>
@@ -239,14 +231,10 @@
         <translation>Aller à {0}.</translation></message>
     <message numerus="yes"><source>Playing %n step(s), {0}.</source>
         <translation><numerusform>Lecture de %n étape, {0}.</numerusform><numerusform>Lecture de %n étapes, {0}.</numerusform></translation></message>
-    <message><source>The running motion ends by itself in about {0:.1f} s.</source>
-        <translation>Le mouvement en cours se termine de lui-même dans {0:.1f} s environ.</translation></message>
-    <message><source>{0}. Nothing more is sent to the robot.</source>
-        <translation>{0}. Plus rien n'est envoyé au robot.</translation></message>
+    <message><source>Nothing more is sent.</source>
+        <translation>Plus rien n'est envoyé.</translation></message>
     <message><source>Which leg is which is assumed; even motors are inner joints, odd ones outer.</source>
         <translation>L'attribution des pattes est supposée ; les moteurs pairs sont les articulations intérieures, les impairs les extérieures.</translation></message>
-    <message><source>Motor {0} is at {1}, {2} from its goal {3}.</source>
-        <translation>Le moteur {0} est à {1}, soit {2} par rapport à sa cible {3}.</translation></message>
     <message><source>Playing step {0} of {1} “{2}”, round {3} of {4}.</source>
         <translation>Étape {0} sur {1} « {2} » en cours, cycle {3} sur {4}.</translation></message>
     <message><source>Check its power and the cable.</source>
@@ -255,8 +243,8 @@
         <translation>illimitée</translation></message>
     <message><source>The reply was lost (or no motor responds): positions are not known.</source>
         <translation>La réponse s'est perdue (ou aucun moteur ne répond) : les positions ne sont pas connues.</translation></message>
-    <message><source>Unknown: an earlier motion may continue for about {0:.0f} s.</source>
-        <translation>Inconnu : un mouvement antérieur peut continuer pendant {0:.0f} s environ.</translation></message>
+    <message><source>Unknown: a motion may continue for about {0:.0f} s.</source>
+        <translation>Inconnu : un mouvement peut continuer pendant environ {0:.0f} s.</translation></message>
     <message><source>Nothing is sent. Whether it is moving is not known before its first move.</source>
         <translation>Rien n'est envoyé. On ne sait pas s'il bouge avant son premier mouvement.</translation></message>
     <message><source>The robot does not respond.</source>
@@ -271,10 +259,10 @@
         <translation>pas de réponse (−1)</translation></message>
     <message><source>At rest: nothing is sent.</source>
         <translation>Au repos : rien n'est envoyé.</translation></message>
-    <message><source>Unknown: the last motion may continue for about {0:.0f} s.</source>
-        <translation>Inconnu : le dernier mouvement peut continuer pendant {0:.0f} s environ.</translation></message>
     <message><source>Unknown: the last motion may still be running.</source>
         <translation>Inconnu : le dernier mouvement est peut-être encore en cours.</translation></message>
+    <message><source>The motion ends by itself in about {0:.1f} s.</source>
+        <translation>Le mouvement se termine de lui-même dans {0:.1f} s environ.</translation></message>
     <message><source>The sequence begins.</source>
         <translation>La séquence commence.</translation></message>
     <message><source>Playing blend-in.</source>
@@ -289,8 +277,6 @@
         <translation>extérieur</translation></message>
     <message><source>inner</source>
         <translation>intérieur</translation></message>
-    <message><source>Motor {0} did not report its position (−1).</source>
-        <translation>Le moteur {0} n'a pas transmis sa position (−1).</translation></message>
     <message><source>moving …</source>
         <translation>en mouvement …</translation></message>
     <message><source>Playing step {0}, round {1}.</source>
@@ -299,8 +285,6 @@
         <translation>moteur {0} à {1} au lieu de {2}</translation></message>
     <message><source>{0} missed</source>
         <translation>{0} : manquée</translation></message>
-    <message><source>The motion ends by itself in about {0:.1f} s.</source>
-        <translation>Le mouvement se termine de lui-même dans {0:.1f} s environ.</translation></message>
     <message><source>Waiting for motor {0} to arrive …</source>
         <translation>En attente de l'arrivée du moteur {0} …</translation></message>
     <message><source>Lies down flat in 3 s and stands up in 3 s, from any position.</source>
@@ -345,26 +329,16 @@
         <translation>séquence {0} : une étape se compose d'une pose, d'une barre et de {1} à {2} ms, pas {3!r}</translation></message>
     <message><source>pose {0} has {1} positions for {2} servos; the last ones are kept, but not used</source>
         <translation>la pose {0} a {1} positions pour {2} servos ; les dernières sont conservées, mais pas utilisées</translation></message>
+    <message><source>line {0} has this {1} again, and counts; this one is called {2} now</source>
+        <translation>la ligne {0} contient de nouveau cette {1} et compte ; celle-ci s'appelle maintenant {2}</translation></message>
     <message><source>sequence {0} uses the pose {1}, which is not in the file</source>
         <translation>la séquence {0} utilise la pose {1}, qui n'est pas dans le fichier</translation></message>
     <message><source>a {0} has a name before its colon</source>
         <translation>une {0} a un nom avant son deux-points</translation></message>
-    <message><source>the {0} {1} is repeated in line {2}</source>
-        <translation>la {0} {1} est répétée à la ligne {2}</translation></message>
     <message><source>{0}; the line is kept, but not used</source>
         <translation>{0} ; la ligne est conservée, mais pas utilisée</translation></message>
-    <message><source>apart from blanks around its name, {0}</source>
-        <translation>aux espaces autour du nom près, {0}</translation></message>
-    <message><source>{0}, which counts; this one is called {1} now</source>
-        <translation>{0}, qui fait foi ; celle-ci s'appelle maintenant {1}</translation></message>
-    <message><source>a name has at least one character</source>
-        <translation>un nom a au moins un caractère</translation></message>
-    <message><source>a name has no control characters</source>
-        <translation>un nom n'a pas de caractères de contrôle</translation></message>
-    <message><source>a name has at most {0} characters, not {1}</source>
-        <translation>un nom a au plus {0} caractères, pas {1}</translation></message>
-    <message><source>a name has no colon, comma or bar, which separate values: {0}</source>
-        <translation>un nom n'a ni deux-points, ni virgule, ni barre, qui séparent les valeurs : {0}</translation></message>
+    <message><source>a name has 1 to {0} printable characters, and no colon, comma or bar</source>
+        <translation>un nom a de 1 à {0} caractères imprimables, sans deux-points, virgule ni barre</translation></message>
     <message><source>the name {0} is taken</source>
         <translation>le nom {0} est déjà pris</translation></message>
     <message><source>the speed of motor {0} is 0 to {1}, not {2}</source>
@@ -413,8 +387,10 @@
         <translation>Le robot n'a pas confirmé ses vitesses ; aucun moteur n'a donc été déplacé. {0}</translation></message>
     <message><source>{0} It is blocked, or servo power was off. The sequence does not continue by itself.</source>
         <translation>{0} Il est bloqué, ou les servos n'étaient pas alimentés. La séquence ne reprend pas d'elle-même.</translation></message>
-    <message><source>Motor {0} is {1} units off its goal.</source>
-        <translation>Le moteur {0} est à {1} unités de sa cible.</translation></message>
+    <message><source>Motor {0} is at {1}, {2} from its goal {3}.</source>
+        <translation>Le moteur {0} est à {1}, soit {2} par rapport à sa cible {3}.</translation></message>
+    <message><source>Motor {0} did not report its position (−1).</source>
+        <translation>Le moteur {0} n'a pas transmis sa position (−1).</translation></message>
     <message><source>A sequence is playing: stop it first.</source>
         <translation>Une séquence est en cours : arrêtez-la d'abord.</translation></message>
     <message><source>A newer request replaced this one.</source>
@@ -621,8 +597,6 @@
         <translation>Terminer la séquence, ne plus rien envoyer, laisser le robot où il est (Échap, partout)</translation></message>
     <message><source>End afte&amp;r this step</source>
         <translation>Ter&amp;miner après cette étape</translation></message>
-    <message><source>The motion continues by itself for about {0:.0f} s.</source>
-        <translation>Le mouvement continue de lui-même pendant {0:.0f} s environ.</translation></message>
     <message><source>Let the step finish, then blend out</source>
         <translation>Finir l'étape, puis faire la transition de sortie</translation></message>
     <message><source>Plot of the motors' positions against time</source>
@@ -755,8 +729,8 @@
         <translation>Jouer la séquence ou l'allure actuelle.</translation></message>
     <message><source>{0}, {1} per round, {2} in total.</source>
         <translation>{0}, {1} par cycle, {2} au total.</translation></message>
-    <message><source>{0} min {1:02d} s</source>
-        <translation>{0} min {1:02d} s</translation></message>
+    <message><source>{0:.1f} s</source>
+        <translation>{0:.1f} s</translation></message>
     <message><source>0: repeat until stopped.</source>
         <translation>0 : répéter jusqu'à l'arrêt.</translation></message>
     <message><source> %</source>
@@ -777,8 +751,6 @@
         <translation>{0}, {1}.</translation></message>
     <message><source>{0}, {1} per round, until stopped.</source>
         <translation>{0}, {1} par cycle, jusqu'à l'arrêt.</translation></message>
-    <message><source>{0:.1f} s</source>
-        <translation>{0:.1f} s</translation></message>
     <message><source>R&amp;ounds</source>
         <translation>C&amp;ycles</translation></message>
     <message><source>&amp;Speed</source>
@@ -957,12 +929,6 @@
         <translation>&amp;Robot</translation></message>
     <message><source>&amp;Move to the sliders' goals</source>
         <translation>&amp;Déplacer vers les cibles des curseurs</translation></message>
-    <message><source>Sliders to the &amp;present position</source>
-        <translation>Curseurs à la &amp;position actuelle</translation></message>
-    <message><source>Sliders to the &amp;centre</source>
-        <translation>Curseurs au &amp;centre</translation></message>
-    <message><source>Sliders to &amp;stand</source>
-        <translation>Curseurs en position de&amp;bout</translation></message>
     <message><source>Pla&amp;y the current sequence or gait</source>
         <translation>&amp;Jouer la séquence ou l'allure actuelle</translation></message>
     <message><source>&amp;End sequence after this step</source>
@@ -971,8 +937,6 @@
         <translation>Ou&amp;vrir un enregistrement…</translation></message>
     <message><source>Set up &amp;goals and limits without a robot</source>
         <translation>Régler cibles et limites &amp;sans robot</translation></message>
-    <message><source>Reset the joints' &amp;limits</source>
-        <translation>Réinitialiser les limites des &amp;articulations</translation></message>
     <message><source>&amp;Debug LED of the board</source>
         <translation>&amp;LED de débogage de la carte</translation></message>
     <message><source>&amp;New pose file</source>

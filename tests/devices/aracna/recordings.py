@@ -85,7 +85,7 @@ def session(moves: int = 20, *, seconds: float = 2.0, pause: float = 1.0) -> Ite
             yield PlayEnded(time, Ending.RESTARTED)
             starts = (None,) * MOTORS
             time += seconds
-    yield Marker(time, "stop", "Stopped: nothing more is sent.")
+    yield Marker(time, "stop", "Nothing more is sent.")
 
 
 def write(path: Path, what: list[Record], header: RobotHeader = HEADER) -> int:

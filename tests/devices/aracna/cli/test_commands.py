@@ -79,7 +79,7 @@ def test_speeds_names_unresponsive_servo_and_exits_1(
     robot.do("servo 4 dead")
     result = trexcmd("aracna", "speeds", "50", exits=1)
     assert result.stdout == "50 50 50 50 -1 50 50 50\n"
-    assert "Motor 4 does not respond (-1)." in result.stderr
+    assert "Motor 4 did not accept speed 50: it does not respond." in result.stderr
 
 
 @pytest.mark.parametrize(
@@ -150,7 +150,7 @@ def test_pose_reports_unreadable_position(trexcmd: RunCommand, robot: SimulatedD
     robot.do("servo 6 lose position")
     result = trexcmd("aracna", "pose", *["515"] * 8, exits=1)
     assert result.stdout.split()[6] == "-1"
-    assert "Motor 6: its position could not be read (-1)." in result.stderr
+    assert "Motor 6 did not report its position (−1)." in result.stderr
 
 
 def test_ctrl_c_during_pose_warns_that_motion_continues(
@@ -197,7 +197,7 @@ def test_play_reports_error_of_early_step_at_the_end(
     robot.do("servo 2 lose position 1")
     result = trexcmd("aracna", "play", file, "--sequence", "nod", exits=1)
     assert "Played." in result.stderr
-    assert "Motor 2: its position could not be read (-1)." in result.stderr
+    assert "Motor 2 did not report its position (−1)." in result.stderr
 
 
 @pytest.mark.parametrize(

@@ -128,7 +128,7 @@ def test_unplugged_cable_and_other_faults_last_until_they_are_repaired(
     panel.wait(lambda: panel.robot.link is ConnectionState.DISCONNECTED)
     panel.wait(lambda: not panel.snapshot.line.plugged)
     assert window.has("banner")
-    assert "continues" in window.text("aracnaMotionLabel")
+    assert "ends by itself" in window.text("aracnaMotionLabel")
     assert panel.dock.isVisible()
     assert "The cable is unplugged" in panel.text("aracnaDemoState")
     assert not panel.is_enabled("aracnaDemoNoise")

@@ -92,7 +92,7 @@ def test_sequence_does_not_resume_when_power_returns() -> None:
     assert ended.why is Ending.MISSED
     assert not [when for when in session.when(Moving) if when > 7.3]
     [error] = [one.error for one in session.of(Outcome) if one.id == 2]
-    assert "off its goal" in str(error)
+    assert "from its goal 300" in str(error)
     assert "does not continue by itself" in str(error)
 
 

@@ -31,7 +31,7 @@ SAMPLE_SESSION: list[Record] = [
     Passed(T0 + 11, (201, 199, 200)),
     Moved(T0 + 12, GOALS, REACHED, 2.0),
     Marker(T0 + 40, "note", "Not moved: No robot is connected that could move."),
-    Marker(T0 + 60, "stop", "Stopped: nothing more is sent."),
+    Marker(T0 + 60, "stop", "Nothing more is sent."),
 ]
 
 

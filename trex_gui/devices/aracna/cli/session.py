@@ -15,8 +15,13 @@ from trex_gui.core.texts import counted
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.discovery import ARACNA_PROBER, FoundRobot
-from trex_gui.devices.aracna.protocol.joints import degrees
 from trex_gui.devices.aracna.session.client import LINE
+from trex_gui.devices.aracna.session.errors import (
+    ErrorCode,
+    RobotError,
+    missed_goals,
+    rejected_speeds,
+)
 from trex_gui.devices.aracna.session.messages import (
     Connected,
     Halt,
@@ -35,7 +40,6 @@ from trex_gui.devices.aracna.session.messages import (
 )
 from trex_gui.devices.aracna.session.session import AracnaSession
 
-NEAR = 10  # units off its goal within which a motor has reached it: servos stop within a margin
 NO_STOP = (
     "Nothing on this link stops a running motion: the motors continue to their goals, "
     "{0:.1f} s at most. Only servo power stops them. Ctrl-C again exits without waiting."
@@ -105,11 +109,8 @@ class CommandSession:
         """Set every servo's speed, and return what the servos hold then."""
         reply = self._result(SetSpeeds(next(self._ids), tuple(speeds)))
         assert isinstance(reply, SpeedsHeld)  # noqa: S101 - for the type checker
-        for motor, (requested, held) in enumerate(zip(reply.requested, reply.held, strict=True)):
-            if held < 0:
-                self.faults.append(f"Motor {motor} does not respond (-1).")
-            elif held != requested:
-                self.faults.append(f"Motor {motor} holds speed {held}, not {requested}.")
+        if (error := rejected_speeds(reply.requested, reply.held)) is not None:
+            self.faults.append(str(error))
         return reply.held
 
     def set_led(self, *, on: bool) -> bool:
@@ -180,7 +181,7 @@ class CommandSession:
                 self._report_motors(present)
             case Moved(goals=goals, present=present):
                 self._is_moving, self.moved = False, report
-                faults = _missed_goals(goals, present)
+                faults = map(str, missed_goals(goals, present).values())
                 self.faults += [fault for fault in faults if fault not in self.faults]
                 if self._motors:
                     self._report_motors(present)
@@ -197,17 +198,6 @@ class CommandSession:
         self._reported = len(present)
 
 
-def _missed_goals(goals: Sequence[int], present: Sequence[int]) -> list[str]:
-    faults = []
-    for motor, (goal, position) in enumerate(zip(goals, present, strict=True)):
-        if position < 0:
-            faults.append(f"Motor {motor}: its position could not be read (-1).")
-        elif abs(position - goal) > NEAR:
-            off = degrees(abs(position - goal))
-            faults.append(f"Motor {motor} is at {position}, not at {goal} ({off:.0f}° off).")
-    return faults
-
-
 def _raise_fault(report: Report) -> None:
     match report:
         case Stuck(motor=None):
@@ -215,11 +205,10 @@ def _raise_fault(report: Report) -> None:
                 "The robot no longer responds. Its motors may continue to their goals."
             )
         case Stuck(motor=motor):
+            error = RobotError(ErrorCode.MOTOR_STUCK, motor)
             raise CommandFailed(
-                f"The robot is waiting for motor {motor}, which has not reached its goal: it is "
-                "blocked, has no power or does not respond, or the board itself has no power. "
-                "Until it arrives, or the board is reset, the robot reads nothing. Only servo "
-                "power stops its motors."
+                f"{error} It is blocked, has no power or does not respond, or the board itself has "
+                "no power. Only servo power stops the motors."
             )
         case NotResponding(error=error):
             raise CommandFailed(error)

@@ -9,13 +9,18 @@ from PySide6.QtCore import QObject, Signal, Slot
 from trex_gui.core.errors import StudioError
 from trex_gui.core.events import EventKind
 from trex_gui.core.session import Close, Outcome
-from trex_gui.core.translation import Number, tr
+from trex_gui.core.translation import tr
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.model.setpoints import JointLimits, Targets
-from trex_gui.devices.aracna.model.texts import cropped_goals_text, event_of, waiting_text
+from trex_gui.devices.aracna.model.texts import (
+    cropped_goals_text,
+    ending_text,
+    event_of,
+    waiting_text,
+)
 from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS, travel_seconds
-from trex_gui.devices.aracna.session.errors import suggests_scan
+from trex_gui.devices.aracna.session.errors import ErrorCode, suggests_scan
 from trex_gui.devices.aracna.session.messages import (
     Connected,
     EndPlay,
@@ -285,11 +290,8 @@ class Robot(DeviceConnection[PortSettings]):
         self.submit(Halt())
         self._is_holding = is_active or self.dragging or self._pending_moves > 0
         self.dragging = False
-        text = tr("Stopped: nothing more is sent.")
-        if (left := self.remaining()) > 0:
-            more = tr("The running motion ends by itself in about {0:.1f} s.").format(Number(left))
-            text = f"{text} {more}"
-        self.events.add(EventKind.STOP, text)
+        ending = ending_text(left) if (left := self.remaining()) > 0 else ""
+        self.events.add(EventKind.STOP, f"{tr('Nothing more is sent.')} {ending}".rstrip())
         self.halted.emit()
         if self._is_holding:
             self.aim_at_present()
@@ -307,23 +309,14 @@ class Robot(DeviceConnection[PortSettings]):
 
         Empty if no robot is connected and no motion of an earlier connection runs.
         """
-        left = self.remaining()
+        ending = ending_text(left) if (left := self.remaining()) > 0 else ""
         if self.link is ConnectionState.DISCONNECTED:
-            text = tr("{0}. No robot is connected; the motion continues (about {1:.0f} s).")
-            return text.format(reason, max(left, 1)) if left > 0 else ""
-        is_stopped = self.is_at_rest
+            return f"{reason}. {tr('No robot is connected.')} {ending}" if ending else ""
+        if not ending and not self.is_at_rest:
+            ending = tr("A running motion continues to its goal.")
         self.events.add(EventKind.NOTE, f"{reason}.")
         self.halt()
-        if left > 0:
-            text = tr(
-                "{0}. Nothing more is sent; the running motion continues to its goal (about "
-                "{1:.0f} s)."
-            )
-            return text.format(reason, max(left, 1))
-        if is_stopped:
-            return tr("{0}. Nothing more is sent to the robot.").format(reason)
-        text = tr("{0}. Nothing more is sent; a running motion continues to its goal.")
-        return text.format(reason)
+        return f"{reason}. {tr('Nothing more is sent.')} {ending}".rstrip()
 
     @property
     def is_at_rest(self) -> bool:
@@ -344,7 +337,7 @@ class Robot(DeviceConnection[PortSettings]):
         if self.link is not ConnectionState.CONNECTED:
             return tr("No robot is connected.")
         if self.state.play is not None:
-            return tr("A sequence is playing. Stop it first.")
+            return tr(ErrorCode.PLAYING.value)
         return "" if self.state.stuck is None else waiting_text(self.state.stuck.motor)
 
     def _can_move(self) -> bool:

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 
 from trex_gui.devices.aracna.protocol.replies import UNREADABLE
-from trex_gui.devices.aracna.session.errors import RobotError, rejected_speeds
+from trex_gui.devices.aracna.session.errors import RobotError, missed_goals, rejected_speeds
 from trex_gui.devices.aracna.session.messages import (
     Connected,
     LineStats,
@@ -18,26 +18,6 @@ from trex_gui.devices.aracna.session.messages import (
     StepBegun,
     Stuck,
 )
-
-TOLERANCE = 12
-"""Position units between goal and reply that count as none: 3.5 degrees.
-
-A free servo stops on its goal: its compliance margin is 0 unless somebody wrote another one. A
-load keeps it off; the robot's own self-test took 50 for a failure.
-"""
-
-
-@dataclass(frozen=True, slots=True)
-class MissedGoal:
-    """A motor that is not where it was sent; `present` may be `UNREADABLE`."""
-
-    motor: int
-    goal: int
-    present: int
-
-    @property
-    def unreadable(self) -> bool:
-        return self.present == UNREADABLE
 
 
 @dataclass(slots=True)
@@ -123,16 +103,9 @@ class RobotState:
         return self.moved is not None and set(self.moved.present) == {UNREADABLE}
 
     @property
-    def missed_goals(self) -> dict[int, MissedGoal]:
-        """Motors that are not where they were sent, by number."""
-        if self.moved is None:
-            return {}
-        pairs = enumerate(zip(self.moved.goals, self.moved.present, strict=False))
-        return {
-            motor: MissedGoal(motor, goal, present)
-            for motor, (goal, present) in pairs
-            if present == UNREADABLE or abs(goal - present) > TOLERANCE
-        }
+    def missed_goals(self) -> dict[int, RobotError]:
+        """Errors of motors that are not where they were sent, by number."""
+        return {} if self.moved is None else missed_goals(self.moved.goals, self.moved.present)
 
     @property
     def speed_error(self) -> RobotError | None:

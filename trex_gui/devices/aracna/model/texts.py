@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from trex_gui.core.events import EventKind
 from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import Number, tr
-from trex_gui.devices.aracna.model.robot_state import MissedGoal, RobotState
+from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.protocol.joints import LEGS, MOTORS, degrees, degrees_per_second
 from trex_gui.devices.aracna.session.errors import ErrorCode
 from trex_gui.devices.aracna.session.messages import Moved, PlayEnded, Restarted, SpeedsHeld, Stuck
@@ -40,19 +40,11 @@ def assumed_text() -> str:
     return tr("Which leg is which is assumed; even motors are inner joints, odd ones outer.")
 
 
-def missed_text(missed: MissedGoal) -> str:
-    if missed.unreadable:
-        return tr("Motor {0} did not report its position (−1).").format(missed.motor)
-    text = tr("Motor {0} is at {1}, {2} from its goal {3}.")
-    away = signed_text(missed.present - missed.goal)
-    return text.format(missed.motor, missed.present, away, missed.goal)
-
-
 def missed_goals_text(state: RobotState) -> str:
     """Describe every motor that missed its goal; empty if none did."""
     if state.reply_lost:
         return tr("The reply was lost (or no motor responds): positions are not known.")
-    return " ".join(map(missed_text, state.missed_goals.values()))
+    return " ".join(map(error_text, state.missed_goals.values()))
 
 
 def difference_text(state: RobotState, motor: int, *, is_observed: bool = True) -> tuple[str, bool]:
@@ -67,7 +59,7 @@ def difference_text(state: RobotState, motor: int, *, is_observed: bool = True) 
         is_awaited = is_observed and state.awaited_motor <= motor
         return tr("moving …") if is_awaited else difference, False
     missed = state.missed_goals.get(motor)
-    if missed is not None and not missed.unreadable:
+    if missed is not None and missed.code is ErrorCode.GOAL_MISSED:
         return tr("{0} missed").format(difference), True
     if missed is not None or (state.held_speed(motor) or 0) < 0:
         return tr("no reply (−1)"), True
@@ -83,7 +75,7 @@ def activity_text(state: RobotState, left: float) -> tuple[str, bool]:
         return waiting_text(state.stuck.motor), True
     texts = [_playing_text(state)]
     if state.moving is not None and left > 0:
-        texts.append(tr("The motion ends by itself in about {0:.1f} s.").format(Number(left)))
+        texts.append(ending_text(left))
     elif state.moving is not None:
         texts.append(tr("Waiting for motor {0} to arrive …").format(state.awaited_motor))
     if any(texts):
@@ -91,13 +83,16 @@ def activity_text(state: RobotState, left: float) -> tuple[str, bool]:
     if not state.may_be_moving:
         return tr("At rest: nothing is sent."), False
     if left > 0:
-        text = tr("Unknown: an earlier motion may continue for about {0:.0f} s.")
-        if state.uncertain:
-            text = tr("Unknown: the last motion may continue for about {0:.0f} s.")
+        text = tr("Unknown: a motion may continue for about {0:.0f} s.")
         return text.format(max(left, 1)), True
     if state.uncertain:
         return tr("Unknown: the last motion may still be running."), True
     return tr("Nothing is sent. Whether it is moving is not known before its first move."), False
+
+
+def ending_text(left: float) -> str:
+    """Return when a running motion should end; `left` is in seconds."""
+    return tr("The motion ends by itself in about {0:.1f} s.").format(Number(left))
 
 
 def _playing_text(state: RobotState) -> str:

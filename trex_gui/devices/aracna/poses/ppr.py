@@ -191,15 +191,8 @@ class _Reader:
             if last[item.name] != number:
                 name, tried[item.name] = free_number(item.name, taken, tried.get(item.name, 2))
                 taken.add(name)
-                message = tr("the {0} {1} is repeated in line {2}").format(
-                    tr(kind), item.name, last[item.name]
-                )
-                if {number, last[item.name]} & self._padded:
-                    message = tr("apart from blanks around its name, {0}").format(message)
-                self.warn(
-                    number,
-                    tr("{0}, which counts; this one is called {1} now").format(message, name),
-                )
+                text = tr("line {0} has this {1} again, and counts; this one is called {2} now")
+                self.warn(number, text.format(last[item.name], tr(kind), name))
                 items[place] = (number, replace(item, name=name))
         return tuple(item for _, item in items)
 

@@ -126,18 +126,10 @@ def free_number(name: str, taken: AbstractSet[str], first: int = 2) -> tuple[str
 def checked_name(name: str, taken: Iterable[str]) -> str:
     """Return a name without blanks around it; BadRequest if it is taken or not possible."""
     found = name.strip()
-    if not found:
-        raise BadRequest(tr("a name has at least one character"))
-    if len(found) > _LONGEST_NAME:
-        raise BadRequest(
-            tr("a name has at most {0} characters, not {1}").format(_LONGEST_NAME, len(found))
-        )
-    if any(sign in _SEPARATORS for sign in found):
-        raise BadRequest(
-            tr("a name has no colon, comma or bar, which separate values: {0}").format(found)
-        )
-    if not found.isprintable():
-        raise BadRequest(tr("a name has no control characters"))
+    is_possible = found.isprintable() and not any(sign in _SEPARATORS for sign in found)
+    if not is_possible or not 0 < len(found) <= _LONGEST_NAME:
+        text = tr("a name has 1 to {0} printable characters, and no colon, comma or bar")
+        raise BadRequest(text.format(_LONGEST_NAME))
     if found in set(taken):
         raise BadRequest(tr("the name {0} is taken").format(found))
     return found

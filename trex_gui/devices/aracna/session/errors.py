@@ -1,5 +1,6 @@
 """Errors of a session with a robot: a code with fields, and the sentence for each code."""
 
+from collections.abc import Sequence
 from enum import Enum, unique
 
 from trex_gui.core.errors import (
@@ -9,10 +10,21 @@ from trex_gui.core.errors import (
     InternalError,
     NoReply,
 )
-from trex_gui.core.texts import hex_text
+from trex_gui.core.texts import hex_text, signed_text
 from trex_gui.core.translation import tr_noop
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.protocol import commands
+
+TOLERANCE = 12
+"""Position units between goal and reply that count as none: 3.5 degrees.
+
+A free servo stops on its goal: its compliance margin is 0 unless somebody wrote another one. A
+load keeps it off, or it has lost power on its way.
+"""
+
+FAR = 50
+"""The same for a motor that has failed, as in the authors' self-test: it is blocked, or servo power
+was off."""
 
 
 @unique
@@ -53,7 +65,8 @@ class ErrorCode(Enum):
     GOALS_MISSED = tr_noop(
         "{0} It is blocked, or servo power was off. The sequence does not continue by itself.",
     )
-    GOAL_MISSED = tr_noop("Motor {0} is {1} units off its goal.")
+    GOAL_MISSED = tr_noop("Motor {0} is at {1}, {2} from its goal {3}.")
+    POSITION_UNREADABLE = tr_noop("Motor {0} did not report its position (−1).")
     PLAYING = tr_noop("A sequence is playing: stop it first.")
     SUPERSEDED = tr_noop("A newer request replaced this one.")
     HALTED = tr_noop("Stopped before it was sent.")
@@ -114,6 +127,20 @@ def suggests_scan(error: BaseException) -> bool:
         ErrorCode.NO_ROBOT,
         ErrorCode.OTHER_DEVICE,
     }
+
+
+def missed_goals(
+    goals: Sequence[int], present: Sequence[int], tolerance: int = TOLERANCE
+) -> dict[int, RobotError]:
+    """Return the error of each motor that is not where it was sent, or cannot be read."""
+    found = {}
+    for motor, (goal, position) in enumerate(zip(goals, present, strict=False)):
+        if position < 0:
+            found[motor] = RobotError(ErrorCode.POSITION_UNREADABLE, motor)
+        elif abs(position - goal) > tolerance:
+            away = signed_text(position - goal)
+            found[motor] = RobotError(ErrorCode.GOAL_MISSED, motor, position, away, goal)
+    return found
 
 
 def rejected_speeds(requested: tuple[int, ...], held: tuple[int, ...]) -> RobotError | None:

@@ -6,6 +6,7 @@ Neither can be queried: they are known only from the replies to `.c` and `.v`.
 from collections.abc import Sequence
 
 from trex_gui.devices.aracna.protocol.joints import HIGHEST, Limits, crop, speed_for, travel_seconds
+from trex_gui.devices.aracna.session.errors import missed_goals
 
 ASSUMED_SPEED = 100
 """Assumed while a speed is unknown: slow, so that no reply is considered late too early."""
@@ -21,10 +22,6 @@ are sent again this often, which takes `SET_SPEEDS_TIME`.
 """
 
 TRUST_BEFORE_MOVE = 0.5  # the same before a single `Move`
-DOUBTFUL = 12  # units off its goal beyond which a motor may have lost power on its way
-FAR = 50
-"""Units off its goal at which a motor has failed, as in the authors' self-test: it is blocked, or
-servo power was off."""
 
 _TOO_FAST = 1.05  # a speed may exceed the needed one by this factor before it is set again
 _ARRIVED = 5  # units off its goal at which a motor needs no motion
@@ -70,7 +67,7 @@ class ServoEstimates:
         lost power on its way. So does a long motion.
         """
         self.expire_speeds(now)
-        if any(value < 0 for value in present) or missed(goals, present, DOUBTFUL):
+        if missed_goals(goals, present):
             self.forget_speeds()
         self.present = tuple(None if value < 0 else value for value in present)
 
@@ -110,15 +107,6 @@ class ServoEstimates:
             lowest = min(speed_for(distance, seconds), highest)
             fits &= bool(speed) and lowest <= (speed or 0) <= best * _TOO_FAST + 2
         return None if fits else tuple(speeds)
-
-
-def missed(goals: Sequence[int], present: Sequence[int], tolerance: int = FAR) -> dict[int, int]:
-    """Return the distance from its goal of each motor that is further away than `tolerance`."""
-    return {
-        motor: abs(position - goal)
-        for motor, (goal, position) in enumerate(zip(goals, present, strict=True))
-        if position >= 0 and abs(position - goal) > tolerance
-    }
 
 
 def move_timeout(expected: float) -> float:

@@ -24,12 +24,14 @@ from trex_gui.devices.aracna.session.client import (
     Voided,
 )
 from trex_gui.devices.aracna.session.errors import (
+    FAR,
     ErrorCode,
     RobotBusyError,
     RobotError,
     RobotInternalError,
     RobotNoReplyError,
     diagnose,
+    missed_goals,
     rejected_speeds,
 )
 from trex_gui.devices.aracna.session.job_queue import Job, JobQueue
@@ -61,7 +63,6 @@ from trex_gui.devices.aracna.session.servo_estimates import (
     TRUST,
     TRUST_BEFORE_MOVE,
     ServoEstimates,
-    missed,
     move_timeout,
 )
 
@@ -271,9 +272,9 @@ class AracnaSession:
                 self._servos.on_positions(command.values, present, now)
                 self._report(moved := Moved(now, command.values, present, now - command.sent))
                 self._player.on_arrival()
-                if off := missed(command.values, present):
-                    wrong = [RobotError(ErrorCode.GOAL_MISSED, *item) for item in off.items()]
-                    error = RobotNoReplyError(ErrorCode.GOALS_MISSED, tuple(wrong))
+                wrong = missed_goals(command.values, present, FAR).values()
+                if off := tuple(each for each in wrong if each.code is ErrorCode.GOAL_MISSED):
+                    error = RobotNoReplyError(ErrorCode.GOALS_MISSED, off)
                     self._player.stop(now, Ending.MISSED, error)
                 self._jobs.finish(moved)
             case Led(on=on):

@@ -5,7 +5,7 @@ from PySide6.QtWidgets import QFrame, QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.aracna.model.texts import activity_text
+from trex_gui.devices.aracna.model.texts import activity_text, ending_text
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.widgets import builders as ui
@@ -79,9 +79,6 @@ class MotionBar(QFrame):
     def _activity_text(self, left: float) -> tuple[str, bool]:
         """Return what the robot is known to do, and if that alarms; `left` is in seconds."""
         if self._robot.link not in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}:
-            text = tr("No robot is connected.")
-            if left <= 0:
-                return text, False
-            more = tr("The motion continues by itself for about {0:.0f} s.")
-            return f"{text} {more.format(max(left, 1))}", True
+            ending = ending_text(left) if left > 0 else ""
+            return f"{tr('No robot is connected.')} {ending}".rstrip(), left > 0
         return activity_text(self._robot.state, left)

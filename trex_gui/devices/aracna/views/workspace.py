@@ -174,7 +174,7 @@ class AracnaWorkspace(Workspace):
 
     def menus(self) -> Menus:
         keys = QKeySequence.StandardKey
-        controls, robot = self._page.controls, self._robot
+        move, robot = self._page.controls.move_now, self._robot
         files, undo = self._poses.files, self.library.undo
         record, open_recording = self.recordings.toggle, self.recordings.choose_and_open
         play = partial(self._on_page, "poses", self._poses.play)
@@ -184,19 +184,7 @@ class AracnaWorkspace(Workspace):
 
         return {
             tr("&Aracna"): (
-                Entry(
-                    "aracna_move",
-                    tr("&Move to the sliders' goals"),
-                    controls.move_now,
-                    "Ctrl+M",
-                    "run",
-                ),
-                Entry(
-                    "aracna_present", tr("Sliders to the &present position"), controls.take_present
-                ),
-                Entry("aracna_centre", tr("Sliders to the &centre"), controls.centre),
-                Entry("aracna_stand", tr("Sliders to &stand"), controls.stand),
-                SEPARATOR,
+                Entry("aracna_move", tr("&Move to the sliders' goals"), move, "Ctrl+M", "run"),
                 Entry("aracna_play", tr("Pla&y the current sequence or gait"), play, "Ctrl+R"),
                 Entry("aracna_end", tr("&End sequence after this step"), robot.end_play, "Ctrl+E"),
                 SEPARATOR,
@@ -214,7 +202,6 @@ class AracnaWorkspace(Workspace):
                     tr("Set up &goals and limits without a robot"),
                     partial(self._on_page, "robot", self._page.set_up_offline),
                 ),
-                Entry("aracna_limits", tr("Reset the joints' &limits"), robot.limits.reset),
                 Entry("aracna_led", tr("&Debug LED of the board"), switch_led, checkable=True),
             ),
             tr("Pos&es"): (
@@ -257,18 +244,13 @@ class AracnaWorkspace(Workspace):
     def enabled_actions(self) -> Mapping[str, bool]:
         robot, recorder = self._robot, self.recordings.recorder
         idle, undo = robot.state.play is None, self.library.undo
-        known = any(position is not None for position in robot.state.present)
         return {
             "aracna_move": not robot.move_blocker,
-            "aracna_present": idle and known,
-            "aracna_centre": idle,
-            "aracna_stand": idle,
             "aracna_play": not robot.move_blocker,
             "aracna_end": not idle and robot.link is ConnectionState.CONNECTED,
             "aracna_record": recorder.recording or recorder.can_record,
             "aracna_offline": robot.link is ConnectionState.DISCONNECTED,
             "aracna_led": idle and robot.link is ConnectionState.CONNECTED,
-            "aracna_limits": not robot.limits.are_factory,
             "aracna_capture": None not in robot.state.present,
             "aracna_undo": undo.canUndo(),
             "aracna_redo": undo.canRedo(),

@@ -33,7 +33,6 @@ from trex_gui.ui.widgets.labels import Note
 
 _MOST_ROUNDS = 999
 _SLOWEST, _FASTEST = 10, 400  # percent
-_MINUTE = 60.0
 
 
 class PlayBar(QWidget):
@@ -229,7 +228,4 @@ def _length_text(steps: int, seconds: float, rounds: int) -> str:
 
 
 def _duration(seconds: float) -> str:
-    if seconds < _MINUTE:
-        return tr("{0:.1f} s").format(Number(seconds))
-    minutes, rest = divmod(round(seconds), 60)
-    return tr("{0} min {1:02d} s").format(minutes, rest)
+    return tr("{0:.1f} s").format(Number(seconds))

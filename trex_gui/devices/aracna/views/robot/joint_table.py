@@ -8,7 +8,6 @@ from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.texts import (
     difference_text,
     joint_text,
-    missed_text,
     position_text,
     speed_text,
     spoken_joint,
@@ -17,6 +16,7 @@ from trex_gui.devices.aracna.protocol.joints import HIGHEST, LEGS, MOTORS, degre
 from trex_gui.devices.aracna.views.robot.joint_widgets import JointSlider, SpeedBox
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.translations import error_text
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import LiveLabel
 
@@ -130,7 +130,7 @@ class JointRow(QObject):
         text, alarming = difference_text(state, self._motor, is_observed=is_observed)
         missed = state.missed_goals.get(self._motor)
         self._state.setText(text)
-        self._state.setToolTip(ui.plain("" if missed is None else missed_text(missed)))
+        self._state.setToolTip(ui.plain("" if missed is None else error_text(missed)))
         ui.set_bold(self._state, alarming)
         palette = self.name.palette()
         color = theme().color("danger" if alarming else "window_text")
