@@ -13,12 +13,21 @@ BOOT = 1.1
 class AracnaStage:
     """A robot and its wire in virtual time.
 
-    `options` are `AracnaLine`'s: `motors`, `positions`, `margin`, `boot_loader` …
+    `options` are `AracnaLine`'s: `motors`, `positions`, `boot_loader` …
     `stage.line.servos[3].alive = False` and `stage.do("servo 3 dead")` do the same.
     """
 
-    def __init__(self, *, booted: bool = True, **options: Any) -> None:
+    def __init__(
+        self,
+        *,
+        booted: bool = True,
+        keeps_last: bool = True,
+        reports_motors: bool = True,
+        **options: Any,
+    ) -> None:
         self.line = AracnaLine(**options)
+        self.line.station.keeps_last = keeps_last
+        self.line.station.firmware.reports_motors = reports_motors
         self.transport = SimulatedTransport(self.line)
         if booted:
             self.line.advance(BOOT + options.get("boot_loader", 0.0))

@@ -91,7 +91,7 @@ def test_steps_arrive_in_time_and_begin_on_schedule(
 
 def test_arrival_times_match_travel_time_formula() -> None:
     steps = (step(600, 1.0), step(300, 0.5), step(310, 2.0), step(900, 0.8))
-    session = placed(margin=0).at(1.0, Play(1, steps, rounds=3)).until(15.0).run()
+    session = placed().at(1.0, Play(1, steps, rounds=3)).until(15.0).run()
     for moving, moved in zip(session.of(Moving)[1:], session.of(Moved)[1:], strict=True):
         speeds = [held.held for held in session.of(SpeedsHeld) if held.time <= moving.time][-1]
         formula = max(
@@ -105,7 +105,7 @@ def test_arrival_times_match_travel_time_formula() -> None:
 
 def test_all_motors_of_step_arrive_together() -> None:
     far = step(900, 1.0, 562, 462, 612, 412, 512, 712, 100)
-    session = placed(margin=0).at(1.0, Play(1, (far,))).until(5.0).run()
+    session = placed().at(1.0, Play(1, (far,))).until(5.0).run()
     [_, held, *_] = session.of(SpeedsHeld)
     moving = session.of(Moving)[1]
     times = [
@@ -128,7 +128,7 @@ def test_schedule_does_not_drift_over_30_rounds() -> None:
 
 def test_steps_rarely_resend_unchanged_speeds() -> None:
     steps = (step(560, 0.5), step(460, 0.5))
-    session = placed(margin=0).at(1.0, Play(1, steps, rounds=10)).until(13.0).run()
+    session = placed().at(1.0, Play(1, steps, rounds=10)).until(13.0).run()
     assert len(session.of(SpeedsHeld)) <= 5 + 10 / TRUST, "but to see that they are held"
 
 

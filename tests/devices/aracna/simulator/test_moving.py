@@ -32,7 +32,7 @@ def stamps(stage: AracnaStage, goals: list[int]) -> tuple[list[float], bytes]:
 def test_reply_gives_each_value_once_motor_has_arrived() -> None:
     goals = [600, 550, 900, 512, 100, 700, 20, 1023]
     speeds = [100, 50, 200, 10, 150, 100, 300, 400]
-    stage = AracnaStage(margin=0)
+    stage = AracnaStage()
     stage.ask(line("v", speeds))
     times, reply = stamps(stage, goals)
 
@@ -59,7 +59,7 @@ def test_reply_gives_each_value_once_motor_has_arrived() -> None:
     ],
 )
 def test_travel_takes_documented_time(speed: int, start: int, seconds: float) -> None:
-    stage = AracnaStage(positions=[start] * 8, margin=0)
+    stage = AracnaStage(positions=[start] * 8)
     stage.ask(line("v", [speed] * 8))
     times, _ = stamps(stage, [1023] * 8)
     assert times[-1] == pytest.approx(seconds, rel=0.01, abs=2 * BUS)
@@ -92,7 +92,9 @@ def test_first_reply_bytes_come_before_any_motor_arrives() -> None:
 
 
 def test_servos_stop_within_margin_of_goal() -> None:
-    stage = AracnaStage(margin=3)
+    stage = AracnaStage()
+    for servo in stage.line.servos:
+        servo.margin = 3
     assert stage.ask(line("c", [600] * 4 + [400] * 4)) == (b".c597,597,597,597,403,403,403,403\r\n")
     assert stage.ask(line("c", [599] * 4 + [401] * 4)) == (  # near enough: none moves
         b".c597,597,597,597,403,403,403,403\r\n"
@@ -100,7 +102,7 @@ def test_servos_stop_within_margin_of_goal() -> None:
 
 
 def test_moving_servo_keeps_old_goal_when_new_one_is_rejected() -> None:
-    stage = AracnaStage(margin=0)
+    stage = AracnaStage()
     stage.ask(line("v", [50] * 8))
     stage.line.send(line("c", [700] * 8))
     stage.line.advance(0.2)
@@ -111,7 +113,7 @@ def test_moving_servo_keeps_old_goal_when_new_one_is_rejected() -> None:
 
 
 def test_load_slows_servo() -> None:
-    stage = AracnaStage(margin=0)
+    stage = AracnaStage()
     stage.ask(line("v", [100] * 8))
     stage.do("servo 2 load 0.5")
     times, _ = stamps(stage, [740] * 8)

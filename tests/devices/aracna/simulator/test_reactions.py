@@ -76,7 +76,7 @@ CUT = [
 
 @pytest.fixture
 def stage() -> AracnaStage:
-    return AracnaStage(positions=[START] * 8, margin=0)
+    return AracnaStage(positions=[START] * 8)
 
 
 @pytest.mark.parametrize(
@@ -197,7 +197,7 @@ OF_TWO = [
     ("line", "reply"), [pytest.param(line, reply, id=name) for name, line, reply in OF_TWO]
 )
 def test_version_0_has_two_motors(line: bytes, reply: bytes) -> None:
-    stage = AracnaStage(motors=2, positions=[START] * 2, margin=0)
+    stage = AracnaStage(motors=2, positions=[START] * 2)
     assert stage.ask(line) == reply
 
 

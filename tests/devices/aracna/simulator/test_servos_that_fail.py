@@ -13,7 +13,7 @@ ARRIVED = b".c740,740,740,740,740,740,740,740\r\n"
 
 @pytest.fixture
 def stage() -> AracnaStage:
-    return AracnaStage(margin=0)
+    return AracnaStage()
 
 
 def test_dead_servo_reports_and_takes_no_speed(stage: AracnaStage) -> None:

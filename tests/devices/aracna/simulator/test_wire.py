@@ -18,7 +18,7 @@ def test_query_takes_about_three_milliseconds(stage: AracnaStage) -> None:
 
 
 def test_unpaced_bytes_take_no_time_but_servos_and_boot_do() -> None:
-    stage = AracnaStage(paced=False, margin=0)
+    stage = AracnaStage(paced=False)
     begun = stage.now
     stage.line.send(b".q\n")
     assert stage.line.read(7, 1) == VERSION

@@ -69,18 +69,11 @@ class Restart(Exception):  # noqa: N818 - an event, not an error
 class Firmware:
     """The firmware and its state; `boots` counts its starts."""
 
-    def __init__(
-        self,
-        servos: Sequence[Servo],
-        version: int = 1,
-        *,
-        reports_motors: bool = True,
-        boot_loader: float = 0.0,
-    ) -> None:
+    def __init__(self, servos: Sequence[Servo], version: int, boot_loader: float) -> None:
         """Create a board without power; `boot_loader` is in seconds before `.h`."""
         self.servos = tuple(servos)
         self.version = version
-        self.reports_motors = reports_motors
+        self.reports_motors = True  # false before 22 Sep 2012
         self.state = State.OFF
         self.led = False
         self.boots = 0

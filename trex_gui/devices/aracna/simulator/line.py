@@ -16,7 +16,7 @@ from trex_gui.devices.aracna.simulator.firmware import (
     State,
     Transmit,
 )
-from trex_gui.devices.aracna.simulator.servos import MARGIN, Servo
+from trex_gui.devices.aracna.simulator.servos import Servo
 
 OWN = SerialFormat(38_400)  # how a fitting host is set: 38400 8N1
 REAL_BAUD = 16_000_000 / 16 / 26  # the rate that the board derives from 16 MHz, 38461.5 bit/s
@@ -43,11 +43,11 @@ class RobotStation:
     line_format = OWN
     baud = REAL_BAUD
 
-    def __init__(self, firmware: Firmware, line: SimulatedLine, *, keeps_last: bool = True) -> None:
+    def __init__(self, firmware: Firmware, line: SimulatedLine) -> None:
         self.firmware = firmware
         self.powered = False
         self.held: deque[int] = deque()  # bytes received while the program was busy
-        self.keeps_last = keeps_last
+        self.keeps_last = True
         self.bytes_missed = 0  # bytes that were not kept
         self._line = line
         self._program: Program | None = None
@@ -158,26 +158,18 @@ class AracnaLine(SimulatedLine):
         seed: int = 0,
         version: int | None = None,
         positions: Sequence[int] | None = None,
-        margin: int = MARGIN,
-        reports_motors: bool = True,
         boot_loader: float = 0.0,
-        keeps_last: bool = True,
     ) -> None:
         """Switch a robot on.
 
         Its firmware has by default the `version` 0 with two motors and else 1, and its servos the
-        `positions` of their centre. A servo stops within `margin` units of its goal. Before 22 Sep
-        2012 `.q` did not report the number of motors. `boot_loader`: seconds before each `.h`.
+        `positions` of their centre. `boot_loader`: seconds before each `.h`.
         """
         super().__init__(paced=paced, seed=seed)
         if version is None:
             version = 0 if motors == _OLD_MOTORS else 1
-        starts = positions or (CENTRE,) * motors
-        self.servos = tuple(Servo(position, margin) for position in starts)
-        firmware = Firmware(
-            self.servos, version, reports_motors=reports_motors, boot_loader=boot_loader
-        )
-        self.station = RobotStation(firmware, self, keeps_last=keeps_last)
+        self.servos = tuple(map(Servo, positions or (CENTRE,) * motors))
+        self.station = RobotStation(Firmware(self.servos, version, boot_loader), self)
         self.stations = (self.station,)
         self.station.power_on()
 

@@ -10,12 +10,6 @@ from enum import Enum
 from trex_gui.devices.aracna.protocol.joints import CEILING, HIGHEST, UNITS_PER_SECOND
 
 FAILED = -1  # value that the board's library returns for a servo without reply
-MARGIN = 0
-"""Distance in units from the goal at which a servo stops: the compliance margin.
-
-Ref: AX-12 control table, initial value 0; the firmware never writes it.
-"""
-
 _EPSILON = 1e-9  # seconds; swallows the rounding of summed times
 
 
@@ -33,7 +27,7 @@ class Servo:
             again (assumed).
     """
 
-    def __init__(self, position: float = 512, margin: int = MARGIN) -> None:
+    def __init__(self, position: float = 512) -> None:
         self.position = float(position)  # in units; a fraction while it moves
         self.goal = round(position)  # the last goal it accepted, 0-1023
         self.speed = 0  # speed register, 0-1023; 0 is the highest speed
@@ -42,7 +36,9 @@ class Servo:
         self.alive = True
         self.blocked = False  # whether something holds it: then it stays "moving" until it is free
         self.load = 0.0  # share of its speed that it loses, 0-1
-        self.margin = margin
+        # Units from the goal at which it stops: the compliance margin. Ref: AX-12 control table,
+        # initial value 0; the firmware never writes it.
+        self.margin = 0
         self.to_fail: Counter[Register] = Counter()  # number of reads of a register that fail next
 
     def write_goal(self, value: int) -> None:
