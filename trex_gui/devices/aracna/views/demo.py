@@ -1,8 +1,8 @@
 """The dock of the Demo Aracna: a simulated robot that can be operated like a real one."""
 
-from PySide6.QtCore import QPointF, QRectF, QSize
-from PySide6.QtGui import QAccessible, QPaintEvent, QPen
-from PySide6.QtWidgets import QSizePolicy, QStyle, QWidget
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QAccessible, QPaintEvent
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.aracna.model.controller import AracnaController
@@ -10,8 +10,8 @@ from trex_gui.devices.aracna.model.demo import DemoRobot, DemoServo, FirmwareSta
 from trex_gui.devices.aracna.model.texts import spoken_joint
 from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS, degrees
 from trex_gui.ui.devices.demo_panel import Columns, DemoPanelBody, Rows, add_cable
-from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.accessible import SpokenRange
+from trex_gui.ui.widgets.bar import paint_track
 from trex_gui.ui.widgets.builders import button, label, named, plain, row
 from trex_gui.ui.widgets.labels import LiveLabel
 from trex_gui.ui.widgets.leds import Lamp
@@ -23,8 +23,7 @@ RobotRows = Rows[RobotSnapshot]
 _STEP, _PAGE = 5, 20  # per cent of the speed
 _SLIDER_WIDTH = 44  # pixels of a slider
 
-_HEIGHT, _MIN_WIDTH, _WIDTH = 14, 26, 70
-_RADIUS = 4.5
+_HEIGHT, _MIN_WIDTH = 14, 26
 
 
 class DemoRobotView(DemoPanelBody[RobotSnapshot]):
@@ -209,60 +208,31 @@ def _cable_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRow
 
 
 class ServoGauge(Painted):
-    """A disc at the position, a line at the goal; the disc is hollow without torque."""
+    """A servo on its way to a goal; without torque only its position."""
 
     spoken_role = QAccessible.Role.ProgressBar
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._shown: tuple[int, int, bool] = (0, 0, False)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-
-    @property
-    def position(self) -> int:
-        return self._shown[0]
+        self.position = self._goal = 0  # units
+        self._holds = False
+        self.setMinimumSize(_MIN_WIDTH, _HEIGHT)
 
     def spoken_range(self) -> SpokenRange:
         return SpokenRange(0, self.position, HIGHEST)
 
     def show_servo(self, position: int, goal: int, *, holds: bool) -> None:
-        """Show position and goal in units, 0-1023, and whether the servo has torque."""
-        shown = (position, goal, holds)
-        if shown != self._shown:
-            self._shown = shown
-            self.update()
-
-    def sizeHint(self) -> QSize:
-        return QSize(_WIDTH, _HEIGHT)
-
-    def minimumSizeHint(self) -> QSize:
-        return QSize(_MIN_WIDTH, _HEIGHT)
+        """Show position and goal, and whether the servo has torque."""
+        self.position, self._goal, self._holds = position, goal, holds
+        self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
-        color = theme().color
-        position, goal, holds = self._shown
-        enabled = self.isEnabled()
-        middle = self.height() / 2
+        track = QRectF(self.rect()).adjusted(1, 4, -1, -4)
+        shown = self.position if self.isEnabled() else None
         with Painter(self) as painter:
-            painter.setPen(QPen(color("track_edge")))
-            painter.setBrush(color("track" if enabled else "track_off"))
-            left, right = self._x_of(0), self._x_of(HIGHEST)
-            painter.drawRoundedRect(QRectF(left, middle - 2.5, right - left, 5), 2, 2)
-            if not enabled:
-                return
-            if holds:
-                painter.setPen(QPen(color("mark"), 2))
-                x = self._x_of(goal)
-                painter.drawLine(QPointF(x, 0), QPointF(x, self.height()))
-            painter.setPen(QPen(color("bar"), 1.5))
-            painter.setBrush(color("bar" if holds else "track"))
-            painter.drawEllipse(QPointF(self._x_of(position), middle), _RADIUS, _RADIUS)
-
-    def _x_of(self, value: int) -> float:
-        edge = int(_RADIUS) + 1
-        room = self.width() - 2 * edge
-        return edge + QStyle.sliderPositionFromValue(0, HIGHEST, value, room) + 0.5
+            marks = (self._goal,) if self._holds else ()
+            paint_track(painter, track, (0, HIGHEST), shown, marks)
 
 
 def state_text(snapshot: RobotSnapshot) -> str:

@@ -15,7 +15,7 @@ from trex_gui.devices.aracna.model.texts import (
 from trex_gui.devices.aracna.protocol.joints import HIGHEST, LEGS, MOTORS, degrees, position
 from trex_gui.devices.aracna.views.robot.joint_widgets import JointSlider, SpeedBox
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.theme.theme import set_text_color
 from trex_gui.ui.translations import error_text
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import LiveLabel
@@ -27,11 +27,9 @@ _ALTERNATING = (_SPEED, _LOW, _HIGH)
 class JointRow(QObject):
     """The widgets of one motor in the table's grid."""
 
-    goal_edited = Signal()  # by the user
-    pointed = Signal(int)  # the motor while mouse or focus is on it, then -1
-
-    def __init__(self, robot: Robot, motor: int, parent: QWidget) -> None:
+    def __init__(self, robot: Robot, motor: int, parent: "JointTable") -> None:
         super().__init__(parent)
+        self._table = parent
         self._robot = robot
         self._motor = motor
         spoken = spoken_joint(motor)
@@ -88,9 +86,9 @@ class JointRow(QObject):
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         match event.type():
             case QEvent.Type.HoverEnter | QEvent.Type.FocusIn:
-                self.pointed.emit(self._motor)
+                self._table.pointed.emit(self._motor)
             case QEvent.Type.HoverLeave:
-                self.pointed.emit(-1)
+                self._table.pointed.emit(-1)
             case _:
                 pass
         return super().eventFilter(watched, event)
@@ -132,22 +130,12 @@ class JointRow(QObject):
         self._state.setText(text)
         self._state.setToolTip(ui.plain("" if missed is None else error_text(missed)))
         ui.set_bold(self._state, alarming)
-        palette = self.name.palette()
-        color = theme().color("danger" if alarming else "window_text")
-        palette.setColor(self._state.foregroundRole(), color)
-        self._state.setPalette(palette)
-
-    def set_marked(self, marked: bool) -> None:
-        if marked != self.name.autoFillBackground():
-            role = self.name.palette().ColorRole
-            self.name.setBackgroundRole(role.Highlight)
-            self.name.setForegroundRole(role.HighlightedText if marked else role.WindowText)
-            self.name.setAutoFillBackground(marked)
+        set_text_color(self._state, "danger" if alarming else "")
 
     def _on_goal_edited(self, goal: int) -> None:
         self._robot.targets.set(self._motor, goal)
         self.show_goal()
-        self.goal_edited.emit()
+        self._table.goal_edited.emit()
 
     def _on_speed_edited(self, speed: int) -> None:
         speeds = list(self._robot.speeds)
@@ -204,8 +192,6 @@ class JointTable(QWidget):
         robot.targets.changed.connect(self._on_targets_changed)
         robot.limits.changed.connect(self._on_limits_changed)
         robot.changed.connect(self._on_changed)
-        robot.halted.connect(self._on_halted)
-        theme().changed.connect(self._on_changed)
         self.show_limits(shown=False)
         self._on_limits_changed()
         self._on_changed()
@@ -225,7 +211,7 @@ class JointTable(QWidget):
     def mark(self, motor: int) -> None:
         """Highlight the name of a motor; none for -1."""
         for number, row in enumerate(self._rows):
-            row.set_marked(number == motor)
+            set_text_color(row.name, "accent" if number == motor else "")
 
     def focus(self, motor: int) -> None:
         if motor < len(self._rows):
@@ -263,16 +249,10 @@ class JointTable(QWidget):
                 self._grid.setRowMinimumHeight(line - 1, 3)
         for column, widget in enumerate(row.widgets, start=_NAME):
             self._grid.addWidget(widget, line, column)
-        row.goal_edited.connect(self.goal_edited)
         row.slider.grabbed.connect(self.grabbed)
         row.slider.released.connect(self.released)
-        row.pointed.connect(self.pointed)
+        self._robot.halted.connect(row.slider.release)
         self._rows.append(row)
-
-    @Slot()
-    def _on_halted(self) -> None:
-        for row in self._rows:
-            row.slider.release()
 
     @Slot()
     def _on_targets_changed(self) -> None:

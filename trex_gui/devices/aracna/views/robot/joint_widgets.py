@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from PySide6.QtCore import QPointF, QRect, QSignalBlocker, QSize, Qt, QTimer, Slot
-from PySide6.QtGui import QFocusEvent, QKeyEvent, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QFocusEvent, QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.translation import tr
@@ -19,7 +19,7 @@ _WEDGE = 7
 class JointSlider(PressSlider):
     """A slider 0-1023: the handle is the goal, the wedge below is the present position.
 
-    The handle stays within the limits; beyond them the groove is thin and grey.
+    Beyond the limits the groove is thin and grey.
     """
 
     room_below = _WEDGE
@@ -30,7 +30,6 @@ class JointSlider(PressSlider):
         self._present: int | None = None
         self.setSingleStep(4)
         self.setPageStep(50)
-        self.valueChanged.connect(self._on_value_changed)
 
     def spoken_state(self) -> str:
         if self._present is None:
@@ -40,27 +39,12 @@ class JointSlider(PressSlider):
     def set_limits(self, limits: Limits) -> None:
         if limits != self._limits:
             self._limits = limits
-            self.setValue(limits.crop(self.value()))
             self.update()
 
     def set_present(self, present: int | None) -> None:
         if present != self._present:
             self._present = present
             self.update()
-
-    @Slot(int)
-    def _on_value_changed(self, value: int) -> None:
-        if not self._limits.allow(value):
-            self.setValue(self._limits.crop(value))
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        match event.key():
-            case Qt.Key.Key_Home:
-                self.setValue(self._limits.low)
-            case Qt.Key.Key_End:
-                self.setValue(self._limits.high)
-            case _:
-                super().keyPressEvent(event)
 
     def sizeHint(self) -> QSize:
         hint = super().sizeHint()
