@@ -214,7 +214,7 @@ def _above(widget: QWidget) -> Iterator[QWidget]:
 
 _ELSEWHERE = {
     # its joints are rows of a table, and fields of a pose
-    "aracnaDrawing": {"aracnaSlider0", "aracnaCurveBox0", "aracnaPosition0"},
+    "aracnaDrawing": {"aracnaSlider0", "aracnaRecordedJoints", "aracnaPosition0"},
     "eventMarks": {"eventList"},
 }
 """Takes the mouse only; by keyboard one of the others does the same."""

@@ -103,9 +103,9 @@ def remember_folder(path: Path, key: str = _FOLDER) -> None:
     Preferences().set(key, str(path.parent))
 
 
-def ask_to_open(window: QWidget, title: str, filters: str = "") -> Path | None:
+def ask_to_open(window: QWidget, title: str, filters: str = "", key: str = _FOLDER) -> Path | None:
     """Let the user choose a file, by default of settings, in the last folder first."""
-    folder = str(last_folder())
+    folder = str(last_folder(key))
     chosen, _ = QFileDialog.getOpenFileName(window, title, folder, filters or file_filter())
     return Path(chosen) if chosen else None
 

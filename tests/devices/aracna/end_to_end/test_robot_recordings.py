@@ -10,7 +10,7 @@ from tests.devices.aracna import recordings
 from tests.support.pages.robot import RobotWindow
 from tests.support.program import aracna
 from tests.support.window import WidgetDriver
-from trex_gui.devices.aracna.views.playback import RobotPlaybackWindow
+from trex_gui.devices.aracna.views.playback import JointValues, RobotPlaybackWindow
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
@@ -55,8 +55,8 @@ def test_session_is_recorded_and_opened_from_menu(
     window.wait(lambda: playback.playback.is_loaded)
     assert playback.playback.problems == []
     playback.playback.set_position(playback.playback.end)
-    shown = WidgetDriver(playback, window.qtbot)
-    assert shown.text("aracnaRecordedPresent0").startswith(f"{present[0]} = ")
+    joints = WidgetDriver(playback, window.qtbot).find(JointValues, "aracnaRecordedJoints")
+    assert joints.model().index(0, 1).data().startswith(f"{present[0]} = ")
     window.trigger("aracna_open_recording")
     window.wait_for_files()
     assert opened(window) == [playback]

@@ -443,7 +443,7 @@ def test_file_is_saved_and_reopened_and_folder_remembered(
     driver.open_file(path)
     assert "mine" in driver.pose_names()
     assert "was opened" in driver.messages[-1]
-    assert driver.page.files.folder() == tmp_path
+    assert file_questions.last_folder("aracna/folder") == tmp_path
 
 
 def test_open_asks_about_unsaved_edits(

@@ -5,24 +5,25 @@ import sqlite3
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QCheckBox, QLabel, QListView, QSlider
+from PySide6.QtWidgets import QListView, QSlider
 from pytestqt.qtbot import QtBot
 
 from tests.devices.aracna.recordings import HEADER, MOTORS, T0, open_recording, write
 from tests.support.keyboard import check_keyboard
 from tests.support.playing import loading
-from tests.support.window import WidgetDriver
+from tests.support.window import LEFT, WidgetDriver
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.aracna.model.recordings import RobotPlayback
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.recording import Record, RobotHeader
 from trex_gui.devices.aracna.session.messages import Moved, Moving, Passed, SpeedsHeld
-from trex_gui.devices.aracna.views.playback import RobotPlaybackWindow
+from trex_gui.devices.aracna.views.playback import JointValues, RobotPlaybackWindow
 from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
 from trex_gui.ui.plotting.plot import TracePlot
 
+COLUMNS = ("Curve", "Present", "Goal", "Difference", "Speed")
 GOALS, REACHED = (200,) * MOTORS, (201, 199, *(200,) * 5, -1)
 SAMPLE_SESSION: list[Record] = [
     SpeedsHeld(T0 + 1, (100,) * MOTORS, (100, 0, *(100,) * 5, -1)),
@@ -44,6 +45,20 @@ class RecordingWindow(WidgetDriver):
         self.playback = self.window.playback
         self.plot = self.find_only(TracePlot)
         qtbot.addWidget(self.window)
+
+    @property
+    def joints(self) -> JointValues:
+        return self.find(JointValues, "aracnaRecordedJoints")
+
+    def value(self, motor: int, column: str) -> str:
+        """Return what the table says of a motor."""
+        return str(self.joints.model().index(motor, COLUMNS.index(column)).data())
+
+    def curve_box(self, motor: int) -> QPoint:
+        """Return where the check box of a curve is."""
+        table = self.joints
+        row = table.visualRect(table.model().index(motor, 0))
+        return QPoint(row.left() + 8, row.center().y())
 
     def wait_until_loaded(self) -> None:
         self.wait(lambda: self.playback.is_loaded)
@@ -72,27 +87,27 @@ def test_window_shows_recording_and_state_at_chosen_time(window: RecordingWindow
     assert window.window.windowTitle().startswith("walk.trexrec")
     assert not window.is_enabled("aracnaPlaybackStopButton"), "there is no robot"
     assert window.text("aracnaRecordedDoing").startswith("Nothing is sent.")
-    assert window.text("aracnaRecordedPresent0") == "–"
+    assert window.value(0, "Present") == "–"
     window.playback.set_position(T0 + 11.5)
     assert window.text("aracnaRecordedDoing") == "The motion ends by itself in about 0.5 s."
-    assert window.text("aracnaRecordedDifference3") == "moving …"
-    assert window.text("aracnaRecordedPresent2") == "200 = 58.7°"
-    assert window.text("aracnaRecordedPresent3") == "–"
+    assert window.value(3, "Difference") == "moving …"
+    assert window.value(2, "Present") == "200 = 58.7°"
+    assert window.value(3, "Present") == "–"
     slider = window.find(QSlider, "timeSlider")
     window.wait(slider.isVisible)
     window.wait(lambda: slider.width() > 200)
     window.drag("timeSlider", slider.maximum() * 2 // 3)
     assert window.playback.position - T0 == pytest.approx(40, abs=2)
     assert window.text("timeLabel").endswith(" / 0:01:00.0")
-    assert window.text("aracnaRecordedPresent0") == "201 = 58.9°"
-    assert window.text("aracnaRecordedGoal0") == "200 = 58.7°"
-    assert window.text("aracnaRecordedDifference0") == "+1"
-    assert window.text("aracnaRecordedDifference1") == "−1"
-    assert window.text("aracnaRecordedPresent7") == "–"
-    assert window.text("aracnaRecordedDifference7") == "no reply (−1)"
-    assert window.text("aracnaRecordedSpeed0") == "100 = 67 °/s"
-    assert window.text("aracnaRecordedSpeed1") == "unlimited"
-    assert window.text("aracnaRecordedSpeed7") == "no reply (−1)"
+    assert window.value(0, "Present") == "201 = 58.9°"
+    assert window.value(0, "Goal") == "200 = 58.7°"
+    assert window.value(0, "Difference") == "+1"
+    assert window.value(1, "Difference") == "−1"
+    assert window.value(7, "Present") == "–"
+    assert window.value(7, "Difference") == "no reply (−1)"
+    assert window.value(0, "Speed") == "100 = 67 °/s"
+    assert window.value(1, "Speed") == "unlimited"
+    assert window.value(7, "Speed") == "no reply (−1)"
     assert window.text("aracnaRecordedDoing") == "At rest: nothing is sent."
     assert window.plot.cursor_time == window.playback.position
 
@@ -106,9 +121,10 @@ def test_plot_boxes_and_drawing_follow_mouse_and_keys(window: RecordingWindow) -
     QTest.mouseClick(canvas.viewport, Qt.MouseButton.LeftButton, pos=place)
     assert window.playback.position == pytest.approx(T0 + 30, abs=0.5)
     assert len(plot.shown) == MOTORS
-    window.click("aracnaCurveBox3")
+    QTest.mouseClick(window.joints.viewport(), LEFT, pos=window.curve_box(3))
     assert "motor_3" not in plot.shown
-    QTest.keyClick(window.button("aracnaCurveBox3"), Qt.Key.Key_Space)
+    window.joints.focus(3)
+    QTest.keyClick(window.joints, Qt.Key.Key_Space)
     assert "motor_3" in plot.shown
 
     drawing = window.find_only(RobotDrawing)
@@ -118,19 +134,17 @@ def test_plot_boxes_and_drawing_follow_mouse_and_keys(window: RecordingWindow) -
     window.playback.set_position(T0 + 20)
     assert drawing.joint_place(1) != before
     QTest.mouseClick(drawing, Qt.MouseButton.LeftButton, pos=drawing.joint_place(1).toPoint())
-    box = window.find(QCheckBox, "aracnaCurveBox1")
-    assert window.window.focusWidget() is box
+    assert window.window.focusWidget() is window.joints
+    assert window.joints.currentRow() == 1
     QTest.mouseMove(drawing, drawing.joint_place(2).toPoint())
-    window.wait(lambda: window.find(QCheckBox, "aracnaCurveBox2").font().bold())
-    assert not box.font().bold()
+    window.wait(lambda: window.joints.currentRow() == 2)
 
 
 def test_recording_window_works_with_the_keyboard(window: RecordingWindow) -> None:
     window.playback.set_position(T0 + 20)
     check_keyboard(window.window)
-    assert window.find(QLabel, "aracnaRecordedPresent0").accessibleName() == (
-        "Motor 0 inner, front left leg, present position: 201 = 58.9°"
-    )
+    spoken = window.joints.model().headerData(0, Qt.Orientation.Vertical)
+    assert spoken == "Motor 0 inner, front left leg"
     assert "positions" in window.plot.accessibleName()
 
 
@@ -149,14 +163,16 @@ def test_damaged_recording_reports_problem_and_shows_rest(tmp_path: Path, qtbot:
     assert "It was not ended" in text
     assert "Record 3 cannot be read: motor_0_goal_units is not INTEGER." in text
     window.playback.set_position(window.playback.end)
-    assert window.text("aracnaRecordedPresent0") == "201 = 58.9°"
+    assert window.value(0, "Present") == "201 = 58.9°"
 
 
 def test_curve_hidden_while_loading_stays_hidden(tmp_path: Path, qtbot: QtBot) -> None:
     path = tmp_path / "walk.trexrec"
     write(path, SAMPLE_SESSION)
     window = RecordingWindow(path, qtbot)
-    window.find(QCheckBox, "aracnaCurveBox2").setChecked(False)
+    box = window.joints.model().index(2, 0)
+    unchecked = Qt.CheckState.Unchecked
+    window.joints.model().setData(box, unchecked, Qt.ItemDataRole.CheckStateRole)
     window.wait_until_loaded()
     plot = window.plot
     window.wait(lambda: plot.source is window.playback.traces)
@@ -173,9 +189,8 @@ def test_recording_with_other_motor_count_is_shown(
     moved = Moved(T0 + 1, goals, goals, 1.0)
     window = show_recording(tmp_path / "a.trexrec", qtbot, [moved], header)
     window.playback.set_position(T0 + 1)
-    assert window.text(f"aracnaRecordedPresent{motors - 1}") == "300 = 88.0°"
-    names = [label.objectName() for label in window.find_all(QLabel)]
-    assert f"aracnaRecordedPresent{motors}" not in names
+    assert window.value(motors - 1, "Present") == "300 = 88.0°"
+    assert window.joints.rowCount() == motors
     assert window.window.height() < 1000
 
 

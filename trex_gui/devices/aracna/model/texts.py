@@ -36,6 +36,10 @@ def speed_text(speed: int) -> str:
     return tr("unlimited") if per_second is None else f"{per_second:.0f} °/s"
 
 
+def drawing_text() -> str:
+    return tr("Full lines: last reported; dashed: goal. A sketch: angles are drawn flat.")
+
+
 def assumed_text() -> str:
     return tr("Which leg is which is assumed; even motors are inner joints, odd ones outer.")
 

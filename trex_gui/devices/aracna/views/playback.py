@@ -1,8 +1,8 @@
 """Window of a recording of a robot."""
 
 from PySide6.QtCore import Qt, Signal, Slot
-from PySide6.QtGui import QPixmap
-from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QSizePolicy, QWidget
+from PySide6.QtGui import QIcon, QPixmap
+from PySide6.QtWidgets import QHeaderView, QSizePolicy, QTableWidget, QTableWidgetItem, QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.recordings import COLORS, RobotPlayback
@@ -12,24 +12,22 @@ from trex_gui.devices.aracna.model.texts import (
     activity_text,
     assumed_text,
     difference_text,
+    drawing_text,
     joint_text,
     position_text,
     speed_text,
     spoken_joint,
 )
-from trex_gui.devices.aracna.protocol.joints import CENTRE, MOTORS
+from trex_gui.devices.aracna.protocol.joints import CENTRE
 from trex_gui.devices.aracna.protocol.replies import UNREADABLE
 from trex_gui.devices.aracna.views.motion_bar import StopSequenceButton
 from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
 from trex_gui.ui.playback.window import RecordingWindow
-from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import Note
-from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 _NONE = "–"
-_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 class RobotPlaybackWindow(RecordingWindow):
@@ -45,17 +43,11 @@ class RobotPlaybackWindow(RecordingWindow):
 
         self._activity = ui.named(Note(3, self), "aracnaRecordedDoing")
         self._drawing = RobotDrawing(state, self)
-        caption = ui.label(
-            self,
-            "aracnaRecordedCaption",
-            tr("Full lines: as last reported; dashed: goal.") + f"\n* {assumed_text()}",
-            wrap=True,
-        )
-        caption.setForegroundRole(caption.palette().ColorRole.PlaceholderText)
+        text = f"{drawing_text()}\n* {assumed_text()}"
+        caption = ui.label(self, "aracnaRecordedCaption", text, wrap=True, size="caption")
         caption.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         caption.setMinimumHeight(caption.heightForWidth(self._drawing.minimumSizeHint().width()))
         self._joints = JointValues(state.motors, self)
-        scrolls = playback.header.motors > MOTORS  # as many as the published robot fit
         beside = QWidget(self)
         ui.column(self._activity, (self._drawing, 1), caption, into=beside, margins=0)
 
@@ -67,7 +59,7 @@ class RobotPlaybackWindow(RecordingWindow):
         self.arrange(
             StopSequenceButton(robot, "aracnaPlaybackStopButton", self),
             [],
-            below_plot=ScrollBox(self._joints, self) if scrolls else self._joints,
+            below_plot=self._joints,
             above_events=beside,
         )
         self._show_moment()
@@ -100,92 +92,73 @@ class RobotPlaybackWindow(RecordingWindow):
         self.plot.set_shown(self.playback.traces.traces[motor].name, shown=on)
 
 
-class JointValues(QWidget):
-    """A row for each motor; a dash where nothing was known."""
+class JointValues(QTableWidget):
+    """A row for each motor; a dash where nothing was known. Its check box draws its curve."""
 
     toggled = Signal(int, bool)  # a motor, and whether its curve is drawn
 
     def __init__(self, motors: int, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("aracnaRecordedJoints")
-        self._boxes: list[QCheckBox] = []
-        self._cells: dict[tuple[int, str], QLabel] = {}
-        # Part of the object name: heading, name for screen readers, widest text.
-        self._parts = {
-            "Present": (tr("Present"), tr("present position"), position_text(1023)),
-            "Goal": (tr("Goal"), tr("goal"), position_text(1023)),
-            "Difference": (tr("Difference"), tr("difference"), "1023 = 684 °/s"),
-            "Speed": (tr("Speed"), tr("speed"), "1023 = 684 °/s"),
-        }
-
-        grid = ui.grid(self, margins=0, spacing=(12, 2), stretch=[(len(self._parts) + 1, 1)])
-        headings = (tr("Curve"), *(heading for heading, _, _ in self._parts.values()))
-        for column, text in enumerate(headings):
-            label = ui.label(self, text=text)
-            label.setAlignment(_LEFT if column == 0 else _RIGHT)
-            grid.addWidget(label, 0, column)
+        headings = tr("Curve"), tr("Present"), tr("Goal"), tr("Difference"), tr("Speed")
+        super().__init__(motors, len(headings), parent)
+        ui.flat_table(self, "aracnaRecordedJoints", tr("Motors"))
+        ui.set_row_height(self, 8)
+        self.setHorizontalHeaderLabels(headings)
+        self.setVerticalHeaderLabels([*map(spoken_joint, range(motors))])  # for screen readers
+        self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
         for motor in range(motors):
-            self._add_row(grid, motor)
+            for column in range(len(headings)):
+                self.setItem(motor, column, QTableWidgetItem(_NONE))
+            curve = self._cell(motor, 0)
+            curve.setText(joint_text(motor))
+            curve.setCheckState(Qt.CheckState.Checked)
+            curve.setToolTip(tr("Draw the position of this motor in the plot"))
+        self.itemChanged.connect(self._on_changed)
+        follow_theme(self, "curves", self._show_colors)
 
-        theme().changed.connect(self._on_theme_changed)
-        self._on_theme_changed()
-
-    def _add_row(self, grid: QGridLayout, motor: int) -> None:
-        box = ui.check_box(
-            self,
-            f"aracnaCurveBox{motor}",
-            joint_text(motor),
-            accessible=tr("{0}: draw its curve").format(spoken_joint(motor)),
-            tip=tr("Draw the position of this motor in the plot"),
-            checked=True,
-            on_toggle=lambda on: self.toggled.emit(motor, on),
-        )
-        grid.addWidget(box, motor + 1, 0)
-        self._boxes.append(box)
-        for column, (part, (_, _, widest)) in enumerate(self._parts.items(), 1):
-            cell = ui.label(self, f"aracnaRecorded{part}{motor}", _NONE)
-            cell.setAlignment(_RIGHT)
-            cell.setMinimumWidth(self.fontMetrics().horizontalAdvance(widest))
-            grid.addWidget(cell, motor + 1, column)
-            self._cells[motor, part] = cell
+    def _cell(self, row: int, column: int) -> QTableWidgetItem:
+        cell = self.item(row, column)
+        assert cell is not None  # noqa: S101 - all are made at once
+        return cell
 
     def focus(self, motor: int) -> None:
-        if motor < len(self._boxes):
-            self._boxes[motor].setFocus(Qt.FocusReason.OtherFocusReason)
+        self.setCurrentCell(motor, 0)
+        self.setFocus(Qt.FocusReason.OtherFocusReason)
 
     @Slot(int)
     def mark(self, motor: int) -> None:
-        for number, box in enumerate(self._boxes):
-            ui.set_bold(box, number == motor)
+        self.setCurrentCell(motor, 0)
 
     def show_state(self, known: RobotState) -> None:
-        for motor in range(len(self._boxes)):
+        for motor in range(self.rowCount()):
             goal = known.goals[motor] if known.goals is not None else None
-            self._set(motor, "Present", position_text(known.present[motor]))
-            self._set(motor, "Goal", position_text(goal))
-            text, alarming = difference_text(known, motor)
-            self._set(motor, "Difference", text or _NONE, bold=alarming)
+            difference, alarming = difference_text(known, motor)
             held = known.held_speed(motor)
-            self._set(motor, "Speed", self._speed(held), bold=held == UNREADABLE)
+            self._show(motor, 1, position_text(known.present[motor]))
+            self._show(motor, 2, position_text(goal))
+            self._show(motor, 3, difference or _NONE, bold=alarming)
+            self._show(motor, 4, _speed_text(held), bold=held == UNREADABLE)
 
-    def _speed(self, held: int | None) -> str:
-        if held is None:
-            return _NONE
-        if held == UNREADABLE:
-            return tr("no reply (−1)")
-        return f"{held} = {speed_text(held)}" if held else speed_text(held)
+    def _show(self, motor: int, column: int, text: str, *, bold: bool = False) -> None:
+        cell, font = self._cell(motor, column), self.font()
+        font.setBold(bold)
+        cell.setFont(font)
+        cell.setText(text)
 
-    def _set(self, motor: int, part: str, text: str, *, bold: bool = False) -> None:
-        cell = self._cells[motor, part]
-        if cell.text() != text:
-            cell.setText(text)
-            cell.setAccessibleName(f"{spoken_joint(motor)}, {self._parts[part][1]}: {text}")
-        ui.set_bold(cell, bold)
+    @Slot(QTableWidgetItem)
+    def _on_changed(self, cell: QTableWidgetItem) -> None:
+        if cell.column() == 0:
+            self.toggled.emit(cell.row(), cell.checkState() is Qt.CheckState.Checked)
 
-    @Slot()
-    def _on_theme_changed(self) -> None:
-        for motor, box in enumerate(self._boxes):
+    def _show_colors(self) -> None:
+        for motor in range(self.rowCount()):
             swatch = QPixmap(14, 4)
             swatch.fill(theme().color(COLORS[motor % len(COLORS)]))
-            box.setIcon(swatch)
-            box.setIconSize(swatch.size())
+            self._cell(motor, 0).setIcon(QIcon(swatch))
+
+
+def _speed_text(held: int | None) -> str:
+    if held is None:
+        return _NONE
+    if held == UNREADABLE:
+        return tr("no reply (−1)")
+    return f"{held} = {speed_text(held)}" if held else speed_text(held)

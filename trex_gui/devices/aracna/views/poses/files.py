@@ -5,7 +5,7 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import Severity
@@ -46,10 +46,9 @@ class PoseFiles(QObject):
 
     @Slot()
     def ask_and_open(self) -> None:
-        title, folder = tr("Open pose file"), str(self.folder())
-        chosen, _ = QFileDialog.getOpenFileName(self._window, title, folder, self._filter())
-        if chosen:
-            self.open_file(Path(chosen))
+        title, kinds = tr("Open pose file"), self._filter()
+        if path := file_questions.ask_to_open(self._window, title, kinds, _FOLDER):
+            self.open_file(path)
 
     def open_file(self, path: Path) -> None:
         """Open a pose file, after a question about edits that are not saved; then `opened`."""
@@ -90,7 +89,8 @@ class PoseFiles(QObject):
     def ask_and_save(self) -> bool:
         take_typed()
         title = tr("Save pose file")
-        proposal = self._library.path or self.folder() / self._library.name
+        folder = file_questions.last_folder(_FOLDER)
+        proposal = self._library.path or folder / self._library.name
         path = file_questions.ask_to_save(self._window, title, proposal, self._filter(), SUFFIX)
         return path is not None and self.save_to(path)
 
@@ -106,9 +106,6 @@ class PoseFiles(QObject):
         """Ask before edits are lost; if the user wants to save them, call `leave` afterwards."""
         take_typed()
         return self._saver.may_leave(self._saver.answer(), self.save, leave)
-
-    def folder(self) -> Path:
-        return file_questions.last_folder(_FOLDER)
 
     def _report_error(self, text: str, error: StudioError) -> None:
         self._notifier.error.emit(text.format(str(error).rstrip(". ")))

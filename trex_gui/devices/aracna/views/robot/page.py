@@ -8,6 +8,7 @@ from trex_gui.core.translation import Number, tr
 from trex_gui.devices.aracna.model.robot import FIRST_SPEED, Robot
 from trex_gui.devices.aracna.model.texts import (
     assumed_text,
+    drawing_text,
     missed_goals_text,
     speed_text,
     stuck_text,
@@ -46,8 +47,8 @@ class RobotPage(QWidget):
         table = JointTable(robot, joints)
         self.controls = Controls(robot, table, joints)
         ui.column((table, 1), self.controls, into=joints, spacing=8)
-        text = tr("Full lines: last reported; dashed: goal. A sketch: angles are drawn flat.")
-        self._drawn = RobotCard(robot, f"{text}\n* {assumed_text()}", joints, self._content)
+        remark = f"{drawing_text()}\n* {assumed_text()}"
+        self._drawn = RobotCard(robot, remark, joints, self._content)
         drawing = self._drawn.drawing
         cards = ui.row((self._drawn, 2), (joints, 7), spacing=16)
         ui.column(self._head, (cards, 1), into=self._content, margins=0, spacing=8)
