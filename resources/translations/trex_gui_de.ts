@@ -233,6 +233,8 @@
         <translation><numerusform>%n Schritt wird abgespielt, {0}.</numerusform><numerusform>%n Schritte werden abgespielt, {0}.</numerusform></translation></message>
     <message><source>Nothing more is sent.</source>
         <translation>Es wird nichts mehr gesendet.</translation></message>
+    <message><source>Full lines: last reported; dashed: goal. A sketch: angles are drawn flat.</source>
+        <translation>Durchgezogene Linien: zuletzt gemeldet; gestrichelt: Ziel. Eine Skizze: Winkel sind flach gezeichnet.</translation></message>
     <message><source>Which leg is which is assumed; even motors are inner joints, odd ones outer.</source>
         <translation>Welches Bein welches ist, ist angenommen; Motoren mit gerader Nummer sind innere Gelenke, solche mit ungerader äußere.</translation></message>
     <message><source>Playing step {0} of {1} “{2}”, round {3} of {4}.</source>
@@ -605,28 +607,16 @@
         <translation><numerusform>Aracna, Firmware {0}, %n Motor</numerusform><numerusform>Aracna, Firmware {0}, %n Motoren</numerusform></translation></message>
     <message><source>Curve</source>
         <translation>Kurve</translation></message>
-    <message><source>Full lines: as last reported; dashed: goal.</source>
-        <translation>Durchgezogene Linien: zuletzt gemeldet; gestrichelt: Ziel.</translation></message>
     <message><source>Present</source>
         <translation>Ist</translation></message>
-    <message><source>present position</source>
-        <translation>Istposition</translation></message>
     <message><source>Goal</source>
-        <translation>Ziel</translation></message>
-    <message><source>goal</source>
         <translation>Ziel</translation></message>
     <message><source>Difference</source>
         <translation>Abweichung</translation></message>
-    <message><source>difference</source>
-        <translation>Abweichung</translation></message>
     <message><source>Speed</source>
-        <translation>Geschwindigkeit</translation></message>
-    <message><source>speed</source>
         <translation>Geschwindigkeit</translation></message>
     <message><source>Draw the position of this motor in the plot</source>
         <translation>Die Position dieses Motors im Diagramm zeichnen</translation></message>
-    <message><source>{0}: draw its curve</source>
-        <translation>{0}: Kurve zeichnen</translation></message>
     <message><source>Save pose file</source>
         <translation>Posendatei speichern</translation></message>
     <message><source>Open pose file</source>
@@ -647,12 +637,6 @@
         <translation>Sequenzen und Gangarten</translation></message>
     <message><source>New sequence</source>
         <translation>Neue Sequenz</translation></message>
-    <message><source>Remove this step</source>
-        <translation>Diesen Schritt entfernen</translation></message>
-    <message><source>Move this step up</source>
-        <translation>Diesen Schritt nach oben schieben</translation></message>
-    <message><source>Move this step down</source>
-        <translation>Diesen Schritt nach unten schieben</translation></message>
     <message><source>Choose a sequence; built-in gaits cannot be changed</source>
         <translation>Wählen Sie eine Sequenz; eingebaute Gangarten lassen sich nicht ändern</translation></message>
     <message><source>There are no poses</source>
@@ -661,6 +645,12 @@
         <translation>Ein Schritt kann „{0}“ nicht verwenden: Entfernen Sie Komma und senkrechten Strich aus dem Namen der Pose</translation></message>
     <message><source>Steps</source>
         <translation>Schritte</translation></message>
+    <message><source>Delete</source>
+        <translation>Löschen</translation></message>
+    <message><source>Move up</source>
+        <translation>Nach oben</translation></message>
+    <message><source>Move down</source>
+        <translation>Nach unten</translation></message>
     <message><source>Choose a sequence or a gait to see its steps.</source>
         <translation>Wählen Sie eine Sequenz oder eine Gangart, um ihre Schritte zu sehen.</translation></message>
     <message><source>{0} ms</source>
@@ -691,12 +681,6 @@
         <translation>Umbenennen</translation></message>
     <message><source>Duplicate</source>
         <translation>Duplizieren</translation></message>
-    <message><source>Delete</source>
-        <translation>Löschen</translation></message>
-    <message><source>Move up</source>
-        <translation>Nach oben</translation></message>
-    <message><source>Move down</source>
-        <translation>Nach unten</translation></message>
     <message><source>Uses the authors' poses, but was not made by them.</source>
         <translation>Nutzt die Posen der Autoren, stammt aber nicht von ihnen.</translation></message>
     <message numerus="yes"><source>%n step(s), {0:g} s</source>
@@ -809,6 +793,8 @@
         <translation>{0}: {1}</translation></message>
     <message><source>goal in units</source>
         <translation>Ziel in Einheiten</translation></message>
+    <message><source>present position</source>
+        <translation>Istposition</translation></message>
     <message><source>lowest position</source>
         <translation>kleinste Position</translation></message>
     <message><source>highest position</source>
@@ -817,6 +803,10 @@
         <translation>Ziel in Grad</translation></message>
     <message><source>state</source>
         <translation>Zustand</translation></message>
+    <message><source>speed</source>
+        <translation>Geschwindigkeit</translation></message>
+    <message><source>goal</source>
+        <translation>Ziel</translation></message>
     <message><source>the servo holds {0}</source>
         <translation>das Servo hat {0}</translation></message>
     <message><source>Leg*</source>
@@ -847,8 +837,6 @@
         <translation> = maximal</translation></message>
     <message><source>differ</source>
         <translation>verschieden</translation></message>
-    <message><source>Full lines: last reported; dashed: goal. A sketch: angles are drawn flat.</source>
-        <translation>Durchgezogene Linien: zuletzt gemeldet; gestrichelt: Ziel. Eine Skizze: Winkel sind flach gezeichnet.</translation></message>
     <message><source>The positions of the motors are unknown.</source>
         <translation>Die Motorpositionen sind unbekannt.</translation></message>
     <message><source>This robot reports them only in its reply to a move.</source>

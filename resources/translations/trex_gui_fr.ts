@@ -233,6 +233,8 @@
         <translation><numerusform>Lecture de %n étape, {0}.</numerusform><numerusform>Lecture de %n étapes, {0}.</numerusform></translation></message>
     <message><source>Nothing more is sent.</source>
         <translation>Plus rien n'est envoyé.</translation></message>
+    <message><source>Full lines: last reported; dashed: goal. A sketch: angles are drawn flat.</source>
+        <translation>Traits pleins : dernières positions transmises ; tirets : cible. Schéma : les angles sont dessinés à plat.</translation></message>
     <message><source>Which leg is which is assumed; even motors are inner joints, odd ones outer.</source>
         <translation>L'attribution des pattes est supposée ; les moteurs pairs sont les articulations intérieures, les impairs les extérieures.</translation></message>
     <message><source>Playing step {0} of {1} “{2}”, round {3} of {4}.</source>
@@ -605,28 +607,16 @@
         <translation><numerusform>Aracna, firmware {0}, %n moteur</numerusform><numerusform>Aracna, firmware {0}, %n moteurs</numerusform></translation></message>
     <message><source>Curve</source>
         <translation>Courbe</translation></message>
-    <message><source>Full lines: as last reported; dashed: goal.</source>
-        <translation>Traits pleins : dernières positions transmises ; tirets : cible.</translation></message>
     <message><source>Present</source>
         <translation>Actuelle</translation></message>
-    <message><source>present position</source>
-        <translation>position actuelle</translation></message>
     <message><source>Goal</source>
         <translation>Cible</translation></message>
-    <message><source>goal</source>
-        <translation>cible</translation></message>
     <message><source>Difference</source>
         <translation>Écart</translation></message>
-    <message><source>difference</source>
-        <translation>écart</translation></message>
     <message><source>Speed</source>
         <translation>Vitesse</translation></message>
-    <message><source>speed</source>
-        <translation>vitesse</translation></message>
     <message><source>Draw the position of this motor in the plot</source>
         <translation>Tracer la position de ce moteur dans le graphique</translation></message>
-    <message><source>{0}: draw its curve</source>
-        <translation>{0} : tracer sa courbe</translation></message>
     <message><source>Save pose file</source>
         <translation>Enregistrer le fichier de poses</translation></message>
     <message><source>Open pose file</source>
@@ -647,12 +637,6 @@
         <translation>Séquences et allures</translation></message>
     <message><source>New sequence</source>
         <translation>Nouvelle séquence</translation></message>
-    <message><source>Remove this step</source>
-        <translation>Supprimer cette étape</translation></message>
-    <message><source>Move this step up</source>
-        <translation>Monter cette étape</translation></message>
-    <message><source>Move this step down</source>
-        <translation>Descendre cette étape</translation></message>
     <message><source>Choose a sequence; built-in gaits cannot be changed</source>
         <translation>Choisissez une séquence ; les allures intégrées ne peuvent pas être modifiées</translation></message>
     <message><source>There are no poses</source>
@@ -661,6 +645,12 @@
         <translation>Une étape ne peut pas utiliser « {0} » : enlevez la virgule et la barre du nom de la pose</translation></message>
     <message><source>Steps</source>
         <translation>Étapes</translation></message>
+    <message><source>Delete</source>
+        <translation>Supprimer</translation></message>
+    <message><source>Move up</source>
+        <translation>Monter</translation></message>
+    <message><source>Move down</source>
+        <translation>Descendre</translation></message>
     <message><source>Choose a sequence or a gait to see its steps.</source>
         <translation>Choisissez une séquence ou une allure pour voir ses étapes.</translation></message>
     <message><source>{0} ms</source>
@@ -691,12 +681,6 @@
         <translation>Renommer</translation></message>
     <message><source>Duplicate</source>
         <translation>Dupliquer</translation></message>
-    <message><source>Delete</source>
-        <translation>Supprimer</translation></message>
-    <message><source>Move up</source>
-        <translation>Monter</translation></message>
-    <message><source>Move down</source>
-        <translation>Descendre</translation></message>
     <message><source>Uses the authors' poses, but was not made by them.</source>
         <translation>Utilise les poses des auteurs du robot, mais n'a pas été faite par eux.</translation></message>
     <message numerus="yes"><source>%n step(s), {0:g} s</source>
@@ -809,6 +793,8 @@
         <translation>{0} : {1}</translation></message>
     <message><source>goal in units</source>
         <translation>cible en unités</translation></message>
+    <message><source>present position</source>
+        <translation>position actuelle</translation></message>
     <message><source>lowest position</source>
         <translation>position la plus basse</translation></message>
     <message><source>highest position</source>
@@ -817,6 +803,10 @@
         <translation>cible en degrés</translation></message>
     <message><source>state</source>
         <translation>état</translation></message>
+    <message><source>speed</source>
+        <translation>vitesse</translation></message>
+    <message><source>goal</source>
+        <translation>cible</translation></message>
     <message><source>the servo holds {0}</source>
         <translation>le servo garde {0}</translation></message>
     <message><source>Leg*</source>
@@ -847,8 +837,6 @@
         <translation> = au plus vite</translation></message>
     <message><source>differ</source>
         <translation>différentes</translation></message>
-    <message><source>Full lines: last reported; dashed: goal. A sketch: angles are drawn flat.</source>
-        <translation>Traits pleins : dernières positions transmises ; tirets : cible. Schéma : les angles sont dessinés à plat.</translation></message>
     <message><source>The positions of the motors are unknown.</source>
         <translation>Les positions des moteurs sont inconnues.</translation></message>
     <message><source>This robot reports them only in its reply to a move.</source>

@@ -22,7 +22,7 @@ def joint_text(motor: int) -> str:
 def spoken_joint(motor: int) -> str:
     if motor >= MOTORS:
         return tr("Motor {0}").format(motor)
-    leg = tr(LEGS[motor // 2].value).lower()
+    leg = tr(LEGS[motor // 2]).lower()
     return tr("Motor {0}, {1} leg").format(joint_text(motor), leg)
 
 

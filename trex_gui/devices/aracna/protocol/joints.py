@@ -9,7 +9,6 @@ documentation (units).
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from enum import Enum
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr, tr_noop
@@ -27,17 +26,8 @@ The published CAD of the robot uses AX-18A. An AX-12A ends at 59 rpm, a setting 
 """
 
 
-class Leg(Enum):
-    """Leg, seen from above with the front up. The value is its name for the user."""
-
-    LEFT_FRONT = tr_noop("Front left")
-    RIGHT_FRONT = tr_noop("Front right")
-    RIGHT_BACK = tr_noop("Back right")
-    LEFT_BACK = tr_noop("Back left")
-
-
-LEGS = (Leg.LEFT_FRONT, Leg.RIGHT_FRONT, Leg.RIGHT_BACK, Leg.LEFT_BACK)
-"""The leg of each two motors, an inner and an outer joint.
+LEGS = tr_noop("Front left"), tr_noop("Front right"), tr_noop("Back right"), tr_noop("Back left")
+"""The leg of each two motors, an inner and an outer joint, seen from above with the front up.
 
 Assumed: motors 0-3 are in front and 4-7 at the back, 2-5 right and 6, 7, 0, 1 left.
 """

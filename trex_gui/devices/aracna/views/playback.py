@@ -100,7 +100,7 @@ class JointValues(QTableWidget):
     def __init__(self, motors: int, parent: QWidget | None = None) -> None:
         headings = tr("Curve"), tr("Present"), tr("Goal"), tr("Difference"), tr("Speed")
         super().__init__(motors, len(headings), parent)
-        ui.flat_table(self, "aracnaRecordedJoints", tr("Motors"))
+        ui.flat_table(self, "aracnaRecordedJoints", tr("Servos"))
         ui.set_row_height(self, 8)
         self.setHorizontalHeaderLabels(headings)
         self.setVerticalHeaderLabels([*map(spoken_joint, range(motors))])  # for screen readers

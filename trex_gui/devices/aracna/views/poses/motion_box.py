@@ -15,7 +15,7 @@ from PySide6.QtCore import (
     Signal,
     Slot,
 )
-from PySide6.QtGui import QKeyEvent, QPaintEvent
+from PySide6.QtGui import QPaintEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
     QStyleOptionViewItem,
     QTableWidget,
     QTableWidgetItem,
+    QToolButton,
     QWidget,
 )
 
@@ -38,7 +39,12 @@ from trex_gui.devices.aracna.poses.project import (
     SequenceStep,
     is_usable_in_step,
 )
-from trex_gui.devices.aracna.views.poses.name_list import NameList, small_button
+from trex_gui.devices.aracna.views.poses.name_list import (
+    NameList,
+    action_button,
+    row_action,
+    small_button,
+)
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.theme.theme import follow_theme, set_look
 from trex_gui.ui.widgets import builders as ui
@@ -71,32 +77,23 @@ class MotionBox(ui.Card):
             "aracnaMotions",
             accessible=tr("Sequences and gaits"),
         )
-        arrows = Qt.ArrowType
         new = small_button(
             self, "aracnaNewSequence", tr("New sequence"), text=tr("&New"), icon="new"
         )
         buttons = self._list.buttons(self)
         self.table = StepTable(library, self)
         self._add = small_button(self, "aracnaAddStep", text=tr("Add s&tep"), icon="new")
-        self._remove = small_button(self, "aracnaRemoveStep", tr("Remove this step"), icon="clear")
-        self._up = small_button(self, "aracnaStepUp", tr("Move this step up"), arrow=arrows.UpArrow)
-        self._down = small_button(
-            self, "aracnaStepDown", tr("Move this step down"), arrow=arrows.DownArrow
-        )
         ui.column(
             (self._list, 2),
             ui.row(new, *buttons, 1),
             (self.table, 3),
-            ui.row(self._add, self._remove, self._up, self._down, 1),
+            ui.row(self._add, *self.table.buttons(self), 1),
             into=self,
             spacing=4,
         )
 
         new.clicked.connect(lambda: self._list.choose_and_edit(library.add_sequence()))
         self._add.clicked.connect(self._on_add_clicked)
-        self._remove.clicked.connect(self.table.remove)
-        self._up.clicked.connect(lambda: self.table.shift(-1))
-        self._down.clicked.connect(lambda: self.table.shift(1))
         self._list.chosen.connect(lambda: self.table.show_item(self._list.current))
         self.table.selectionModel().currentChanged.connect(self._update_buttons)
         self.table.shown.connect(self._update_buttons)
@@ -120,13 +117,10 @@ class MotionBox(ui.Card):
 
     @Slot()
     def _update_buttons(self) -> None:
-        editable, row = self.table.editable, self.table.currentRow()
         pose = self._pose_for_step()
-        self._add.setEnabled(editable and bool(pose) and is_usable_in_step(pose))
+        self._add.setEnabled(self.table.editable and bool(pose) and is_usable_in_step(pose))
         self._add.setToolTip(ui.plain(self._add_tool_tip(pose)))
-        self._remove.setEnabled(editable and row >= 0)
-        self._up.setEnabled(editable and row > 0)
-        self._down.setEnabled(editable and 0 <= row < self.table.rowCount() - 1)
+        self.table.update_actions()
 
     def _add_tool_tip(self, pose: str) -> str:
         if not self.table.editable:
@@ -200,10 +194,7 @@ class _Delegate(QStyledItemDelegate):
 
 
 class StepTable(QTableWidget):
-    """Edits the steps of a sequence, and shows those of a gait.
-
-    Delete removes the current step, Alt+Up and Alt+Down move it.
-    """
+    """Edits the steps of a sequence, and shows those of a gait."""
 
     shown = Signal()  # another item is shown, or its steps have changed
 
@@ -231,6 +222,10 @@ class StepTable(QTableWidget):
         )
         self.setMinimumHeight(_LINES * self.verticalHeader().defaultSectionSize())
 
+        self.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
+        self._remove = row_action(self, tr("Delete"), "Del", self._on_remove, "clear")
+        self._up = row_action(self, tr("Move up"), "Alt+Up", lambda: self._shift(-1))
+        self._down = row_action(self, tr("Move down"), "Alt+Down", lambda: self._shift(1))
         self.itemChanged.connect(self._on_edited)
         library.changed.connect(self._on_library_changed)
 
@@ -264,21 +259,29 @@ class StepTable(QTableWidget):
     def add(self, row: int, step: SequenceStep) -> None:
         self._set_steps((*self.steps[:row], step, *self.steps[row:]))
 
-    def shift(self, by: int) -> None:
-        """Move the current step up (-1) or down (1)."""
-        row = self.currentRow()
-        place = row + by
-        if row >= 0 and 0 <= place < len(self.steps):
-            steps = list(self.steps)
-            steps.insert(place, steps.pop(row))
-            self._set_steps(steps)
-            self.choose(place)
+    def buttons(self, parent: QWidget) -> list[QToolButton]:
+        return [
+            action_button(parent, "aracnaRemoveStep", self._remove),
+            action_button(parent, "aracnaStepUp", self._up, Qt.ArrowType.UpArrow),
+            action_button(parent, "aracnaStepDown", self._down, Qt.ArrowType.DownArrow),
+        ]
 
-    @Slot()
-    def remove(self) -> None:
-        if (row := self.currentRow()) >= 0:
-            self._set_steps(self.steps[:row] + self.steps[row + 1 :])
-            self.choose(row)
+    def update_actions(self) -> None:
+        row, last = self.currentRow(), self.rowCount() - 1
+        self._remove.setEnabled(self.editable and row >= 0)
+        self._up.setEnabled(self.editable and row > 0)
+        self._down.setEnabled(self.editable and 0 <= row < last)
+
+    def _shift(self, by: int) -> None:
+        row, steps = self.currentRow(), list(self.steps)
+        steps.insert(row + by, steps.pop(row))
+        self._set_steps(steps)
+        self.choose(row + by)
+
+    def _on_remove(self) -> None:
+        row = self.currentRow()
+        self._set_steps(self.steps[:row] + self.steps[row + 1 :])
+        self.choose(row)
 
     def _set_steps(self, steps: Many[SequenceStep]) -> None:
         if self.editable and self._key is not None:
@@ -328,15 +331,6 @@ class StepTable(QTableWidget):
             cell.setData(Qt.ItemDataRole.AccessibleTextRole, _time_text(value))
         if column is StepColumn.NOTE:
             cell.setToolTip(ui.plain(str(value)))
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        by = {Qt.Key.Key_Up: -1, Qt.Key.Key_Down: 1}.get(Qt.Key(event.key()))
-        if event.key() == Qt.Key.Key_Delete:
-            self.remove()
-        elif by is not None and event.modifiers() & Qt.KeyboardModifier.AltModifier:
-            self.shift(by)
-        else:
-            super().keyPressEvent(event)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)

@@ -49,11 +49,11 @@ class NameList(QListWidget):
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
         self.setTextElideMode(Qt.TextElideMode.ElideRight)
         self.setMinimumHeight(_LINES * (self.fontMetrics().height() + 6))
-        self._rename = self._action(tr("Rename"), "F2", self.edit_name)
-        self._duplicate = self._action(tr("Duplicate"), "", self._on_duplicate, "copy")
-        self._delete = self._action(tr("Delete"), "Del", self._on_delete, "clear")
-        self._up = self._action(tr("Move up"), "Alt+Up", lambda: self._move(-1))
-        self._down = self._action(tr("Move down"), "Alt+Down", lambda: self._move(1))
+        self._rename = row_action(self, tr("Rename"), "F2", self.edit_name)
+        self._duplicate = row_action(self, tr("Duplicate"), "", self._on_duplicate, "copy")
+        self._delete = row_action(self, tr("Delete"), "Del", self._on_delete, "clear")
+        self._up = row_action(self, tr("Move up"), "Alt+Up", lambda: self._move(-1))
+        self._down = row_action(self, tr("Move down"), "Alt+Down", lambda: self._move(1))
 
         self.selectionModel().currentChanged.connect(self._on_current_changed)
         self.itemChanged.connect(self._on_renamed)
@@ -61,28 +61,14 @@ class NameList(QListWidget):
         self._show_names()
         self._update_actions()
 
-    def _action(self, text: str, shortcut: str, slot: ui.Trigger, icon: str = "") -> QAction:
-        context = Qt.ShortcutContext.WidgetShortcut
-        action = ui.action(
-            self, "", text, icon=icon, shortcut=shortcut, context=context, on_trigger=slot
-        )
-        self.addAction(action)
-        return action
-
     def buttons(self, parent: QWidget) -> list[QToolButton]:
         kind = "Pose" if self._kind is ItemKind.POSE else "Sequence"
-        arrows = Qt.ArrowType
-        buttons = []
-        for action, name, arrow in (
-            (self._duplicate, f"aracnaDuplicate{kind}", arrows.NoArrow),
-            (self._delete, f"aracnaDelete{kind}", arrows.NoArrow),
-            (self._up, f"aracna{kind}Up", arrows.UpArrow),
-            (self._down, f"aracna{kind}Down", arrows.DownArrow),
-        ):
-            button = small_button(parent, name, action.text(), arrow=arrow)
-            button.setDefaultAction(action)
-            buttons.append(button)
-        return buttons
+        return [
+            action_button(parent, f"aracnaDuplicate{kind}", self._duplicate),
+            action_button(parent, f"aracnaDelete{kind}", self._delete),
+            action_button(parent, f"aracna{kind}Up", self._up, Qt.ArrowType.UpArrow),
+            action_button(parent, f"aracna{kind}Down", self._down, Qt.ArrowType.DownArrow),
+        ]
 
     @property
     def current(self) -> ItemKey | None:
@@ -227,7 +213,6 @@ def small_button(
     *,
     text: str = "",
     icon: str = "",
-    arrow: Qt.ArrowType = Qt.ArrowType.NoArrow,
     on_click: ui.Handler | None = None,
 ) -> QToolButton:
     """Create a tool button that takes the focus when it is clicked."""
@@ -235,5 +220,23 @@ def small_button(
         parent, name, text, icon=icon, tip=tip, accessible=tip, on_click=on_click
     )
     button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+    return button
+
+
+def row_action(
+    view: QAbstractItemView, text: str, shortcut: str, slot: ui.Trigger, icon: str = ""
+) -> QAction:
+    """Create an action for the current row of a view that has the focus."""
+    context = Qt.ShortcutContext.WidgetShortcut
+    made = ui.action(view, "", text, icon=icon, shortcut=shortcut, context=context, on_trigger=slot)
+    view.addAction(made)
+    return made
+
+
+def action_button(
+    parent: QWidget, name: str, action: QAction, arrow: Qt.ArrowType = Qt.ArrowType.NoArrow
+) -> QToolButton:
+    button = small_button(parent, name, action.text())
     button.setArrowType(arrow)
+    button.setDefaultAction(action)
     return button

@@ -16,21 +16,11 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.model.texts import position_text, spoken_joint
-from trex_gui.devices.aracna.protocol.joints import LEGS, MOTORS, Leg, degrees
+from trex_gui.devices.aracna.protocol.joints import MOTORS, degrees
 from trex_gui.ui.theme.theme import CARD_PADDING, follow_theme, theme
 from trex_gui.ui.widgets.builders import Card, column, label, plain
 from trex_gui.ui.widgets.circuit import paint_chassis, write
 from trex_gui.ui.widgets.painted import Painted, Painter
-
-_OUTWARD = {
-    Leg.RIGHT_FRONT: 45.0,
-    Leg.LEFT_FRONT: 135.0,
-    Leg.LEFT_BACK: 225.0,
-    Leg.RIGHT_BACK: 315.0,
-}
-"""Degrees anticlockwise from the right, the front up."""
-
-_MIRROR = {Leg.RIGHT_FRONT: 1, Leg.LEFT_FRONT: -1, Leg.LEFT_BACK: 1, Leg.RIGHT_BACK: -1}
 
 _CENTRE = 150.0
 _REDUCTION = 0.35  # drawn part of a servo's angle
@@ -49,7 +39,6 @@ Point = tuple[float, float]
 class DrawnLeg:
     """Places of inner joint, outer joint and foot: x to the right and y down, -1 to 1."""
 
-    leg: Leg
     inner: Point
     outer: Point
     foot: Point
@@ -58,18 +47,19 @@ class DrawnLeg:
 def drawn_legs(positions: tuple[float, ...]) -> tuple[DrawnLeg, ...]:
     """Return the legs of which both motors have a position (units), in the order of motors."""
     return tuple(
-        _drawn_leg(LEGS[motor // 2], positions[motor], positions[motor + 1])
+        _drawn_leg(motor // 2, positions[motor], positions[motor + 1])
         for motor in range(0, min(len(positions), MOTORS) - 1, 2)
     )
 
 
-def _drawn_leg(leg: Leg, inner: float, outer: float) -> DrawnLeg:
-    outward, mirror = _OUTWARD[leg], _MIRROR[leg]
+def _drawn_leg(number: int, inner: float, outer: float) -> DrawnLeg:
+    outward = 135.0 - 90 * number  # degrees anticlockwise from the right, the front up
+    mirror = 1 if number % 2 else -1
     hip = _along((0.0, 0.0), outward, _HIP * math.sqrt(2))
     first = outward + mirror * _REDUCTION * (degrees(inner) - _CENTRE)
     knee = _along(hip, first, _UPPER)
     second = first + mirror * _REDUCTION * (degrees(outer) - _CENTRE)
-    return DrawnLeg(leg, hip, knee, _along(knee, second, _LOWER))
+    return DrawnLeg(hip, knee, _along(knee, second, _LOWER))
 
 
 def _along(start: Point, angle: float, length: float) -> Point:

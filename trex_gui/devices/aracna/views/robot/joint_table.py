@@ -240,7 +240,7 @@ class JointTable(QWidget):
         row = JointRow(self._robot, motor, self)
         line = 1 + motor + motor // 2  # a gap between legs
         if motor < MOTORS and motor % 2 == 0:
-            text = tr(LEGS[motor // 2].value).replace(" ", "\n")
+            text = tr(LEGS[motor // 2]).replace(" ", "\n")
             label = ui.label(self, f"aracnaLeg{motor // 2}", text)
             label.setAlignment(Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft)
             self._grid.addWidget(label, line, _LEG, 2, 1)
