@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QSlider, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import LEFT, WindowDriver
-from trex_gui.devices.aracna.views.robot.joint_widgets import JointSlider
+from trex_gui.devices.aracna.views.robot.joint_table import JointSlider
 from trex_gui.devices.trex.views.pages.motors.drive_control import SpeedSlider
 from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
 from trex_gui.ui.frame.wiring_sketch import WiringSketch

@@ -8,7 +8,6 @@ robot cannot keep up, the next step starts late and is shortened, by half its se
 import itertools
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 
 from trex_gui.core.errors import BadRequest, StudioError
 from trex_gui.core.session import Outcome
@@ -29,14 +28,8 @@ _SHORTEST = 0.5  # part of a step's seconds that is left for its motion, however
 _SCALES = (0.05, 20.0)
 
 
-@dataclass(frozen=True, slots=True)
-class ScheduledStep:
-    """A step and its place: `part` is `in`, `steps` or `out`."""
-
-    part: str
-    index: int
-    round: int
-    step: Step
+ScheduledStep = tuple[str, int, int, Step]
+"""Part of the sequence (`in`, `steps` or `out`), index and round of a step, and the step."""
 
 
 def check_play(play: Play, motors: int) -> None:
@@ -65,7 +58,7 @@ def _schedule(play: Play) -> Iterator[ScheduledStep]:
 
 
 def _numbered(part: str, steps: Sequence[Step], number: int = 0) -> Iterator[ScheduledStep]:
-    return (ScheduledStep(part, index, number, step) for index, step in enumerate(steps))
+    return ((part, index, number, step) for index, step in enumerate(steps))
 
 
 class SequencePlayer:
@@ -87,7 +80,7 @@ class SequencePlayer:
         self._play, self._time_scale = play, play.time_scale
         self._steps = _schedule(play)
         self._due = now  # start of the next step
-        self._current: ScheduledStep | None = None
+        self._part = ""  # of the running step
         self._is_ending = False
         self._speeds_before: tuple[int, ...] | None = None  # to restore at the end
         self._goals, self._is_moving = None, False
@@ -97,7 +90,7 @@ class SequencePlayer:
         if self._play is None:
             return
         self._is_ending = True
-        if self._current is None or self._current.part != "out":
+        if self._part != "out":
             self._steps = _numbered("out", self._play.blend_out)
 
     def set_time_scale(self, time_scale: float) -> None:
@@ -132,18 +125,17 @@ class SequencePlayer:
                 return before
             self.stop(now, Ending.ENDED if self._is_ending else Ending.DONE)
             return None
-        if self._current is None:  # requests queued earlier have been sent by now
+        if not self._part:  # requests queued earlier have been sent by now
             speeds = tuple(speed for speed in self.servos.speeds if speed is not None)
             self._speeds_before = speeds if len(speeds) == len(self.servos.speeds) else None
             self._due = now
-        self._current = scheduled
-        step, part = scheduled.step, scheduled.part
+        self._part, index, number, step = scheduled
         seconds, late = step.seconds * self._time_scale, max(0.0, now - self._due)
         if late > seconds:  # it could never catch up
             self._due = now
         self._due += seconds
         self._goals = self.servos.crop(step.goals)
-        self._report(StepBegun(now, part, scheduled.index, scheduled.round, late))
+        self._report(StepBegun(now, self._part, index, number, late))
         # A `.c` takes time by itself; what a `.v` takes is known to `speeds_to`.
         left = max(self._due - now - REPLY_TIME, seconds * _SHORTEST)
         return self.servos.speeds_to(self._goals, left)

@@ -1,6 +1,7 @@
-"""The joints in rows: goal, present position, difference, speed, limits."""
+"""The joints in rows: slider, goal, present position, difference, speed, limits."""
 
-from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, Signal, Slot
+from PySide6.QtCore import QEvent, QObject, QPointF, QRect, QSignalBlocker, QSize, Qt, Signal, Slot
+from PySide6.QtGui import QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QLabel, QSizePolicy, QSpinBox, QWidget
 
 from trex_gui.core.translation import tr
@@ -12,16 +13,104 @@ from trex_gui.devices.aracna.model.texts import (
     speed_text,
     spoken_joint,
 )
-from trex_gui.devices.aracna.protocol.joints import HIGHEST, LEGS, MOTORS, degrees, position
-from trex_gui.devices.aracna.views.robot.joint_widgets import JointSlider, SpeedBox
+from trex_gui.devices.aracna.protocol.joints import HIGHEST, LEGS, MOTORS, Limits, degrees, position
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.theme.theme import set_text_color
+from trex_gui.ui.theme.theme import set_text_color, theme
 from trex_gui.ui.translations import error_text
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import LiveLabel
+from trex_gui.ui.widgets.sliders import PressSlider
 
 _LEG, _NAME, _SLIDER, _UNITS, _DEGREES, _PRESENT, _STATE, _SPEED, _LOW, _HIGH = range(10)
 _ALTERNATING = (_SPEED, _LOW, _HIGH)
+
+
+_WEDGE = 7
+
+
+class JointSlider(PressSlider):
+    """A slider 0-1023: the handle is the goal, the wedge below is the present position.
+
+    Beyond the limits the groove is thin and grey.
+    """
+
+    room_below = _WEDGE
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(0, HIGHEST, parent)
+        self._limits = Limits()
+        self._present: int | None = None
+        self.setSingleStep(4)
+        self.setPageStep(50)
+
+    def spoken_state(self) -> str:
+        if self._present is None:
+            return tr("Present position unknown")
+        return tr("Present position {0}").format(self._present)
+
+    def set_limits(self, limits: Limits) -> None:
+        if limits != self._limits:
+            self._limits = limits
+            self.update()
+
+    def set_present(self, present: int | None) -> None:
+        if present != self._present:
+            self._present = present
+            self.update()
+
+    def sizeHint(self) -> QSize:
+        hint = super().sizeHint()
+        return QSize(max(hint.width(), 200), hint.height() + _WEDGE)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(70, self.sizeHint().height())
+
+    def paint_groove(self, painter: QPainter, handle: QRect) -> None:
+        middle = handle.center().y()
+        left, right = self.x_of(0, handle), self.x_of(HIGHEST, handle)
+        painter.setPen(QPen(theme().color("track_edge")))
+        painter.setBrush(theme().color("track_off"))
+        painter.drawRect(QRect(left, middle - 3, right - left, 7))
+        start, end = self.x_of(self._limits.low, handle), self.x_of(self._limits.high, handle)
+        painter.setBrush(theme().color("track" if self.isEnabled() else "track_off"))
+        painter.setPen(QPen(theme().color("neutral")))
+        painter.drawRect(QRect(start, middle - 4, max(end - start, 1), 9))
+
+    def paint_below(self, painter: QPainter, handle: QRect) -> None:
+        if self._present is None:
+            return
+        x, bottom = self.x_of(self._present, handle) + 0.5, float(self.height())
+        top = handle.bottom() + 1.0
+        wedge = [QPointF(x, top), QPointF(x - 4.5, bottom), QPointF(x + 4.5, bottom)]
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(theme().color("bar"))
+        painter.drawPolygon(QPolygonF(wedge))
+
+
+class SpeedBox(ui.SpinBox):
+    """A speed setting, 0-1023, and its meaning; 0 is unlimited."""
+
+    def __init__(self, name: str, accessible: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        ui.named(self, name, accessible=accessible)
+        self.setLocale(ui.UNGROUPED)
+        self.setRange(0, HIGHEST)
+        self.setSingleStep(10)
+        self.setKeyboardTracking(False)
+        self.setToolTip(
+            tr(
+                "Speed setting 1-1023, 0.669 °/s each; 0 is unlimited, not “stopped”. "
+                "Above about 870 (AX-18A) or 530 (AX-12A) a servo gets no faster."
+            )
+        )
+        self.valueChanged.connect(self.update_suffix)
+        self.update_suffix()
+
+    @Slot()
+    def update_suffix(self) -> None:
+        """Show the meaning of a value that was set with signals blocked."""
+        value = self.value()
+        self.setSuffix(f" = {speed_text(value)}" if value else tr(" = fastest"))
 
 
 class JointRow(QObject):

@@ -1,7 +1,9 @@
 """The robot page: a drawing, the joints in rows, and controls for all joints."""
 
-from PySide6.QtCore import Slot
-from PySide6.QtGui import QResizeEvent
+from collections.abc import Sequence
+
+from PySide6.QtCore import QSignalBlocker, QTimer, Slot
+from PySide6.QtGui import QFocusEvent, QResizeEvent
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from trex_gui.core.translation import Number, tr
@@ -16,8 +18,7 @@ from trex_gui.devices.aracna.model.texts import (
 from trex_gui.devices.aracna.poses.gaits import STAND
 from trex_gui.devices.aracna.protocol.joints import CENTRE
 from trex_gui.devices.aracna.views.robot.drawing import RobotCard
-from trex_gui.devices.aracna.views.robot.joint_table import JointTable
-from trex_gui.devices.aracna.views.robot.joint_widgets import CommonSpeedBox
+from trex_gui.devices.aracna.views.robot.joint_table import JointTable, SpeedBox
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import set_look
@@ -115,6 +116,44 @@ def _parts(text: str) -> tuple[str, str]:
     """Return the first sentence of a text, and the others."""
     first, dot, more = text.partition(". ")
     return f"{first}{dot}".rstrip(), more
+
+
+class CommonSpeedBox(SpeedBox):
+    """The speed that all motors share; if they differ, it says so until one is chosen."""
+
+    _DIFFER = -1
+
+    def __init__(self, name: str, accessible: str, parent: QWidget | None = None) -> None:
+        super().__init__(name, accessible, parent)
+        self.setMinimumWidth(self.sizeHint().width())  # does not change when they differ
+
+    @property
+    def differ(self) -> bool:
+        return self.value() == self._DIFFER
+
+    def show_speeds(self, speeds: Sequence[int]) -> None:
+        """Show the speeds of all motors without a signal; keep what the user is typing."""
+        value = speeds[0] if len(set(speeds)) == 1 else self._DIFFER
+        lowest = min(value, 0)
+        if (value, lowest) == (self.value(), self.minimum()):
+            return
+        with QSignalBlocker(self):
+            self.setMinimum(lowest)
+            self.setSpecialValueText(tr("differ") if value == self._DIFFER else "")
+            self.setValue(value)
+        self.update_suffix()
+
+    def stepBy(self, steps: int) -> None:
+        if not self.differ:
+            super().stepBy(steps)
+        elif steps > 0:
+            self.setValue(steps * self.singleStep())
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        """Let the user type a speed over the text, also after a click."""
+        super().focusInEvent(event)
+        if self.differ:
+            QTimer.singleShot(0, self, self.selectAll)
 
 
 class Controls(QWidget):
