@@ -4,11 +4,11 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QAccessible, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
-from trex_gui.core.translation import Number, tr
+from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.controller import AracnaController
 from trex_gui.devices.aracna.model.demo import DemoRobot, DemoServo, FirmwareState, RobotSnapshot
-from trex_gui.devices.aracna.model.texts import spoken_joint
-from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS, degrees
+from trex_gui.devices.aracna.model.texts import position_text, spoken_joint
+from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS
 from trex_gui.ui.devices.demo_panel import Columns, DemoPanelBody, Rows, add_cable
 from trex_gui.ui.widgets.accessible import SpokenRange
 from trex_gui.ui.widgets.bar import paint_track
@@ -262,7 +262,7 @@ def power_text(snapshot: RobotSnapshot) -> tuple[str, bool]:
 
 def servo_text(servo: DemoServo, powered: bool) -> str:
     """Return position and state of a servo: `512 = 150.1°, moving to 600`."""
-    where = f"{servo.position} = {Number(degrees(servo.position)):.1f}°"
+    where = position_text(servo.position)
     if not powered:
         doing = tr("no power")
     elif servo.dead:
