@@ -745,6 +745,8 @@
         <translation>begrenzt: Motor {0}</translation></message>
     <message><source>Cannot play: {0}.</source>
         <translation>Abspielen nicht möglich: {0}.</translation></message>
+    <message><source>The robot's position is known after its first move.</source>
+        <translation>Die Position des Roboters ist nach seiner ersten Bewegung bekannt.</translation></message>
     <message><source>No poses. Capture the robot's position, or open a pose file.</source>
         <translation>Keine Posen. Nehmen Sie die Position des Roboters auf oder öffnen Sie eine Posendatei.</translation></message>
     <message><source>Set this pose to the robot's position</source>
@@ -763,10 +765,6 @@
         <translation>Motor {0}: {1:.0f}°, Grenzen {2} bis {3}, gesendet als {4}</translation></message>
     <message><source>Save the robot's position as a new pose.</source>
         <translation>Die Position des Roboters als neue Pose speichern.</translation></message>
-    <message><source>The robot's position is known after its first move.</source>
-        <translation>Die Position des Roboters ist nach seiner ersten Bewegung bekannt.</translation></message>
-    <message><source>Not captured: {0}.</source>
-        <translation>Nicht aufgenommen: {0}.</translation></message>
     <message><source>Requests: {0}, without a reply: {1}.</source>
         <translation>Anfragen: {0}, ohne Antwort: {1}.</translation></message>
     <message><source>Answered</source>
@@ -791,6 +789,10 @@
         <translation>vorn</translation></message>
     <message><source>{0}: {1}</source>
         <translation>{0}: {1}</translation></message>
+    <message><source>Present position unknown</source>
+        <translation>Istposition unbekannt</translation></message>
+    <message><source>Speed setting 1-1023, 0.669 °/s each; 0 is unlimited, not “stopped”. Above about 870 (AX-18A) or 530 (AX-12A) a servo gets no faster.</source>
+        <translation>Einstellwert 1-1023 für die Geschwindigkeit, je 0,669 °/s; 0 ist unbegrenzt, nicht „gestoppt“. Über etwa 870 (AX-18A) oder 530 (AX-12A) wird ein Servo nicht schneller.</translation></message>
     <message><source>goal in units</source>
         <translation>Ziel in Einheiten</translation></message>
     <message><source>present position</source>
@@ -799,6 +801,10 @@
         <translation>kleinste Position</translation></message>
     <message><source>highest position</source>
         <translation>größte Position</translation></message>
+    <message><source>Present position {0}</source>
+        <translation>Istposition {0}</translation></message>
+    <message><source> = fastest</source>
+        <translation> = maximal</translation></message>
     <message><source>goal in degrees</source>
         <translation>Ziel in Grad</translation></message>
     <message><source>state</source>
@@ -827,16 +833,6 @@
         <translation>Von</translation></message>
     <message><source>To</source>
         <translation>Bis</translation></message>
-    <message><source>Present position unknown</source>
-        <translation>Istposition unbekannt</translation></message>
-    <message><source>Speed setting 1-1023, 0.669 °/s each; 0 is unlimited, not “stopped”. Above about 870 (AX-18A) or 530 (AX-12A) a servo gets no faster.</source>
-        <translation>Einstellwert 1-1023 für die Geschwindigkeit, je 0,669 °/s; 0 ist unbegrenzt, nicht „gestoppt“. Über etwa 870 (AX-18A) oder 530 (AX-12A) wird ein Servo nicht schneller.</translation></message>
-    <message><source>Present position {0}</source>
-        <translation>Istposition {0}</translation></message>
-    <message><source> = fastest</source>
-        <translation> = maximal</translation></message>
-    <message><source>differ</source>
-        <translation>verschieden</translation></message>
     <message><source>The positions of the motors are unknown.</source>
         <translation>Die Motorpositionen sind unbekannt.</translation></message>
     <message><source>This robot reports them only in its reply to a move.</source>
@@ -883,6 +879,8 @@
         <translation>Wie weit sich jedes Gelenk drehen darf; Ziele werden vor dem Senden begrenzt</translation></message>
     <message><source>{0:.1f} commands/s</source>
         <translation>{0:.1f} Befehle/s</translation></message>
+    <message><source>differ</source>
+        <translation>verschieden</translation></message>
     <message><source>Set sliders to:</source>
         <translation>Schieberegler setzen auf:</translation></message>
     <message><source>&amp;Stop sequence</source>

@@ -745,6 +745,8 @@
         <translation>limité : moteur {0}</translation></message>
     <message><source>Cannot play: {0}.</source>
         <translation>Impossible de jouer : {0}.</translation></message>
+    <message><source>The robot's position is known after its first move.</source>
+        <translation>La position du robot est connue après son premier mouvement.</translation></message>
     <message><source>No poses. Capture the robot's position, or open a pose file.</source>
         <translation>Aucune pose. Capturez la position du robot, ou ouvrez un fichier de poses.</translation></message>
     <message><source>Set this pose to the robot's position</source>
@@ -763,10 +765,6 @@
         <translation>Moteur {0} : {1:.0f}°, limites {2} à {3}, envoyé : {4}</translation></message>
     <message><source>Save the robot's position as a new pose.</source>
         <translation>Enregistrer la position du robot comme nouvelle pose.</translation></message>
-    <message><source>The robot's position is known after its first move.</source>
-        <translation>La position du robot est connue après son premier mouvement.</translation></message>
-    <message><source>Not captured: {0}.</source>
-        <translation>Non capturée : {0}.</translation></message>
     <message><source>Requests: {0}, without a reply: {1}.</source>
         <translation>Requêtes : {0}, sans réponse : {1}.</translation></message>
     <message><source>Answered</source>
@@ -791,6 +789,10 @@
         <translation>avant</translation></message>
     <message><source>{0}: {1}</source>
         <translation>{0} : {1}</translation></message>
+    <message><source>Present position unknown</source>
+        <translation>Position actuelle inconnue</translation></message>
+    <message><source>Speed setting 1-1023, 0.669 °/s each; 0 is unlimited, not “stopped”. Above about 870 (AX-18A) or 530 (AX-12A) a servo gets no faster.</source>
+        <translation>Réglage de vitesse 1-1023, 0,669 °/s par unité ; 0 signifie illimitée, et non « arrêté ». Au-delà d'environ 870 (AX-18A) ou 530 (AX-12A), un servo ne va pas plus vite.</translation></message>
     <message><source>goal in units</source>
         <translation>cible en unités</translation></message>
     <message><source>present position</source>
@@ -799,6 +801,10 @@
         <translation>position la plus basse</translation></message>
     <message><source>highest position</source>
         <translation>position la plus haute</translation></message>
+    <message><source>Present position {0}</source>
+        <translation>Position actuelle {0}</translation></message>
+    <message><source> = fastest</source>
+        <translation> = au plus vite</translation></message>
     <message><source>goal in degrees</source>
         <translation>cible en degrés</translation></message>
     <message><source>state</source>
@@ -827,16 +833,6 @@
         <translation>De</translation></message>
     <message><source>To</source>
         <translation>À</translation></message>
-    <message><source>Present position unknown</source>
-        <translation>Position actuelle inconnue</translation></message>
-    <message><source>Speed setting 1-1023, 0.669 °/s each; 0 is unlimited, not “stopped”. Above about 870 (AX-18A) or 530 (AX-12A) a servo gets no faster.</source>
-        <translation>Réglage de vitesse 1-1023, 0,669 °/s par unité ; 0 signifie illimitée, et non « arrêté ». Au-delà d'environ 870 (AX-18A) ou 530 (AX-12A), un servo ne va pas plus vite.</translation></message>
-    <message><source>Present position {0}</source>
-        <translation>Position actuelle {0}</translation></message>
-    <message><source> = fastest</source>
-        <translation> = au plus vite</translation></message>
-    <message><source>differ</source>
-        <translation>différentes</translation></message>
     <message><source>The positions of the motors are unknown.</source>
         <translation>Les positions des moteurs sont inconnues.</translation></message>
     <message><source>This robot reports them only in its reply to a move.</source>
@@ -883,6 +879,8 @@
         <translation>Jusqu'où chaque articulation peut tourner ; les cibles sont ramenées aux limites avant l'envoi</translation></message>
     <message><source>{0:.1f} commands/s</source>
         <translation>{0:.1f} commandes/s</translation></message>
+    <message><source>differ</source>
+        <translation>différentes</translation></message>
     <message><source>Set sliders to:</source>
         <translation>Position des curseurs :</translation></message>
     <message><source>&amp;Stop sequence</source>

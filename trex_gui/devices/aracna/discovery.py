@@ -14,6 +14,7 @@ probe is sent several times.
 import contextlib
 from collections.abc import Callable
 from dataclasses import dataclass
+from enum import Enum
 
 from trex_gui.core.discovery.prober import (
     Diagnosis,
@@ -31,7 +32,7 @@ from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.aracna.protocol import commands
 from trex_gui.devices.aracna.protocol.replies import Reader, Version
 from trex_gui.devices.aracna.session.client import LINE
-from trex_gui.devices.aracna.session.errors import diagnose, is_boot_message, is_echo
+from trex_gui.devices.aracna.session.errors import ErrorCode, diagnose
 
 PROBE = commands.EMPTY + commands.QUERY
 
@@ -41,6 +42,12 @@ _SLICE = 0.02
 _KEPT = 48
 
 _HELLO = b"h\r\n"
+_EVIDENCE: dict[Enum, Evidence] = {
+    ErrorCode.NO_ROBOT: Evidence.SILENCE,
+    ErrorCode.ECHO: Evidence.ECHO,
+    ErrorCode.OTHER_DEVICE: Evidence.STRANGE,
+    ErrorCode.BOOT_LOOP: Evidence.KNOWN,
+}
 _RESETS = tr_noop("Opening this port has reset the board: it responds about a second later.")
 
 
@@ -126,13 +133,8 @@ class AracnaProber:
     def diagnosis(self) -> Diagnosis:
         if self._not_sent:
             return Diagnosis(Evidence.SILENCE, self._not_sent)
-        text = str(diagnose(self._settings, self._received))
-        if is_echo(self._received):
-            return Diagnosis(Evidence.ECHO, text)
-        if is_boot_message(self._received):
-            return Diagnosis(Evidence.KNOWN, text)
-        strange = self._received.strip(b"\r\n")
-        return Diagnosis(Evidence.STRANGE if strange else Evidence.SILENCE, text)
+        error = diagnose(self._settings, self._received)
+        return Diagnosis(_EVIDENCE[error.code], str(error))
 
     def _listen(self, wire: Transport, seconds: float) -> None:
         end = wire.clock() + seconds

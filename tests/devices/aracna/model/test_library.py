@@ -40,22 +40,14 @@ def test_new_library_has_built_in_poses_and_is_unmodified(library: Library) -> N
     assert library.path is None
 
 
-def test_captured_pose_is_appended(library: Library, qtbot: QtBot) -> None:
+def test_new_pose_is_appended(library: Library, qtbot: QtBot) -> None:
     with qtbot.waitSignal(library.changed):
-        name = library.capture(EIGHT)
+        name = library.add_pose(EIGHT)
     assert library.project.poses[-1].name == name == "pose"
     assert library.project.poses[-1].positions == EIGHT
-    assert library.capture(EIGHT) == "pose 2"
-    assert library.capture(EIGHT, " mine ") == "mine"
+    assert library.add_pose(EIGHT) == "pose 2"
+    assert library.add_pose(EIGHT, " mine ") == "mine"
     assert library.modified
-
-
-def test_unknown_position_cannot_be_captured(library: Library) -> None:
-    with pytest.raises(BadRequest, match="unknown"):
-        library.capture((1, 2, None, 4, 5, 6, 7, 8))
-    with pytest.raises(BadRequest, match="unknown"):
-        library.capture((None,) * 8)
-    assert not library.modified
 
 
 def test_renamed_pose_is_renamed_in_sequences(library: Library) -> None:

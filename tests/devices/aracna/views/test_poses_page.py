@@ -167,7 +167,7 @@ def test_positions_are_captured_and_named_once_they_are_known(driver: StagedPage
     assert "after its first move" in driver.button("aracnaCapture").toolTip()
     driver.page.capture()
     assert driver.pose_names() == before
-    assert "the position is unknown" in driver.messages[-1]
+    assert "after its first move" in driver.messages[-1]
     driver.show_present(*EIGHT)
     driver.click("aracnaCapture")
     driver.type_name("aracnaPoses", "mine")

@@ -141,13 +141,6 @@ class Library(QObject):
         self._edit(tr("Add pose {0}").format(name), replace(self.project, poses=poses))
         return name
 
-    def capture(self, present: Many[int | None], name: str = "") -> str:
-        """Append the robot's present position as a pose, and return its name."""
-        known = [position for position in present if position is not None]
-        if not known or len(known) < len(present):
-            raise BadRequest("the position is unknown until the robot has moved")
-        return self.add_pose(known, name)
-
     def set_positions(self, name: str, positions: Many[int], *, run: object = None) -> None:
         """Change a pose; successive edits with the same `run` are one undo step."""
         _, place = self._find(ItemKind.POSE, name)

@@ -97,26 +97,14 @@ class RobotInternalError(RobotError, InternalError):
     """The session failed; what is known of its error is the only field."""
 
 
-def is_echo(received: bytes) -> bool:
-    """Return whether only the query itself came back."""
-    query = commands.QUERY.strip()
-    return query in received and not received.replace(query, b"").strip(b"\r\n\x00\xff")
-
-
-def is_boot_message(received: bytes) -> bool:
-    """Return whether the board has reported its start and nothing else."""
-    text = received.strip(b"\r\n")
-    return bool(text) and not text.replace(b".h", b"").strip(b"\r\nh")
-
-
 def diagnose(settings: PortSettings, received: bytes) -> RobotError:
     """Return why no Aracna was found, judged by the first bytes received."""
-    where = settings.text()
+    where, query = settings.text(), commands.QUERY.strip()
     if not received.strip(b"\r\n"):
         return RobotNoReplyError(ErrorCode.NO_ROBOT, where)
-    if is_echo(received):
+    if query in received and not received.replace(query, b"").strip(b"\r\n\x00\xff"):
         return RobotNoReplyError(ErrorCode.ECHO, where)
-    if is_boot_message(received):
+    if not received.replace(b".h", b"").strip(b"\r\nh"):  # it has reported its start only
         return RobotNoReplyError(ErrorCode.BOOT_LOOP, where)
     return RobotBadReplyError(ErrorCode.OTHER_DEVICE, where, printable(received))
 

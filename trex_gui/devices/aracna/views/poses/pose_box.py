@@ -3,7 +3,6 @@
 from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtWidgets import QSpinBox, QWidget
 
-from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.library import ItemKind, Library
 from trex_gui.devices.aracna.model.robot import Robot
@@ -117,9 +116,7 @@ class PoseBox(ui.Card):
         is_chosen = self._pose is not None
         self._capture.setEnabled(is_known)
         self._capture.setToolTip(
-            tr("Save the robot's position as a new pose.")
-            if is_known
-            else tr("The robot's position is known after its first move.")
+            tr("Save the robot's position as a new pose.") if is_known else _unknown_text()
         )
         self._take.setEnabled(is_known and is_chosen)
         blocker = self._robot.move_blocker
@@ -133,12 +130,12 @@ class PoseBox(ui.Card):
     def capture(self) -> None:
         """Save the robot's position as a new pose, and let the user type its name."""
         take_typed()
-        try:
-            name = self._library.capture(self._robot.state.present)
-        except BadRequest as error:
-            self._robot.notifier.error.emit(tr("Not captured: {0}.").format(error))
-            return
-        self._list.choose_and_edit(name)
+        present = self._robot.state.present
+        known = tuple(each for each in present if each is not None)
+        if len(known) < len(present):
+            self._robot.notifier.error.emit(_unknown_text())
+        else:
+            self._list.choose_and_edit(self._library.add_pose(known))
 
     @Slot()
     def _on_go_to_clicked(self) -> None:
@@ -156,3 +153,7 @@ class PoseBox(ui.Card):
         if (pose := self._pose) is not None:
             positions = (*pose.positions[:motor], value, *pose.positions[motor + 1 :])
             self._library.set_positions(pose.name, positions, run=("field", pose.name, motor))
+
+
+def _unknown_text() -> str:
+    return tr("The robot's position is known after its first move.")
