@@ -757,14 +757,14 @@
         <translation>Pose anfah&amp;ren</translation></message>
     <message><source>Motor {0}: {1:.0f}°, limits {2} to {3}</source>
         <translation>Motor {0}: {1:.0f}°, Grenzen {2} bis {3}</translation></message>
+    <message><source>Save the robot's position as a new pose.</source>
+        <translation>Die Position des Roboters als neue Pose speichern.</translation></message>
     <message><source>Move every motor to this pose, within its limits.</source>
         <translation>Jeden Motor in diese Pose bewegen, innerhalb seiner Grenzen.</translation></message>
     <message><source>Position of motor {0} in this pose</source>
         <translation>Position von Motor {0} in dieser Pose</translation></message>
     <message><source>Motor {0}: {1:.0f}°, limits {2} to {3}, sent as {4}</source>
         <translation>Motor {0}: {1:.0f}°, Grenzen {2} bis {3}, gesendet als {4}</translation></message>
-    <message><source>Save the robot's position as a new pose.</source>
-        <translation>Die Position des Roboters als neue Pose speichern.</translation></message>
     <message><source>Requests: {0}, without a reply: {1}.</source>
         <translation>Anfragen: {0}, ohne Antwort: {1}.</translation></message>
     <message><source>Answered</source>

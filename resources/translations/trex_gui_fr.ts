@@ -757,14 +757,14 @@
         <translation>Alle&amp;r à</translation></message>
     <message><source>Motor {0}: {1:.0f}°, limits {2} to {3}</source>
         <translation>Moteur {0} : {1:.0f}°, limites {2} à {3}</translation></message>
+    <message><source>Save the robot's position as a new pose.</source>
+        <translation>Enregistrer la position du robot comme nouvelle pose.</translation></message>
     <message><source>Move every motor to this pose, within its limits.</source>
         <translation>Amener tous les moteurs à cette pose, dans leurs limites.</translation></message>
     <message><source>Position of motor {0} in this pose</source>
         <translation>Position du moteur {0} dans cette pose</translation></message>
     <message><source>Motor {0}: {1:.0f}°, limits {2} to {3}, sent as {4}</source>
         <translation>Moteur {0} : {1:.0f}°, limites {2} à {3}, envoyé : {4}</translation></message>
-    <message><source>Save the robot's position as a new pose.</source>
-        <translation>Enregistrer la position du robot comme nouvelle pose.</translation></message>
     <message><source>Requests: {0}, without a reply: {1}.</source>
         <translation>Requêtes : {0}, sans réponse : {1}.</translation></message>
     <message><source>Answered</source>

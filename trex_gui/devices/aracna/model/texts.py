@@ -121,13 +121,13 @@ def waiting_text(motor: int | None) -> str:
 
 
 def stuck_text(motor: int | None) -> str:
-    advice = tr("Check its power and the cable.")
+    hint = tr("Check its power and the cable.")
     if motor is not None:
-        advice = tr(
+        hint = tr(
             "Check servo power, cable and whether it is blocked. A reset of the board ends the "
             "wait; it does not stop the servos."
         )
-    return f"{waiting_text(motor)} {advice}"
+    return f"{waiting_text(motor)} {hint}"
 
 
 def cropped_goals_text(goals: Sequence[int], cropped: Sequence[int]) -> str:

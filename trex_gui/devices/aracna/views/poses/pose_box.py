@@ -115,9 +115,8 @@ class PoseBox(ui.Card):
         is_known = None not in self._robot.state.present
         is_chosen = self._pose is not None
         self._capture.setEnabled(is_known)
-        self._capture.setToolTip(
-            tr("Save the robot's position as a new pose.") if is_known else _unknown_text()
-        )
+        tip = tr("Save the robot's position as a new pose.") if is_known else _unknown_text()
+        self._capture.setToolTip(ui.plain(tip))
         self._take.setEnabled(is_known and is_chosen)
         blocker = self._robot.move_blocker
         self._go_to.setEnabled(is_chosen and not blocker)
