@@ -7,7 +7,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QObject, Slot
+from PySide6.QtCore import Slot
 
 from trex_gui.core.events import Event, EventKind
 from trex_gui.core.recording.kinds import marker
@@ -49,8 +49,8 @@ class AracnaRecorder(RecordThread[Record]):
     since its columns would be wrong. It continues while the robot does not respond.
     """
 
-    def __init__(self, robot: Robot, parent: QObject | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, robot: Robot) -> None:
+        super().__init__()
         self._robot = robot
         self._motors = 0
 
@@ -116,13 +116,12 @@ class RobotPlayback(RecordingPlayer[RobotHeader, Record, RobotState]):
     def __init__(
         self,
         recording: Recording[RobotHeader, Record],
-        parent: QObject | None = None,
         *,
         max_rows: int = MAX_ROWS,
     ) -> None:
         motors = recording.header.motors
         curves = Curves(motors, _rows, max_rows, _NO_GAP)
-        super().__init__(recording, RobotState(motors), curves, parent)
+        super().__init__(recording, RobotState(motors), curves)
 
     def traces_of(self, history: SampleHistory, events: Sequence[Event]) -> Traces:
         return Traces([_trace(motor) for motor in range(self.header.motors)], history, events)

@@ -1,10 +1,10 @@
 """The robot of a window: its connection, what it has reported, and what the user requests."""
 
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
-from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtCore import Signal, Slot
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.events import EventKind
@@ -64,23 +64,16 @@ class Robot(DeviceConnection[PortSettings]):
     halted = Signal()  # the user has stopped everything; pressed controls must be released
     rejected = Signal(str)  # why a command was not carried out; also sent to the notifier
 
-    def __init__(
-        self,
-        notifier: Notifier | None = None,
-        parent: QObject | None = None,
-        *,
-        clock: Callable[[], float] = now,
-    ) -> None:
-        super().__init__(AracnaDecoder(), parent)
+    def __init__(self, notifier: Notifier | None = None) -> None:
+        super().__init__(AracnaDecoder())
         self.notifier = notifier or Notifier(self)
-        self._clock = clock
         self.state = RobotState(MOTORS)
         self.dragging = False
         self.limits = JointLimits(self)
         self.targets = Targets(self.limits, self)
         self.speeds = (FIRST_SPEED,) * MOTORS  # for the next motion
         self.speeds_chosen = False  # the user has chosen them
-        self.events = EventLog(self, clock=clock)
+        self.events = EventLog(self)
         self._replies = deque[float](maxlen=10)  # times of the last ones, while dragging
         self._pending_moves = 0
         self._pending_speeds = 0
@@ -102,7 +95,7 @@ class Robot(DeviceConnection[PortSettings]):
     def remaining(self) -> float:
         """Return the seconds until the running motion should end, observed or not; 0 for none."""
         until = self.state.moving_until
-        return 0.0 if until is None else max(until - self._clock(), 0.0)
+        return 0.0 if until is None else max(until - now(), 0.0)
 
     # --- Connection ---------------------------------------------------------------------
 

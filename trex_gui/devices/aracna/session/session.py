@@ -10,7 +10,7 @@ from collections.abc import Callable
 
 from trex_gui.core.errors import BadRequest, NoReply, StudioError
 from trex_gui.core.session import SHORTEST_WAIT, Close, Closed, Closing, Inbox, run_until_closed
-from trex_gui.core.transport.serial_port import SerialTransport, Transport
+from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.protocol import commands
 from trex_gui.devices.aracna.protocol.replies import UNREADABLE, Led, Positions, Speeds, Version
@@ -77,7 +77,7 @@ class AracnaSession:
         settings: PortSettings,
         inbox: Inbox[Request],
         report: Callable[[Report], None],
-        open_transport: Callable[[PortSettings], Transport] = SerialTransport,
+        open_transport: Callable[[PortSettings], Transport],
     ) -> None:
         self._settings = settings.at(LINE)
         self._inbox = inbox

@@ -33,11 +33,9 @@ _NONE = "–"
 class RobotPlaybackWindow(RecordingWindow):
     """One recording of a robot. The stop button is that of the connected robot."""
 
-    def __init__(
-        self, playback: RobotPlayback, robot: Robot, parent: QWidget | None = None
-    ) -> None:
+    def __init__(self, playback: RobotPlayback, robot: Robot) -> None:
         plot_name = tr("Plot of the motors' positions against time")
-        super().__init__(playback, "aracnaPlayback", plot_name, parent)
+        super().__init__(playback, "aracnaPlayback", plot_name)
         self.playback = playback
         state = playback.state()
 
