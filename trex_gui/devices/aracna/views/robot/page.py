@@ -47,7 +47,7 @@ class RobotPage(QWidget):
         set_look(joints, "compact")  # with its controls it fits a low screen
         table = JointTable(robot, joints)
         self.controls = Controls(robot, table, joints)
-        ui.column((table, 1), self.controls, into=joints, spacing=8)
+        ui.column((table, 1), self.controls, into=joints, spacing=4)
         remark = f"{drawing_text()}\n* {assumed_text()}"
         self._drawn = RobotCard(robot, remark, joints, self._content)
         drawing = self._drawn.drawing
