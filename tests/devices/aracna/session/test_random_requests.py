@@ -102,6 +102,4 @@ def _assert_it_makes_sense(session: ScriptedSession) -> None:
                 ended += 1
             case Restarted() | NotResponding():
                 is_there, moves = False, False
-            case _:
-                pass
     assert ended >= begun

@@ -188,8 +188,6 @@ class CommandSession:
             case StepBegun(part=part, index=index, round=number, late=late) if not self._motors:
                 where = "blend in" if part == "in" else f"round {number + 1}, step {index + 1}"
                 say(f"{where}{f', {late:.2f} s late' if late >= 0.05 else ''}")
-            case _:
-                pass
 
     def _report_motors(self, present: Sequence[int]) -> None:
         for motor in range(self._reported, len(present)):
@@ -212,8 +210,6 @@ def _raise_fault(report: Report) -> None:
             )
         case NotResponding(error=error):
             raise CommandFailed(error)
-        case _:
-            pass
 
 
 def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:

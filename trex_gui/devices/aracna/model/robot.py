@@ -155,8 +155,6 @@ class Robot(DeviceConnection[PortSettings]):
                     self._replies.append(moment)
                 if self._is_holding:
                     self.aim_at_present()
-            case _:
-                pass
         if self.link is not ConnectionState.DISCONNECTING:
             self._update_link(report)
         if (event := event_of(report, self.state)) is not None:
@@ -174,8 +172,6 @@ class Robot(DeviceConnection[PortSettings]):
             case NotResponding():
                 text = tr("The robot is not responding. Is its power on? Waiting for it …")
                 self._set_state(ConnectionState.NOT_RESPONDING, text)
-            case _:
-                pass
 
     @Slot()
     def _send_limits(self) -> None:

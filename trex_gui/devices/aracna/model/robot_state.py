@@ -76,8 +76,6 @@ class RobotState:
                 self.play = self.step = None
             case LineStats():
                 self.stats = report
-            case _:
-                pass
 
     def _stop_observing(self) -> None:
         if self.moving is not None:

@@ -183,8 +183,6 @@ class AracnaSession:
             case Move() | SetSpeeds() | SetLed():
                 self._check_ready()
                 self._jobs.add(request)
-            case _:
-                pass
 
     def _check_ready(self) -> None:
         if not self._liveness.is_responding:

@@ -178,8 +178,6 @@ class JointRow(QObject):
                 self._table.pointed.emit(self._motor)
             case QEvent.Type.HoverLeave:
                 self._table.pointed.emit(-1)
-            case _:
-                pass
         return super().eventFilter(watched, event)
 
     def show_goal(self) -> None:
