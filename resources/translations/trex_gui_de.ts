@@ -695,10 +695,12 @@
         <translation>Posen</translation></message>
     <message><source>{0}, changed</source>
         <translation>{0}, geändert</translation></message>
-    <message numerus="yes"><source>%n step(s)</source>
-        <translation><numerusform>%n Schritt</numerusform><numerusform>%n Schritte</numerusform></translation></message>
     <message><source>needs {0:.2f} s: motor {1}</source>
         <translation>braucht {0:.2f} s: Motor {1}</translation></message>
+    <message numerus="yes"><source>%n step(s)</source>
+        <translation><numerusform>%n Schritt</numerusform><numerusform>%n Schritte</numerusform></translation></message>
+    <message><source>{0:.1f} s</source>
+        <translation>{0:.1f} s</translation></message>
     <message><source>Rounds</source>
         <translation>Durchläufe</translation></message>
     <message><source>Speed in percent</source>
@@ -713,8 +715,6 @@
         <translation>Die aktuelle Sequenz oder Gangart abspielen.</translation></message>
     <message><source>{0}, {1} per round, {2} in total.</source>
         <translation>{0}, {1} pro Durchlauf, {2} insgesamt.</translation></message>
-    <message><source>{0:.1f} s</source>
-        <translation>{0:.1f} s</translation></message>
     <message><source>0: repeat until stopped.</source>
         <translation>0: wiederholen, bis gestoppt wird.</translation></message>
     <message><source> %</source>
@@ -803,8 +803,6 @@
         <translation>größte Position</translation></message>
     <message><source>Present position {0}</source>
         <translation>Istposition {0}</translation></message>
-    <message><source> = fastest</source>
-        <translation> = maximal</translation></message>
     <message><source>goal in degrees</source>
         <translation>Ziel in Grad</translation></message>
     <message><source>state</source>

@@ -695,10 +695,12 @@
         <translation>Poses</translation></message>
     <message><source>{0}, changed</source>
         <translation>{0}, modifié</translation></message>
-    <message numerus="yes"><source>%n step(s)</source>
-        <translation><numerusform>%n étape</numerusform><numerusform>%n étapes</numerusform></translation></message>
     <message><source>needs {0:.2f} s: motor {1}</source>
         <translation>nécessite {0:.2f} s : moteur {1}</translation></message>
+    <message numerus="yes"><source>%n step(s)</source>
+        <translation><numerusform>%n étape</numerusform><numerusform>%n étapes</numerusform></translation></message>
+    <message><source>{0:.1f} s</source>
+        <translation>{0:.1f} s</translation></message>
     <message><source>Rounds</source>
         <translation>Cycles</translation></message>
     <message><source>Speed in percent</source>
@@ -713,8 +715,6 @@
         <translation>Jouer la séquence ou l'allure actuelle.</translation></message>
     <message><source>{0}, {1} per round, {2} in total.</source>
         <translation>{0}, {1} par cycle, {2} au total.</translation></message>
-    <message><source>{0:.1f} s</source>
-        <translation>{0:.1f} s</translation></message>
     <message><source>0: repeat until stopped.</source>
         <translation>0 : répéter jusqu'à l'arrêt.</translation></message>
     <message><source> %</source>
@@ -803,8 +803,6 @@
         <translation>position la plus haute</translation></message>
     <message><source>Present position {0}</source>
         <translation>Position actuelle {0}</translation></message>
-    <message><source> = fastest</source>
-        <translation> = au plus vite</translation></message>
     <message><source>goal in degrees</source>
         <translation>cible en degrés</translation></message>
     <message><source>state</source>

@@ -49,7 +49,7 @@ def test_move_sends_goals_and_speeds(connected_window: RobotWindow) -> None:
     one = spin_box(window, "aracnaSpeed7")
     assert one.text() == "300 = 201 °/s"
     one.setValue(0)
-    assert one.text() == "0 = fastest"
+    assert one.text() == "0 = unlimited"
     window.move()
     speeds = window.robot.state.speeds
     assert speeds is not None

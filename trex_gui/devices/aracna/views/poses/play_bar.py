@@ -218,14 +218,10 @@ def _notes(
 
 
 def _length_text(steps: int, seconds: float, rounds: int) -> str:
-    count = tr("%n step(s)", "", steps)
+    count, text = tr("%n step(s)", "", steps), tr("{0:.1f} s")
+    one, total = text.format(Number(seconds)), text.format(Number(seconds * rounds))
     if rounds == 1:
-        return tr("{0}, {1}.").format(count, _duration(seconds))
+        return tr("{0}, {1}.").format(count, one)
     if rounds == 0:
-        return tr("{0}, {1} per round, until stopped.").format(count, _duration(seconds))
-    total = _duration(seconds * rounds)
-    return tr("{0}, {1} per round, {2} in total.").format(count, _duration(seconds), total)
-
-
-def _duration(seconds: float) -> str:
-    return tr("{0:.1f} s").format(Number(seconds))
+        return tr("{0}, {1} per round, until stopped.").format(count, one)
+    return tr("{0}, {1} per round, {2} in total.").format(count, one, total)

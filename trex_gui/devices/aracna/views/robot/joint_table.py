@@ -109,8 +109,7 @@ class SpeedBox(ui.SpinBox):
     @Slot()
     def update_suffix(self) -> None:
         """Show the meaning of a value that was set with signals blocked."""
-        value = self.value()
-        self.setSuffix(f" = {speed_text(value)}" if value else tr(" = fastest"))
+        self.setSuffix(f" = {speed_text(self.value())}")
 
 
 class JointRow(QObject):
