@@ -37,7 +37,7 @@ def start_in(learning: LearningDialog, mode: str) -> None:
     simulator.do("power cycle")
     is_serial = mode == "serial"
     learning.wait(lambda: device.state is not None and device.state.mode.is_serial is is_serial)
-    learning.wait(lambda: device.telemetry.serial_controls is is_serial)
+    learning.wait(lambda: device.board.serial_controls is is_serial)
 
 
 def test_all_channels_are_learned_and_tested(

@@ -97,7 +97,7 @@ def test_connecting_reads_state_and_enables_arming(connected: RecorderOfBoard) -
     assert device.state is not None
     assert device.state.parameters == connected.simulator.show()["parameters"]
     assert device.calibrations.stored(1) == device.state.calibrations[1]
-    assert device.telemetry.serial_controls is True
+    assert device.board.serial_controls is True
     assert device.motors.is_available
     assert not device.motors.armed
     assert not device.board.echo

@@ -53,7 +53,6 @@ def test_newest_sample_of_each_kind_is_kept(telemetry: Telemetry) -> None:
     assert telemetry.raw_of(2) is None
     assert telemetry.raw_of(5) == 5
     assert telemetry.remapped_of(1) == -127
-    assert telemetry.serial_controls is False
     assert telemetry.latest == 1.4
     assert telemetry.samples == 5
     raw = telemetry.raw
@@ -124,7 +123,6 @@ def test_forget_clears_values_and_keeps_the_history(telemetry: Telemetry, qtbot:
         telemetry.forget()
     assert telemetry.raw is None
     assert telemetry.motor_currents is None
-    assert telemetry.serial_controls is None
     assert len(telemetry.currents) == 1
 
 

@@ -20,7 +20,6 @@ from trex_gui.ui.runtime import new_timer, now
 _HOLDER = "bench"  # the name by which the bench acquires the motors
 _MAX_RUNS = 10  # tests kept for comparison
 _HIGHEST_COUNT = 255  # the current measurement is one byte (0x8D)
-_TREX_AMPERE = 0.15
 _TUNED = ("acceleration", "brake_duration", "current_limit", "current_limit_p")  # ends of keys
 
 _ABORT_COUNTS = 100
@@ -63,7 +62,7 @@ class Bench(QObject):
         self._run: Run | None = None
         self._options = True, False
         self._ends_at_limit = False
-        self._unit = 0.0
+        self._ampere = 0.0  # the unit of `plan.abort_current`
         self._start = self._last_reading = 0.0
         self._setpoints: list[tuple[float, int]] = []
         self._readings: list[tuple[float, float]] = []
@@ -98,7 +97,7 @@ class Bench(QObject):
             return self.runs[-1] if self.runs else None
         return replace(
             self._run,
-            ended=self._past if self.is_driving else self._run.ended,
+            ended=now() - self._start if self.is_driving else self._run.ended,
             setpoints=tuple(self._setpoints),
             currents=tuple(self._readings),
         )
@@ -106,7 +105,7 @@ class Bench(QObject):
     @property
     def highest_current(self) -> float:
         """The highest current in A that the board can measure; without a board, a TReX."""
-        return self._ampere * _HIGHEST_COUNT
+        return self._device.telemetry.ampere * _HIGHEST_COUNT
 
     def tuned_keys(self) -> tuple[str, ...]:
         return tuple(f"motor{self.plan.motor}_{name}" for name in _TUNED)
@@ -124,15 +123,6 @@ class Bench(QObject):
         if device.telemetry.motor_currents is None:
             return tr("No current was read yet.")
         return ""
-
-    @property
-    def _past(self) -> float:
-        return now() - self._start
-
-    @property
-    def _ampere(self) -> float:
-        state = self._device.state
-        return state.signature.model.current_unit if state is not None else _TREX_AMPERE
 
     # --- Commands -----------------------------------------------------------------------
 
@@ -160,7 +150,7 @@ class Bench(QObject):
             profile=plan.profile.limited(motors.ceiling),
             accelerate=plan.accelerate,
             abort_current=plan.abort_current,
-            ampere=self._ampere,
+            ampere=self._device.telemetry.ampere,
             started=datetime.now(UTC).astimezone(),
             end=End.COMPLETE,
             ended=0.0,
@@ -196,7 +186,7 @@ class Bench(QObject):
 
     @Slot()
     def _on_step(self) -> None:
-        past, run = self._past, self._run
+        past, run = now() - self._start, self._run
         if run is None:
             return
         if self.phase is Phase.BRAKING:
@@ -258,10 +248,9 @@ class Bench(QObject):
     @Slot()
     def _on_state_changed(self) -> None:
         """Set the default abort current of the board."""
-        state = self._device.state
-        if state is not None and self._ampere != self._unit:
-            self._unit = self._ampere
-            self.plan = replace(self.plan, abort_current=round(_ABORT_COUNTS * self._unit, 2))
+        if (ampere := self._device.telemetry.ampere) != self._ampere:
+            self._ampere = ampere
+            self.plan = replace(self.plan, abort_current=round(_ABORT_COUNTS * ampere, 2))
         self.changed.emit()
 
     def _external_reason(self) -> str:
@@ -269,7 +258,7 @@ class Bench(QObject):
             return tr("The board stopped responding.")
         if not self._device.is_connected:
             return tr("The connection was closed.")
-        if self._device.telemetry.serial_controls is False:
+        if self._device.board.serial_controls is False:
             return tr("Serial commands no longer control the motors.")
         return self._motors.stop_reason or tr("Stop was pressed.")
 
@@ -287,7 +276,7 @@ class Bench(QObject):
         if linked:
             self._motors.set_linked(True)
         if self._run is not None:
-            self._run = replace(self._run, end=how, reason=reason, ended=self._past)
+            self._run = replace(self._run, end=how, reason=reason, ended=now() - self._start)
         self.changed.emit()
 
     def _finish(self) -> None:
@@ -302,9 +291,6 @@ class Bench(QObject):
             self.add_run(run)
 
     def _settings(self) -> tuple[tuple[str, str], ...]:
-        parameters = self._device.parameters
-        stored = {key: parameters.values.stored.get(key) for key in self.tuned_keys()}
-        specs = (
-            (parameters.values.specs[k], wire) for k, wire in stored.items() if wire is not None
-        )
-        return tuple((spec.name, spec.text(wire)) for spec, wire in specs)
+        values = self._device.parameters.values
+        specs = [values.specs[key] for key in self.tuned_keys() if key in values.stored]
+        return tuple((spec.name, spec.text(values.stored[spec.key])) for spec in specs)

@@ -300,7 +300,7 @@ class AutomaticStop(QObject):
 
     def _confirmed(self, reason: str) -> str:
         """Say what the confirmation means: usually, but not always, motors at standstill."""
-        by_serial = self._device.telemetry.serial_controls
+        by_serial = self._device.board.serial_controls
         if by_serial is None:  # not read yet, or not responding
             return tr("{0}. The board has confirmed the stop.").format(reason)
         if not by_serial:

@@ -70,7 +70,7 @@ class Device(QObject):
         self.mix_jumper = MixJumper(self.draft, self.telemetry, self)
         self.connection = Connection(self)
         self.driving = DriveController(
-            self.motors, self.telemetry, self.connection, self.notifier, self
+            self.motors, self.board, self.connection, self.notifier, self
         )
         self.writer = SettingsWriter(self.draft, self.board, self.connection, self.driving, self)
         self.events = BoardEvents(self.motors, self)  # since the line was opened

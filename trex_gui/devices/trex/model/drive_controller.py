@@ -12,6 +12,7 @@ from trex_gui.core.guardian.log import StopResult, logged_stops
 from trex_gui.core.session import Closed, Outcome
 from trex_gui.core.translation import tr
 from trex_gui.core.transport.serial_port import latency_of
+from trex_gui.devices.trex.board.mirror import BoardMirror
 from trex_gui.devices.trex.client.reading import DeviceState, may_be_same_board
 from trex_gui.devices.trex.driving.requests import (
     HEARTBEAT_INTERVAL,
@@ -26,7 +27,6 @@ from trex_gui.devices.trex.driving.requests import (
 from trex_gui.devices.trex.driving.timeout_stop import turning_text
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.motors import Motors
-from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
@@ -58,7 +58,7 @@ class DriveController(QObject):
     def __init__(
         self,
         motors: Motors,
-        telemetry: Telemetry,
+        board: BoardMirror,
         connection: Connection,
         notifier: Notifier,
         parent: QObject | None = None,
@@ -69,7 +69,7 @@ class DriveController(QObject):
         self.driven: set[int] = set()
         self._notifier = notifier
         self._motors = motors
-        self._telemetry = telemetry
+        self._mirror = board
         self._connection = connection
         self._lost_with: ConnectionSettings | None = None  # the line behind which motors may turn
         self._lost_place = ""  # of that line
@@ -108,7 +108,7 @@ class DriveController(QObject):
         what was meant for now would start later.
         """
         reaches_one = self._is_connected and not self.reaches_several
-        allowed = reaches_one and bool(self._telemetry.serial_controls)
+        allowed = reaches_one and bool(self._mirror.serial_controls)
         if allowed != self._motors.is_available:
             if self._motors.armed and self._is_connected and not allowed:
                 self._motors.stop(tr("Serial commands no longer reach the motors."))
@@ -223,7 +223,7 @@ class DriveController(QObject):
     def _on_stopped(self, outcome: Outcome) -> None:
         if outcome.error is None:
             self._on_confirmed()
-            if self._is_connected and not self._telemetry.serial_controls:
+            if self._is_connected and not self._mirror.serial_controls:
                 self._notifier.error.emit(tr(BEYOND_A_STOP))
         elif self._connection.link is not ConnectionState.DISCONNECTING:
             self._notifier.error.emit(str(outcome.error))

@@ -37,8 +37,7 @@ def direction_text(speed: int) -> str:
 
 def speed_text(speed: int) -> str:
     """A signed speed with its share of full: `forward 64 (50 %)`."""
-    share = f" ({100 * abs(speed) / FULL_SCALE:.0f} %)" if speed else ""
-    return f"{direction_text(speed)}{share}"
+    return direction_text(speed) + (f" ({share_text(speed)})" if speed else "")
 
 
 def report_text(device: Device, motor: int) -> str:
@@ -53,7 +52,7 @@ def report_text(device: Device, motor: int) -> str:
         else:
             parts += [tr(entry.name).lower() for entry in device.board.errors.recent(motor, now())]
     value = telemetry.remapped_of(motor)
-    is_overridden = telemetry.serial_controls and state is not None and not state.mode.is_serial
+    is_overridden = device.board.serial_controls and state and not state.mode.is_serial
     if is_overridden and value is not None:
         value = abs(value) if motor == 3 else value
         parts.append(tr("channel {0} at {1} (overridden)").format(motor, signed_text(value)))

@@ -22,7 +22,7 @@ def held_drive_blocker(
         return tr("Connect to a board to test its motors.")
     if device.writer.running:
         return tr("Settings are being written.")
-    if device.telemetry.serial_controls is False:
+    if device.board.serial_controls is False:
         return tr("{0} A test needs serial control.").format(device.board.control_text)
     if motors.locked_for:
         text = tr("After a stop the motors are locked for another {0:.0f} s.")

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal
 
 from trex_gui.core.timing import TEXT_INTERVAL
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.client.telemetry import Control, Currents, Newest, Raw, Remapped, Sample
+from trex_gui.devices.trex.client.telemetry import Currents, Newest, Raw, Remapped, Sample
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import CHANNELS
@@ -101,7 +101,7 @@ class Telemetry(QObject):
         self.samples = 0
         self._is_seen = True
         self._text_at = -math.inf
-        self.ampere = 1.0
+        self.ampere = 0.15  # A a count; that of a TReX before a board was read
         self._motors = motors
 
     @cached_property
@@ -170,11 +170,6 @@ class Telemetry(QObject):
         sample = self.newest.get(Currents)
         unit = self.ampere
         return None if sample is None else (sample.counts[0] * unit, sample.counts[1] * unit)
-
-    @property
-    def serial_controls(self) -> bool | None:
-        sample = self.newest.get(Control)
-        return None if sample is None else sample.by_serial
 
     def raw_of(self, channel: int) -> int | None:
         """Raw count of a channel (1-5); `None` without a valid signal or a connection."""

@@ -14,13 +14,11 @@ from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.errors import StudioError
 from trex_gui.core.guardian.log import log_file
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.client.telemetry import Newest
 from trex_gui.devices.trex.driving.requests import Heartbeat, MotorsStopped
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_controller import DriveController
 from trex_gui.devices.trex.model.motors import Motors
-from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
 from trex_gui.devices.trex.protocol.errors import ErrorCode
@@ -205,7 +203,7 @@ def test_session_that_did_not_respond_disarms_the_motors(driven: DrivenDevice) -
 def test_unconfirmed_stop_is_reported_as_unconfirmed(qtbot: QtBot) -> None:
     connection, motors = Connection(), Motors()
     notifier = Notifier()
-    driving = DriveController(motors, Telemetry(motors, Newest()), connection, notifier)
+    driving = DriveController(motors, Device().board, connection, notifier)
     with qtbot.waitSignal(notifier.error) as said:
         connection.motors_stopped.emit(MotorsStopped(ErrorCode.NO_HEARTBEAT, confirmed=False))
     assert said.args == [f"{STOOD_STILL} A stop was sent but is not confirmed yet."]
@@ -226,7 +224,7 @@ def test_armed_motors_send_heartbeats_at_a_steady_rate(
     monkeypatch.setattr(Connection, "submit", submit)
     connection, motors = Connection(), Motors()
     notifier = Notifier()
-    driving = DriveController(motors, Telemetry(motors, Newest()), connection, notifier)
+    driving = DriveController(motors, Device().board, connection, notifier)
     assert not driving.may_move
     motors.set_available(True)
     motors.arm()

@@ -191,9 +191,9 @@ def test_channels_in_control_fail_learning_for_good(setup: LearningSetup) -> Non
 
 def test_rc_mode_is_refused_despite_override(setup: LearningSetup) -> None:
     setup.restart_in_mode("rc")
-    setup.until(lambda: setup.device.telemetry.serial_controls is False)
+    setup.until(lambda: setup.device.board.serial_controls is False)
     setup.simulator.do("channel 5 1000us")
-    setup.until(lambda: setup.device.telemetry.serial_controls is True)
+    setup.until(lambda: setup.device.board.serial_controls is True)
     setup.learning.begin_test((1,))
     assert setup.learning.step is LearningStep.FAILED
     assert "with the next move of its switch the sticks drive the motors" in setup.learning.trouble

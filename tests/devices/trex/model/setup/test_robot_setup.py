@@ -312,7 +312,7 @@ def test_board_in_rc_mode_gets_neither_pulses_nor_edits(
 ) -> None:
     robot = Robot(start_simulator("--unpaced", "--mode", "rc"), qtbot)
     robot.device.connect_to(ConnectionSettings(robot.simulator.url))
-    robot.wait(lambda: robot.device.telemetry.serial_controls is not None)
+    robot.wait(lambda: robot.device.board.serial_controls is not None)
     robot.setup.pulses.confirm_wheels(True)
     assert "in RC mode" in robot.setup.pulses.blocker
     assert not robot.setup.pulses.start(1)

@@ -20,7 +20,7 @@ def mode_blocker(device: Device) -> str:
         "The board is in {0} mode: the sticks drive the motors, and it rejects settings. Switch "
         "it off, remove the mode jumper and switch it on."
     )
-    if device.telemetry.serial_controls:
+    if device.board.serial_controls:
         why = tr(
             "The board is in {0} mode. Channel 5 has given the motors to the serial line, but with "
             "the next move of its switch the sticks drive the motors again; and the board rejects "
@@ -103,7 +103,7 @@ class CalibrationPreconditions(QObject):
             return f"{text} {self.blocker}".rstrip()
         if self._with_motors and device.motors.armed:
             return tr("The motors were armed, so this has ended.")
-        if device.telemetry.serial_controls is False:
+        if device.board.serial_controls is False:
             return tr("The sticks drive the motors now: the channels are in control.")
         return ""
 
@@ -182,8 +182,7 @@ class StandstillCheck(QObject):
     @property
     def _limit(self) -> float:
         """Ampere that a standing motor stays below."""
-        state = self._device.state
-        return 0.0 if state is None else _COUNTS * state.signature.model.current_unit
+        return _COUNTS * self._device.telemetry.ampere
 
     def _last(self) -> tuple[list[float], list[float]]:
         """Return the last readings of both motors since the stop, in ampere."""

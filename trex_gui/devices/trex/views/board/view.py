@@ -251,7 +251,7 @@ class BoardView(QWidget):
         else:
             name = tr("RC") if state.mode is Mode.RC else tr("Analog")
             words = tr("channels drive")
-            if device.telemetry.serial_controls:
+            if device.board.serial_controls:
                 words = tr("channel 5 hands over")
             self._mode.show_jumper(True, tr("Mode: {0}").format(name), words)
         mix = device.mix_jumper.is_on if state is not None else None

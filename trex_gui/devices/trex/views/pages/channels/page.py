@@ -157,7 +157,7 @@ class ChannelsPage(PlotPage):
     def _show_texts(self) -> None:
         """Say how the inputs are read, and what the chosen one does."""
         device, channel, state = self._device, self.channel, self._device.state
-        self._control = device.telemetry.serial_controls
+        self._control = device.board.serial_controls
         self._head.show_state(self._state_text())
         learned = role = ""
         if state is not None:
@@ -263,7 +263,7 @@ class ChannelsPage(PlotPage):
     @Slot()
     @only_when_visible
     def _on_text_due(self) -> None:
-        if self._device.telemetry.serial_controls is not self._control:
+        if self._device.board.serial_controls is not self._control:
             self._show_texts()
         self._live.setText(self._live_text(self._raw))
 
