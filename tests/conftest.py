@@ -161,7 +161,7 @@ def qtbot(qapp: QApplication, request: pytest.FixtureRequest) -> QtBot:
 def _usual_scheme() -> Iterator[None]:
     """Leave no colour scheme, font size or order of units of a test behind."""
     yield
-    units().set_own_first(False)
+    units.cache_clear()
     theme().set_font_size(100)
     if theme().choice != "system":
         theme().set_scheme("system")

@@ -138,9 +138,6 @@ class Program:
         report_last_run(self._notifier, has_crashed=has_crashed)
         self._notifier.cleared.connect(partial(report_last_run, self._notifier))
 
-    def stop_now(self, *, ending: bool = False) -> None:
-        self.device_manager.stop_now(ending=ending)
-
     def shut_down(self) -> bool:
         """Stop the motors, close the line, then end recordings, for the end of the program.
 

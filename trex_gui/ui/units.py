@@ -16,9 +16,11 @@ class Units(QObject):
 
     def __init__(self) -> None:
         super().__init__()
-        self.own_first = False
+        self.own_first = Preferences().flag(_KEY, default=False)
 
-    def set_own_first(self, own_first: bool) -> None:
+    def choose(self, *, own_first: bool) -> None:
+        """Set the order from now on, also at the next start."""
+        Preferences().set(_KEY, own_first)
         if own_first != self.own_first:
             self.own_first = own_first
             self.changed.emit()
@@ -31,13 +33,3 @@ class Units(QObject):
 @cache
 def units() -> Units:
     return Units()
-
-
-def choose_units(*, own_first: bool) -> None:
-    """Set the order from now on, also at the next start."""
-    units().set_own_first(own_first)
-    Preferences().set(_KEY, own_first)
-
-
-def restore_units() -> None:
-    units().set_own_first(Preferences().flag(_KEY, default=False))

@@ -13,7 +13,7 @@ from trex_gui.ui.frame.preferences_dialog import PreferencesDialog
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.theme import restore_choices, theme
 from trex_gui.ui.translations import AS_THE_SYSTEM, chosen_language
-from trex_gui.ui.units import restore_units, units
+from trex_gui.ui.units import units
 from trex_gui.ui.widgets.file_questions import default_folder, last_folder, remember_folder
 
 
@@ -32,8 +32,7 @@ def start_again() -> None:
     theme().set_scheme("system")
     theme().set_font_size(100)
     restore_choices()
-    units().set_own_first(False)
-    restore_units()
+    units.cache_clear()
 
 
 def test_theme_and_font_size_change_at_once_and_stay(dialog: WidgetDriver) -> None:

@@ -53,7 +53,6 @@ from trex_gui.ui.notifier import Answer, ConnectWith, Notifier, Remedy
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.icons import DialogIcons, application_icon
 from trex_gui.ui.theme.theme import restore_choices
-from trex_gui.ui.units import restore_units
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import EnterWatch
 from trex_gui.ui.widgets.messages import Banner, InlinePrompt, MessageRoom
@@ -93,7 +92,6 @@ class MainWindow(QMainWindow):
         """`add_all_workspaces` adds those of the kinds of devices that were not used yet."""
         super().__init__()
         restore_choices()  # before fonts are measured
-        restore_units()
         self.setObjectName("mainWindow")
         self.setWindowTitle(tr("TReX Studio"))
         self.setWindowIcon(application_icon())

@@ -16,7 +16,7 @@ from trex_gui.ui.theme.theme import (
     theme,
 )
 from trex_gui.ui.translations import AS_THE_SYSTEM, LANGUAGES, choose_language, chosen_language
-from trex_gui.ui.units import choose_units, units
+from trex_gui.ui.units import units
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.behaviour import ReusedDialog
@@ -72,7 +72,7 @@ class PreferencesDialog(ReusedDialog):
                 (tr("Values of the board (counts, 0 to 127)"), True),
             ],
             tip=tr("What is shown first, and what a number typed without a unit means"),
-            on_activate=lambda index: choose_units(own_first=bool(index)),
+            on_activate=lambda index: units().choose(own_first=bool(index)),
         )
         self._own_folder = ui.check_box(
             self,
@@ -184,7 +184,7 @@ class PreferencesDialog(ReusedDialog):
     def _reset(self) -> None:
         choose_scheme("system")
         choose_font_size(100)
-        choose_units(own_first=False)
+        units().choose(own_first=False)
         file_questions.set_default_folder(None)
         set_automatic(True)
         self._on_language_chosen(self._language.findData(AS_THE_SYSTEM))

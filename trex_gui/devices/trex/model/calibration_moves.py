@@ -1,9 +1,8 @@
 """Changes to a calibration in one step: drag a handle, or make it symmetric."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import Enum
 
-from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, HIGHEST_CODED, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
@@ -37,23 +36,18 @@ class Handle(Enum):
                 return calibration.neutral + calibration.deadband
 
 
-@dataclass(frozen=True, slots=True)
-class CalibrationMove:
-    """A moved calibration, and why the handle stopped short; empty if it did not."""
+def moved(c: Calibration, handle: Handle, count: int) -> tuple[Calibration, str]:
+    """Move a handle to a raw count, or as far as the board accepts it.
 
-    calibration: Calibration
-    why: str = ""
-
-
-def moved(calibration: Calibration, handle: Handle, count: int) -> CalibrationMove:
-    """Move a handle to a raw count, or as far as the board accepts it."""
-    c, value, field = calibration, count, handle.value
+    Also return why it stopped short; empty if it did not.
+    """
+    value, field = count, handle.value
     match handle:
         case Handle.MINIMUM:
             limits = 0, min(c.neutral, c.maximum - 1)
             why = tr("Minimum cannot pass neutral.")
             if c.neutral >= c.maximum:
-                why = _differ_text()
+                why = tr("Minimum and maximum must differ.")
         case Handle.NEUTRAL:
             limits = c.minimum, c.maximum
             if count < c.minimum:
@@ -64,7 +58,7 @@ def moved(calibration: Calibration, handle: Handle, count: int) -> CalibrationMo
             limits = max(c.neutral, c.minimum + 1), HIGHEST_CODED
             why = tr("Maximum cannot pass neutral.")
             if c.neutral <= c.minimum:
-                why = _differ_text()
+                why = tr("Minimum and maximum must differ.")
         case Handle.DEADBAND_LOW | Handle.DEADBAND_HIGH:
             field = "deadband"
             value = count - c.neutral if handle is Handle.DEADBAND_HIGH else c.neutral - count
@@ -73,11 +67,7 @@ def moved(calibration: Calibration, handle: Handle, count: int) -> CalibrationMo
             if value < 0:
                 why = tr("The deadband ends at neutral.")
     kept = max(limits[0], min(limits[1], value))
-    return CalibrationMove(replace(c, **{field: kept}), "" if kept == value else why)
-
-
-def _differ_text() -> str:
-    return tr("Minimum and maximum must differ.")
+    return replace(c, **{field: kept}), "" if kept == value else why
 
 
 _BEYOND_INPUT = {
@@ -113,35 +103,24 @@ def symmetric(calibration: Calibration, source: InputSource, *, larger: bool) ->
     """Make the travel to both ends equal: to the larger or the smaller of the two.
 
     Both ends stay within the range of the input, which may shorten the larger travel.
-
-    Raises:
-        BadRequest: the reason of `why_not_symmetric`.
     """
-    if why := why_not_symmetric(calibration, source, larger=larger):
-        raise BadRequest(why)
-    travel = _equal_travel(calibration, source, larger=larger)
-    return replace(
-        calibration, minimum=calibration.neutral - travel, maximum=calibration.neutral + travel
-    )
+    neutral = calibration.neutral
+    ends = neutral - calibration.minimum, calibration.maximum - neutral
+    lowest = min(source.lowest_count, calibration.minimum)
+    highest = max(source.highest_count, calibration.maximum)
+    travel = min(max(ends) if larger else min(ends), neutral - lowest, highest - neutral)
+    return replace(calibration, minimum=neutral - travel, maximum=neutral + travel)
 
 
-def why_not_symmetric(calibration: Calibration, source: InputSource, *, larger: bool) -> str:
-    """Return why equal travel would make a calibration unusable; empty if it would not.
+def why_not_symmetric(made: Calibration, source: InputSource) -> str:
+    """Return why equal travel made a calibration unusable; empty if it did not.
 
     Each step of the output needs a count of its own, else a slight touch gives full output.
     """
-    travel = _equal_travel(calibration, source, larger=larger)
-    if travel > calibration.deadband + FULL_SCALE:
+    travel = made.maximum - made.neutral
+    if travel > made.deadband + FULL_SCALE:
         return ""
     return tr(
         "That would leave {0} on each side of neutral, {1} of it deadband: too little to reach "
         "every output value."
-    ).format(source.text(travel), source.text(calibration.deadband))
-
-
-def _equal_travel(calibration: Calibration, source: InputSource, *, larger: bool) -> int:
-    ends = calibration.neutral - calibration.minimum, calibration.maximum - calibration.neutral
-    travel = max(ends) if larger else min(ends)
-    lowest = min(source.lowest_count, calibration.minimum)
-    highest = max(source.highest_count, calibration.maximum)
-    return min(travel, calibration.neutral - lowest, highest - calibration.neutral)
+    ).format(source.text(travel), source.text(made.deadband))

@@ -89,7 +89,8 @@ class ChangeMenu(QMenu):
         for larger, equal in self._equals.items():
             reason = ""
             if shown is not None:
-                reason = why_not_symmetric(shown, calibrations.source, larger=larger)
+                made = symmetric(shown, calibrations.source, larger=larger)
+                reason = why_not_symmetric(made, calibrations.source)
             equal.setEnabled(not reason)
             equal.setToolTip(plain(reason))
 

@@ -195,18 +195,18 @@ class CurvePlot(Painted):
         if handle is None or shown is None:
             return
         count = round(self._canvas.x_at(x))
-        count, why = within_input(shown.calibration, handle, count, self._source)
-        move = moved(shown.calibration, handle, count)
-        self._preview = replace(shown, calibration=move.calibration)
+        count, beyond = within_input(shown.calibration, handle, count, self._source)
+        calibration, why = moved(shown.calibration, handle, count)
+        self._preview = replace(shown, calibration=calibration)
         # The axis goes as far as the handle is pulled, so that the handle stays at the mouse.
         low, high = self.axis
-        reached = handle.count(move.calibration)
+        reached = handle.count(calibration)
         if not low <= reached <= high:
             self.axis = min(low, reached), max(high, reached)
             self._show_axis()
-        self.handles.show_message(move.why or why)
+        self.handles.show_message(why or beyond)
         self._show_curves()
-        self.previewed.emit(move.calibration)
+        self.previewed.emit(calibration)
 
     def _cancel_drag(self) -> None:
         self._preview = None
