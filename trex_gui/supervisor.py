@@ -54,15 +54,14 @@ class SafetySupervisor(QObject):
         super().__init__(parent)
         self._program = program
         self._end_log = end_log
-        self._stopper = StopBroadcaster(program.device_manager.stop_now, self)
-        self._error_stopper = StopBroadcaster(program.device_manager.stop_now, self)
+        stop_now = program.device_manager.stop_now
+        self._stopper = StopBroadcaster(stop_now, self)
+        self._error_stopper = StopBroadcaster(stop_now, self)
         self._error = ""
         self._error_at = -math.inf
         suspended = tr("The program was suspended (Ctrl-Z)")
         self._signals = SignalWatch(
-            lambda: program.device_manager.stop_now(ending=True),
-            lambda: self._stopper.stop(suspended),
-            self,
+            lambda: stop_now(ending=True), lambda: self._stopper.stop(suspended), self
         )
         self._exceptions = ExceptionWatch(self._error_stopper.stop)
         self._wake = SuspendDetector(parent=self)
