@@ -1215,8 +1215,8 @@
         <translation>Es antwortet nicht. Prüfen Sie, ob es mit Strom versorgt ist.</translation></message>
     <message><source>Not verified: {0}. {1}</source>
         <translation>Konnte nicht bestätigt werden: {0}. {1}</translation></message>
-    <message><source>The line was closed.</source>
-        <translation>Die Leitung wurde geschlossen.</translation></message>
+    <message><source>The connection was closed.</source>
+        <translation>Die Verbindung wurde geschlossen.</translation></message>
     <message><source>In joint mode the board measures no current, so a test could not be aborted.</source>
         <translation>Im Parallelbetrieb misst das Board keinen Strom; ein Prüflauf ließe sich nicht abbrechen.</translation></message>
     <message><source>No current was read yet.</source>
@@ -1225,6 +1225,8 @@
         <translation>Die Verbindung wurde geschlossen.</translation></message>
     <message><source>Serial commands no longer control the motors.</source>
         <translation>Serielle Befehle steuern die Motoren nicht mehr.</translation></message>
+    <message><source>Serial commands no longer reach the motors.</source>
+        <translation>Serielle Befehle erreichen die Motoren nicht mehr.</translation></message>
     <message><source>Stop was pressed.</source>
         <translation>„Motoren stoppen“ wurde gedrückt.</translation></message>
     <message><source>Bench test of motor {0}: {1}</source>
@@ -1255,8 +1257,6 @@
         <translation>An dieser Leitung antwortet kein anderes Board. Jedes braucht Strom, dieselben seriellen Einstellungen wie dieses und eine eigene Gerätenummer.</translation></message>
     <message><source>Another board was selected.</source>
         <translation>Ein anderes Board wurde ausgewählt.</translation></message>
-    <message><source>Minimum and maximum must differ.</source>
-        <translation>Minimum und Maximum müssen verschieden sein.</translation></message>
     <message><source>A pulse cannot be shorter than {0}.</source>
         <translation>Ein Impuls kann nicht kürzer als {0} sein.</translation></message>
     <message><source>A pulse cannot be longer than {0}.</source>
@@ -1273,6 +1273,8 @@
         <translation>Der Totbereich kann nicht breiter als der Weg sein.</translation></message>
     <message><source>That would leave {0} on each side of neutral, {1} of it deadband: too little to reach every output value.</source>
         <translation>Damit blieben {0} auf jeder Seite der Neutralstellung, davon {1} Totbereich: zu wenig, um jeden Ausgangswert zu erreichen.</translation></message>
+    <message><source>Minimum and maximum must differ.</source>
+        <translation>Minimum und Maximum müssen verschieden sein.</translation></message>
     <message><source>Neutral cannot pass minimum.</source>
         <translation>Die Neutralstellung kann nicht über das Minimum hinaus.</translation></message>
     <message><source>Neutral cannot pass maximum.</source>
@@ -1315,36 +1317,32 @@
         <translation>steuert den einen Motor, den beide Treiber speisen (Parallelbetrieb, kein Mischer)</translation></message>
     <message><source>has no motor: in joint mode both drivers power motor 1</source>
         <translation>hat keinen Motor: im Parallelbetrieb speisen beide Treiber Motor 1</translation></message>
+    <message><source>{0} ({1}) is beyond the input: {2}. Full output on that side is never reached.</source>
+        <translation>{0} ({1}) liegt außerhalb des Eingangsbereichs: {2}. Der volle Ausgang auf dieser Seite wird nie erreicht.</translation></message>
     <message><source>is ignored: it is held at neutral, whatever its input is</source>
         <translation>wird ignoriert: er bleibt in Neutralstellung, was auch immer am Eingang anliegt</translation></message>
     <message><source>In RC and analog mode it {1}.</source>
         <translation>Im RC- und Analogmodus gilt: Er {1}.</translation></message>
     <message><source>The board reads {0} now, and only shows and accepts calibrations for them. To see these, make it read {1}: set Channel Input Source, apply, and switch the board off and on.</source>
         <translation>Das Board liest jetzt {0}, und nur dafür zeigt und akzeptiert es Kalibrierungen. Um diese hier zu sehen, lassen Sie es {1} lesen: Stellen Sie „Eingangsquelle der Kanäle“ um, wenden Sie die Änderung an und schalten Sie das Board aus und ein.</translation></message>
+    <message><source>The board reads {0} now, and only shows and accepts calibrations for them. To see these: switch it off, put the mode jumper to {2}, switch it on.</source>
+        <translation>Das Board liest jetzt {0}, und nur dafür zeigt und akzeptiert es Kalibrierungen. Um diese hier zu sehen: Schalten Sie es aus, stecken Sie den Modus-Jumper auf {2}, schalten Sie es ein.</translation></message>
     <message><source>applied {0}</source>
         <translation>angewendet {0}</translation></message>
     <message><source>read {0}</source>
         <translation>gelesen {0}</translation></message>
-    <message><source>Neutral ({1}) is beyond the input: {3}. No stick position gives 0.</source>
-        <translation>Die Neutralstellung ({1}) liegt außerhalb des Eingangsbereichs: {3}. Keine Knüppelstellung ergibt 0.</translation></message>
-    <message><source>a pulse is {0} to {1}</source>
-        <translation>ein Impuls dauert {0} bis {1}</translation></message>
-    <message><source>a voltage is {0} to {1}</source>
-        <translation>eine Spannung beträgt {0} bis {1}</translation></message>
-    <message><source>The deadband ({0} to each side of neutral) reaches minimum and maximum: there is nothing between 0 and full output.</source>
-        <translation>Der Totbereich ({0} auf jeder Seite der Neutralstellung) reicht bis zum Minimum und zum Maximum: Zwischen 0 und vollem Ausgang liegt nichts.</translation></message>
+    <message><source>Neutral ({0}) is beyond the input: {1}. No stick position gives 0.</source>
+        <translation>Die Neutralstellung ({0}) liegt außerhalb des Eingangsbereichs: {1}. Keine Knüppelstellung ergibt 0.</translation></message>
+    <message><source>Minimum</source>
+        <translation>Minimum</translation></message>
+    <message><source>Maximum</source>
+        <translation>Maximum</translation></message>
     <message><source>is ignored: it is held off, whatever its input is</source>
         <translation>wird ignoriert: er bleibt aus, was auch immer am Eingang anliegt</translation></message>
     <message><source>Does not drive now: serial commands override it. Otherwise it {1}.</source>
         <translation>Steuert jetzt nichts: Serielle Befehle haben Vorrang. Sonst gilt: Er {1}.</translation></message>
-    <message><source>The board reads {0} now, and only shows and accepts calibrations for them. To see these: switch it off, put the mode jumper to RC, switch it on.</source>
-        <translation>Das Board liest jetzt {0}, und nur dafür zeigt und akzeptiert es Kalibrierungen. Um diese hier zu sehen: Schalten Sie es aus, stecken Sie den Modus-Jumper auf RC, schalten Sie es ein.</translation></message>
-    <message><source>The board reads {0} now, and only shows and accepts calibrations for them. To see these: switch it off, put the mode jumper to analog, switch it on.</source>
-        <translation>Das Board liest jetzt {0}, und nur dafür zeigt und akzeptiert es Kalibrierungen. Um diese hier zu sehen: Schalten Sie es aus, stecken Sie den Modus-Jumper auf Analog, schalten Sie es ein.</translation></message>
-    <message><source>Minimum ({0}) and maximum ({2}) are beyond the input: {3}. Full output is never reached.</source>
-        <translation>Minimum ({0}) und Maximum ({2}) liegen außerhalb des Eingangsbereichs: {3}. Der volle Ausgang wird nie erreicht.</translation></message>
-    <message><source>The deadband ({0} to each side of neutral) reaches minimum: there is nothing between 0 and full output on that side.</source>
-        <translation>Der Totbereich ({0} auf jeder Seite der Neutralstellung) reicht bis zum Minimum: Zwischen 0 und vollem Ausgang liegt auf dieser Seite nichts.</translation></message>
+    <message><source>The deadband ({0} to each side of neutral) reaches {1}: there is nothing between 0 and full output.</source>
+        <translation>Der Totbereich ({0} auf jeder Seite der Neutralstellung) reicht bis zum {1}: Zwischen 0 und vollem Ausgang liegt nichts.</translation></message>
     <message><source>below about {0} (inferred)</source>
         <translation>unter etwa {0} (erschlossen)</translation></message>
     <message><source>above about {0} (inferred)</source>
@@ -1365,14 +1363,14 @@
         <translation>Minimum und Maximum können nicht beide {0} sein.</translation></message>
     <message><source>The board would reject this: {0}.</source>
         <translation>Das Board würde dies ablehnen: {0}.</translation></message>
-    <message><source>Minimum ({0}) is beyond the input: {3}. Full output on that side is never reached.</source>
-        <translation>Das Minimum ({0}) liegt außerhalb des Eingangsbereichs: {3}. Der volle Ausgang auf dieser Seite wird nie erreicht.</translation></message>
-    <message><source>The deadband ({0} to each side of neutral) reaches maximum: there is nothing between 0 and full output on that side.</source>
-        <translation>Der Totbereich ({0} auf jeder Seite der Neutralstellung) reicht bis zum Maximum: Zwischen 0 und vollem Ausgang liegt auf dieser Seite nichts.</translation></message>
+    <message><source>a pulse is {0} to {1}</source>
+        <translation>ein Impuls dauert {0} bis {1}</translation></message>
+    <message><source>a voltage is {0} to {1}</source>
+        <translation>eine Spannung beträgt {0} bis {1}</translation></message>
+    <message><source> and </source>
+        <translation> und </translation></message>
     <message><source>{0} while the input is {1}</source>
         <translation>{0}, solange der Eingang {1} liegt</translation></message>
-    <message><source>Maximum ({2}) is beyond the input: {3}. Full output on that side is never reached.</source>
-        <translation>Das Maximum ({2}) liegt außerhalb des Eingangsbereichs: {3}. Der volle Ausgang auf dieser Seite wird nie erreicht.</translation></message>
     <message><source>{0}; it is reversed</source>
         <translation>{0}; er ist umgekehrt</translation></message>
     <message><source>The board has stopped responding. Is its power on? Waiting for it …</source>
@@ -1449,8 +1447,6 @@
         <translation>Das Board, dessen Verbindung beim Fahren abbrach, ist wieder da.</translation></message>
     <message><source>This may be another board: {0}, at {1}, does not store the settings of the one that was driven.</source>
         <translation>Das ist vielleicht ein anderes Board: {0}, an {1}, speichert nicht die Einstellungen des Boards, das angesteuert wurde.</translation></message>
-    <message><source>Serial commands no longer reach the motors.</source>
-        <translation>Serielle Befehle erreichen die Motoren nicht mehr.</translation></message>
     <message><source>A setting of the board changed, so the motors were stopped.</source>
         <translation>Eine Einstellung des Boards hat sich geändert, daher wurden die Motoren gestoppt.</translation></message>
     <message><source>The board was restarted, so the motors were stopped.</source>
@@ -1487,8 +1483,8 @@
         <translation>Das serielle Timeout von {0:g} s ist kurz für einen Netzwerkport: Eine einzige späte Antwort stoppt die Motoren beim Fahren. Stellen Sie ein längeres ein oder schließen Sie das Board an diesen Computer an.</translation></message>
     <message><source>Serial timeout of {0:g} s is short for {1} baud: one lost reply stops the motors while you drive. Set a longer one, or a faster baud rate.</source>
         <translation>Das serielle Timeout von {0:g} s ist kurz für {1} Baud: Eine einzige verlorene Antwort stoppt die Motoren beim Fahren. Stellen Sie ein längeres oder eine höhere Baudrate ein.</translation></message>
-    <message><source>The gamepad “{0}” was disconnected. Plug it in again to continue.</source>
-        <translation>Das Gamepad „{0}“ wurde getrennt. Stecken Sie es wieder ein, um fortzufahren.</translation></message>
+    <message><source>Arm the motors first.</source>
+        <translation>Geben Sie zuerst die Motoren frei.</translation></message>
     <message><source>Another control drives now.</source>
         <translation>Jetzt steuert ein anderes Bedienelement.</translation></message>
     <message><source>button {0}</source>
@@ -1503,8 +1499,6 @@
         <translation>Die Einstellungen des Gamepads wurden geändert.</translation></message>
     <message><source>No gamepad is connected. Plug one in or switch it on.</source>
         <translation>Es ist kein Gamepad verbunden. Stecken Sie eines ein oder schalten Sie es ein.</translation></message>
-    <message><source>Arm the motors, then move a stick.</source>
-        <translation>Geben Sie die Motoren frei und bewegen Sie dann einen Knüppel.</translation></message>
     <message><source>Release the sticks: driving starts only after both axes have been at rest. A worn stick may need a wider dead zone.</source>
         <translation>Lassen Sie die Knüppel los: Das Fahren beginnt erst, wenn beide Achsen in Ruhe waren. Ein abgenutzter Knüppel braucht vielleicht eine größere Totzone.</translation></message>
     <message><source>Release {0}, then hold it to drive.</source>
@@ -1559,18 +1553,12 @@
         <translation>Y, die oberste von vier</translation></message>
     <message><source>The gamepad “{0}” was disconnected.</source>
         <translation>Das Gamepad „{0}“ wurde getrennt.</translation></message>
-    <message><source>Arm the motors, then hold {0} and move a stick.</source>
-        <translation>Geben Sie die Motoren frei, halten Sie dann {0} gedrückt und bewegen Sie einen Knüppel.</translation></message>
-    <message><source>Connect to a board to test its motors.</source>
-        <translation>Verbinden Sie ein Board, um seine Motoren zu testen.</translation></message>
+    <message><source>Connect to a board first.</source>
+        <translation>Verbinden Sie zuerst ein Board.</translation></message>
     <message><source>Settings are being written.</source>
         <translation>Einstellungen werden geschrieben.</translation></message>
     <message><source>After a stop the motors are locked for another {0:.0f} s.</source>
         <translation>Nach einem Stopp sind die Motoren noch {0:.0f} s gesperrt.</translation></message>
-    <message><source>Arm the motors first.</source>
-        <translation>Geben Sie zuerst die Motoren frei.</translation></message>
-    <message><source>Another control drives the motors now.</source>
-        <translation>Jetzt steuert ein anderes Bedienelement die Motoren.</translation></message>
     <message><source>{0} A test needs serial control.</source>
         <translation>{0} Ein Test braucht die serielle Steuerung.</translation></message>
     <message><source>Bring the motors to rest first ({0}).</source>
@@ -1603,12 +1591,6 @@
         <translation>Das Board ist im Modus {0}: Die Knüppel steuern die Motoren, und es lehnt Einstellungen ab. Schalten Sie es aus, ziehen Sie den Modus-Jumper ab und schalten Sie es ein.</translation></message>
     <message><source>The board is in {0} mode. Channel 5 has given the motors to the serial line, but with the next move of its switch the sticks drive the motors again; and the board rejects settings. Switch it off, remove the mode jumper and switch it on.</source>
         <translation>Das Board ist im Modus {0}. Kanal 5 hat die Motoren der seriellen Leitung übergeben, aber mit der nächsten Bewegung seines Schalters steuern die Knüppel wieder die Motoren; außerdem lehnt das Board Einstellungen ab. Schalten Sie es aus, ziehen Sie den Modus-Jumper ab und schalten Sie es ein.</translation></message>
-    <message><source>Connect to a board first.</source>
-        <translation>Verbinden Sie zuerst ein Board.</translation></message>
-    <message><source>The board has stopped responding: its power or its cable was cut.</source>
-        <translation>Das Board antwortet nicht mehr: Seine Stromversorgung oder sein Kabel ist unterbrochen.</translation></message>
-    <message><source>The connection to the board was lost.</source>
-        <translation>Die Verbindung zum Board ist abgebrochen.</translation></message>
     <message><source>The board was started in another mode.</source>
         <translation>Das Board wurde in einem anderen Modus gestartet.</translation></message>
     <message><source>The motors were armed, so this has ended.</source>
@@ -1617,8 +1599,6 @@
         <translation>Die Knüppel steuern jetzt die Motoren: Die Kanäle haben die Kontrolle.</translation></message>
     <message><source>motor {0} draws {1:.1f} A</source>
         <translation>Motor {0} nimmt {1:.1f} A auf</translation></message>
-    <message><source> and </source>
-        <translation> und </translation></message>
     <message><source>It moved during sampling, between {0} and {1}. Release it and sample again.</source>
         <translation>Er hat sich während der Messung bewegt, zwischen {0} und {1}. Lassen Sie ihn los und messen Sie erneut.</translation></message>
     <message><source>Release it and sample again; if it continues, the stick or the transmitter is warming up or worn.</source>
@@ -1635,8 +1615,14 @@
         <translation>Nötig sind mindestens {1}: der Totbereich und je ein Count für die {2} Geschwindigkeiten.</translation></message>
     <message><source>Push it the other way too; if it cannot go there, it was at an end during sampling.</source>
         <translation>Drücken Sie ihn auch in die andere Richtung; geht das nicht, war er während der Messung in einer Endlage.</translation></message>
-    <message><source>It may be further out: go back, push it there and hold it for {0:.1f} s.</source>
-        <translation>Sie liegt vielleicht weiter außen: Gehen Sie zurück, drücken Sie ihn dorthin und halten Sie ihn dort {0:.1f} s.</translation></message>
+    <message><source>It went one way only.</source>
+        <translation>Er ging nur in eine Richtung.</translation></message>
+    <message><source>Go back, push it all the way and hold it there for {0:.1f} s.</source>
+        <translation>Gehen Sie zurück, drücken Sie ihn bis zum Anschlag und halten Sie ihn dort {0:.1f} s.</translation></message>
+    <message><source>It went {0} to one side, but only {1} to the other.</source>
+        <translation>Er ging {0} zur einen Seite, aber nur {1} zur anderen.</translation></message>
+    <message><source>Was it pushed all the way?</source>
+        <translation>Wurde er bis zum Anschlag gedrückt?</translation></message>
     <message><source>Should it be reversed, or not?</source>
         <translation>Sollte er umgekehrt sein oder gerade nicht?</translation></message>
     <message><source>No signal: no valid pulse arrives.</source>
@@ -1671,10 +1657,6 @@
         <translation>An diesem Eingang bewegt sich nichts: Er bleibt bei {0}, einem Ende des Messbereichs.</translation></message>
     <message><source>It went only {0} from its rest position.</source>
         <translation>Er ging nur {0} aus seiner Ruhelage.</translation></message>
-    <message><source>It went one way only, never below its rest position.</source>
-        <translation>Er ging nur in eine Richtung, nie unter seine Ruhelage.</translation></message>
-    <message><source>It went one way only, never above its rest position.</source>
-        <translation>Er ging nur in eine Richtung, nie über seine Ruhelage.</translation></message>
     <message><source>The low end is only {0} from the rest position.</source>
         <translation>Die untere Endlage ist nur {0} von der Ruhelage entfernt.</translation></message>
     <message><source>The high end is only {0} from the rest position.</source>
@@ -1685,22 +1667,10 @@
         <translation>Die obere Endlage wurde nur durchlaufen, nicht gehalten.</translation></message>
     <message><source>Both ends were only passed, not held.</source>
         <translation>Beide Endlagen wurden nur durchlaufen, nicht gehalten.</translation></message>
-    <message><source>They may be further out: go back, push it to each and hold it for {0:.1f} s.</source>
-        <translation>Sie liegen vielleicht weiter außen: Gehen Sie zurück, drücken Sie ihn in jede Endlage und halten Sie ihn dort {0:.1f} s.</translation></message>
     <message><source>Its rest position ({0}) is not between its ends ({1} and {2}).</source>
         <translation>Seine Ruhelage ({0}) liegt nicht zwischen seinen Endlagen ({1} und {2}).</translation></message>
     <message><source>Was a trim moved? Begin again with the sticks at rest.</source>
         <translation>Wurde eine Trimmung verstellt? Beginnen Sie erneut mit den Knüppeln in Ruhe.</translation></message>
-    <message><source>It went {0} to one side, but only {1} below its rest position.</source>
-        <translation>Er ging {0} zur einen Seite, aber nur {1} unter seine Ruhelage.</translation></message>
-    <message><source>Was it pushed all the way?</source>
-        <translation>Wurde er bis zum Anschlag gedrückt?</translation></message>
-    <message><source>It went {0} to one side, but only {1} above its rest position.</source>
-        <translation>Er ging {0} zur einen Seite, aber nur {1} über seine Ruhelage.</translation></message>
-    <message><source>The board would reject the measured values: {0}.</source>
-        <translation>Das Board würde die gemessenen Werte ablehnen: {0}.</translation></message>
-    <message><source>The board would reject these values: {0}.</source>
-        <translation>Das Board würde diese Werte ablehnen: {0}.</translation></message>
     <message><source>It rests at {0}: with this neutral it would give {1} there.</source>
         <translation>Er ruht bei {0}: Mit dieser Neutralstellung gäbe er dort {1} aus.</translation></message>
     <message><source>After release it rests at {0}, not at {1}, and would give {2} there.</source>
@@ -1709,14 +1679,8 @@
         <translation>War während der Messung eine Hand daran, oder wurde eine Trimmung verstellt?</translation></message>
     <message><source>Go back and sample it again, or use the new rest position.</source>
         <translation>Gehen Sie zurück und messen Sie ihn erneut, oder verwenden Sie die neue Ruhelage.</translation></message>
-    <message><source>The deadband ({0} to each side of neutral) reaches minimum: there is nothing between 0 and full output.</source>
-        <translation>Der Totbereich ({0} auf jeder Seite der Neutralstellung) reicht bis zum Minimum: Zwischen 0 und vollem Ausgang liegt nichts.</translation></message>
-    <message><source>The deadband ({0} to each side of neutral) reaches maximum: there is nothing between 0 and full output.</source>
-        <translation>Der Totbereich ({0} auf jeder Seite der Neutralstellung) reicht bis zum Maximum: Zwischen 0 und vollem Ausgang liegt nichts.</translation></message>
-    <message><source>Maximum is beyond the {0} that was reached: there is no full output.</source>
-        <translation>Das Maximum liegt jenseits der erreichten {0}: Es gibt keinen vollen Ausgang.</translation></message>
-    <message><source>Minimum is beyond the {0} that was reached: there is no full output.</source>
-        <translation>Das Minimum liegt jenseits der erreichten {0}: Es gibt keinen vollen Ausgang.</translation></message>
+    <message><source>{0} is beyond the {1} that was reached: there is no full output.</source>
+        <translation>{0} liegt jenseits der erreichten {1}: Es gibt keinen vollen Ausgang.</translation></message>
     <message><source>Check that no trim and no broken wire can bring it there.</source>
         <translation>Prüfen Sie, dass weder eine Trimmung noch ein gebrochenes Kabel ihn dorthin bringen kann.</translation></message>
     <message><source>Its rest position ({0}) is too close to its switching point ({1}).</source>
@@ -1727,32 +1691,30 @@
         <translation>Er ist in allen seinen Stellungen aktiv: Keine liegt jenseits von {0}, wo er schaltet.</translation></message>
     <message><source>It is inactive in all its positions: none is beyond {0}, where it switches.</source>
         <translation>Er ist in allen seinen Stellungen inaktiv: Keine liegt jenseits von {0}, wo er schaltet.</translation></message>
-    <message><source>Full output not reached yet: forward (+127) and reverse (−127).</source>
-        <translation>Voller Ausgang noch nicht erreicht: vorwärts (+127) und rückwärts (−127).</translation></message>
     <message><source>In {0} mode safe-start would release the motors now.</source>
         <translation>Im Modus {0} würde Safe-Start die Motoren jetzt laufen lassen.</translation></message>
     <message><source>Ignored: the board holds it at neutral. There is nothing to test.</source>
         <translation>Ignoriert: Das Board hält ihn in Neutralstellung. Es gibt nichts zu testen.</translation></message>
     <message><source>Good.</source>
         <translation>Gut.</translation></message>
-    <message><source>Only on was seen. Move the switch to its other position.</source>
-        <translation>Nur „ein“ wurde gesehen. Stellen Sie den Schalter in die andere Stellung.</translation></message>
+    <message><source>Only {0} was seen. Move the switch to its other position.</source>
+        <translation>Nur „{0}“ wurde gesehen. Stellen Sie den Schalter in die andere Stellung.</translation></message>
     <message><source>Full output not reached yet. Push it all the way.</source>
         <translation>Voller Ausgang noch nicht erreicht. Drücken Sie ihn bis zum Anschlag.</translation></message>
+    <message><source>Full output not reached yet: {0}.</source>
+        <translation>Voller Ausgang noch nicht erreicht: {0}.</translation></message>
     <message><source>Full output reached. Let it rest for a moment.</source>
         <translation>Voller Ausgang erreicht. Lassen Sie ihn einen Moment ruhen.</translation></message>
-    <message><source>Full output not reached yet: reverse (−127).</source>
-        <translation>Voller Ausgang noch nicht erreicht: rückwärts (−127).</translation></message>
-    <message><source>Full output not reached yet: forward (+127).</source>
-        <translation>Voller Ausgang noch nicht erreicht: vorwärts (+127).</translation></message>
     <message><source>In {0} mode safe-start would hold the motors now. {1}</source>
         <translation>Im Modus {0} würde Safe-Start die Motoren jetzt zurückhalten. {1}</translation></message>
     <message><source>Move the switch to all its positions.</source>
         <translation>Bringen Sie den Schalter in alle seine Stellungen.</translation></message>
-    <message><source>Only off was seen. Move the switch to its other position.</source>
-        <translation>Nur „aus“ wurde gesehen. Stellen Sie den Schalter in die andere Stellung.</translation></message>
     <message><source>Full output reached. Release it: at rest the output must be 0, but it is {0}.</source>
         <translation>Voller Ausgang erreicht. Lassen Sie ihn los: In Ruhe muss der Ausgang 0 sein, er ist aber {0}.</translation></message>
+    <message><source>off</source>
+        <translation>aus</translation></message>
+    <message><source>on</source>
+        <translation>an</translation></message>
     <message><source>The board is back. It has confirmed the stop.</source>
         <translation>Das Board ist wieder da. Es hat den Stopp bestätigt.</translation></message>
     <message><source>The board is back. It has confirmed the stop. For {0:.0f} s it received nothing: did its Serial Timeout stop the motor meanwhile?</source>
@@ -1769,10 +1731,6 @@
         <translation>Motor {0} {1}</translation></message>
     <message><source>Hexadecimal, such as 9F 07</source>
         <translation>Hexadezimal, zum Beispiel 9F 07</translation></message>
-    <message><source>Connect a board to send this.</source>
-        <translation>Verbinden Sie ein Board, um dies zu senden.</translation></message>
-    <message><source>Settings are being written; wait until they are.</source>
-        <translation>Einstellungen werden geschrieben; warten Sie, bis das erledigt ist.</translation></message>
     <message><source>A stop would not reach that board: address device {0}.</source>
         <translation>Ein Stopp würde dieses Board nicht erreichen: Adressieren Sie Gerät {0}.</translation></message>
     <message numerus="yes"><source>and %n more packet(s)</source>
@@ -1883,8 +1841,8 @@
         <translation>sie enthält keine Kalibrierungen</translation></message>
     <message><source>{0}; it is shown as Western European text. Check the characters that are not plain letters; Save writes UTF-8</source>
         <translation>{0}; sie wird als westeuropäischer Text angezeigt. Prüfen Sie die Zeichen, die keine einfachen Buchstaben sind; beim Speichern wird UTF-8 geschrieben</translation></message>
-    <message><source>it holds settings of a {0}</source>
-        <translation>sie enthält Einstellungen eines {0}</translation></message>
+    <message><source>these are settings of a {0}</source>
+        <translation>dies sind Einstellungen eines {0}</translation></message>
     <message><source>{0} is left out: it could not be read from the board.</source>
         <translation>{0} wird ausgelassen: Der Wert konnte nicht vom Board gelesen werden.</translation></message>
     <message><source>The {0} calibrations are left out: the board accepts them only while it reads its inputs as {0}.</source>
@@ -1905,8 +1863,6 @@
         <translation>Änderungen an diesem Board</translation></message>
     <message><source>What was applied to this board cannot be remembered. {0}</source>
         <translation>Was auf dieses Board angewendet wurde, lässt sich nicht merken. {0}</translation></message>
-    <message><source>What the board accepted was not remembered. {0}</source>
-        <translation>Was das Board akzeptiert hat, wurde nicht vermerkt. {0}</translation></message>
     <message><source>Note on {0}</source>
         <translation>Notiz zu {0}</translation></message>
     <message numerus="yes"><source>And %n more problem(s).</source>
@@ -1943,8 +1899,6 @@
         <translation>Heben Sie den Roboter an, sodass sich die Räder frei drehen, und bestätigen Sie das hier.</translation></message>
     <message><source>The wheels may touch the ground.</source>
         <translation>Die Räder berühren vielleicht den Boden.</translation></message>
-    <message><source>No board is connected, so nothing can be changed.</source>
-        <translation>Kein Board ist verbunden, daher kann nichts geändert werden.</translation></message>
     <message><source>The assistant was closed.</source>
         <translation>Der Assistent wurde geschlossen.</translation></message>
     <message><source>Another step of the assistant was opened.</source>
@@ -2403,12 +2357,8 @@
         <translation>Ein {0} hat mindestens {1}; 0 schaltet es aus (Zwilling).</translation></message>
     <message><source>The same value in steps of {0}: {1} becomes {2}.</source>
         <translation>Derselbe Wert in Schritten von {0}: {1} wird zu {2}.</translation></message>
-    <message><source>these are settings of a {0}</source>
-        <translation>dies sind Einstellungen eines {0}</translation></message>
     <message><source>it cannot be changed: {0}</source>
         <translation>sie kann nicht geändert werden: {0}</translation></message>
-    <message><source>it cannot be renamed: {0}</source>
-        <translation>sie kann nicht umbenannt werden: {0}</translation></message>
     <message><source>it cannot be read: {0}</source>
         <translation>sie kann nicht gelesen werden: {0}</translation></message>
     <message><source>this file is written in a way that cannot be changed in place; save the settings as a new file</source>
@@ -2421,8 +2371,6 @@
         <translation>Sie nennt nicht, von welchem Board sie stammt.</translation></message>
     <message><source>is damaged</source>
         <translation>ist beschädigt</translation></message>
-    <message><source>it cannot be removed: {0}</source>
-        <translation>sie kann nicht entfernt werden: {0}</translation></message>
     <message><source>a history keeps at least one snapshot, not {0}</source>
         <translation>ein Verlauf behält mindestens eine Sicherungskopie, nicht {0}</translation></message>
     <message><source>the folder for snapshots cannot be made: {0}</source>
@@ -2499,6 +2447,26 @@
         <translation>{0} in Anführungszeichen</translation></message>
     <message><source>{name} is off while a computer drives the motors: if the cable or the computer fails, the motors keep running at their last setpoint.</source>
         <translation>{name} ist aus, während ein Computer die Motoren steuert: Wenn das Kabel oder der Computer ausfällt, laufen die Motoren mit ihrem letzten Sollwert weiter.</translation></message>
+    <message><source>Both required and ignored: {channels}. The signal moves nothing, but without it the motors may not run in RC mode (inferred).</source>
+        <translation>Zugleich erforderlich und ignoriert: {channels}. Das Signal bewegt nichts, aber ohne es laufen die Motoren im RC-Modus vielleicht nicht (erschlossen).</translation></message>
+    <message><source>The {end} of {channel}, {count}, is beyond {limit}, the last count that the board measures: full speed on that side is never reached.</source>
+        <translation>Das {end} von {channel}, {count}, liegt jenseits von {limit}, dem letzten Count, den das Board misst: Die volle Geschwindigkeit auf dieser Seite wird nie erreicht.</translation></message>
+    <message><source>After the next power cycle the line settings of the board are {new}; now they are {now}. Change the programs that use the board then.</source>
+        <translation>Nach dem nächsten Aus- und Einschalten sind die Leitungseinstellungen des Boards {new}; jetzt sind sie {now}. Ändern Sie dann die Programme, die das Board verwenden.</translation></message>
+    <message><source>The prescaler {0} gives {1}.</source>
+        <translation>Der Vorteiler {0} ergibt {1}.</translation></message>
+    <message><source>The deadband of {channel} reaches from neutral to its {ends}: there is nothing between standstill and full speed on that side.</source>
+        <translation>Der Totbereich von {channel} reicht von der Neutralstellung bis zur Endlage ({ends}): Zwischen Stillstand und voller Geschwindigkeit liegt auf dieser Seite nichts.</translation></message>
+    <message><source>A {board} set to {baud} baud really runs at {real} baud; firmware {fixed_in} corrects this. Programs must use {real} baud.</source>
+        <translation>Ein {board}, auf {baud} Baud eingestellt, läuft tatsächlich mit {real} Baud; Firmware {fixed_in} behebt das. Programme müssen {real} Baud verwenden.</translation></message>
+    <message><source>This computer's serial port does not support {baud} baud: after the next power cycle it could not reach the board any more.</source>
+        <translation>Der serielle Port dieses Computers unterstützt {baud} Baud nicht: Nach dem nächsten Aus- und Einschalten könnte er das Board nicht mehr erreichen.</translation></message>
+    <message><source>{0} to {1}</source><comment>set a parameter</comment>
+        <translation>{0} auf {1}</translation></message>
+    <message><source>Set {0}</source>
+        <translation>{0} setzen</translation></message>
+    <message><source>{0} and {1}</source>
+        <translation>{0} und {1}</translation></message>
     <message><source>{timeout} of {seconds} may not stop the motors if the cable or the computer fails: {shutdown} is off (twin).</source>
         <translation>{timeout} von {seconds} stoppt die Motoren vielleicht nicht, wenn das Kabel oder der Computer ausfällt: {shutdown} ist aus (Zwilling).</translation></message>
     <message><source>No effect in joint mode: {limits}. The board measures no current then, so the motor is not protected.</source>
@@ -2509,32 +2477,10 @@
         <translation>{limit} ist {value}, und {ramp} ist 0, also sofort. Sobald der Strom unter die Grenze fällt, springt der Motor auf seine volle Sollgeschwindigkeit zurück und läuft dadurch vielleicht ruckweise (erschlossen).</translation></message>
     <message><source>The PWM of motor {motor} runs at {now} (inferred), but the motor driver of a {product} is rated for {highest}; above that it gets hot.</source>
         <translation>Die PWM von Motor {motor} läuft mit {now} (erschlossen), der Motortreiber eines {product} ist aber nur für {highest} ausgelegt; darüber wird er heiß.</translation></message>
-    <message><source>The PWM of motor {motor} runs at {now} (inferred), but the motor driver of a {product} is rated for {highest}; above that it gets hot. The prescaler {prescaler} gives {gives}.</source>
-        <translation>Die PWM von Motor {motor} läuft mit {now} (erschlossen), der Motortreiber eines {product} ist aber nur für {highest} ausgelegt; darüber wird er heiß. Der Vorteiler {prescaler} ergibt {gives}.</translation></message>
-    <message><source>Both required and ignored: {channels}. The signal moves nothing, but without it the motors may not run in RC mode (inferred).</source>
-        <translation>Zugleich erforderlich und ignoriert: {channels}. Das Signal bewegt nichts, aber ohne es laufen die Motoren im RC-Modus vielleicht nicht (erschlossen).</translation></message>
-    <message><source>The deadband of {channel} reaches from neutral to its {ends}: there is nothing between standstill and full speed on that side.</source>
-        <translation>Der Totbereich von {channel} reicht von der Neutralstellung bis zur Endlage ({ends}): Zwischen Stillstand und voller Geschwindigkeit liegt auf dieser Seite nichts.</translation></message>
-    <message><source>The minimum of {channel}, {count}, is below {limit}, the lowest count that the board measures: full speed on that side is never reached.</source>
-        <translation>Das Minimum von {channel}, {count}, liegt unter {limit}, dem niedrigsten Count, den das Board misst: Die volle Geschwindigkeit auf dieser Seite wird nie erreicht.</translation></message>
-    <message><source>The maximum of {channel}, {count}, is above {limit}, the highest count that the board measures: full speed on that side is never reached.</source>
-        <translation>Das Maximum von {channel}, {count}, liegt über {limit}, dem höchsten Count, den das Board misst: Die volle Geschwindigkeit auf dieser Seite wird nie erreicht.</translation></message>
     <message><source>{name} is {value} instead of the default {default}, but CRC-7 is not switched on: no packet is checked with it.</source>
         <translation>{name} ist {value} statt des Standardwerts {default}, aber CRC-7 ist nicht eingeschaltet: Kein Paket wird damit geprüft.</translation></message>
     <message><source>With {value} as {name} the checksum of every packet is 0, so CRC-7 detects no errors at all.</source>
         <translation>Mit {value} als {name} ist die Prüfsumme jedes Pakets 0; CRC-7 erkennt dann überhaupt keine Fehler.</translation></message>
-    <message><source>A {board} set to {baud} baud really runs at {real} baud; firmware {fixed_in} corrects this. Programs must use {real} baud.</source>
-        <translation>Ein {board}, auf {baud} Baud eingestellt, läuft tatsächlich mit {real} Baud; Firmware {fixed_in} behebt das. Programme müssen {real} Baud verwenden.</translation></message>
-    <message><source>This computer's serial port does not support {baud} baud: after the next power cycle it could not reach the board any more.</source>
-        <translation>Der serielle Port dieses Computers unterstützt {baud} Baud nicht: Nach dem nächsten Aus- und Einschalten könnte er das Board nicht mehr erreichen.</translation></message>
-    <message><source>After the next power cycle the line settings of the board are {new}; now they are {now}. Change the programs that use the board then.</source>
-        <translation>Nach dem nächsten Aus- und Einschalten sind die Leitungseinstellungen des Boards {new}; jetzt sind sie {now}. Ändern Sie dann die Programme, die das Board verwenden.</translation></message>
-    <message><source>{0} to {1}</source><comment>set a parameter</comment>
-        <translation>{0} auf {1}</translation></message>
-    <message><source>Set {0}</source>
-        <translation>{0} setzen</translation></message>
-    <message><source>{0} and {1}</source>
-        <translation>{0} und {1}</translation></message>
     <message><source>{0} with firmware {1}</source>
         <translation>{0} mit Firmware {1}</translation></message>
     <message><source>{0}, deadband {1}</source>
@@ -3705,12 +3651,8 @@ bisher {1}</translation></message>
         <translation>Nach dem nächsten Aus- und Einschalten {0} lesen</translation></message>
     <message><source>Edited: apply it, then power-cycle the board to read {0}.</source>
         <translation>Geändert: Wenden Sie es an, dann schalten Sie das Board aus und ein, damit es {0} liest.</translation></message>
-    <message><source>Minimum</source>
-        <translation>Minimum</translation></message>
     <message><source>Neutral</source>
         <translation>Neutralstellung</translation></message>
-    <message><source>Maximum</source>
-        <translation>Maximum</translation></message>
     <message><source>Output</source>
         <translation>Ausgang</translation></message>
     <message><source>Its handles can be dragged; the fields below set the same values.</source>
@@ -4771,6 +4713,10 @@ bisher {1}</translation></message>
         <translation>Suche wird beendet …</translation></message>
     <message><source>Looking for {0} at {1} on {2} …</source>
         <translation>Suche nach {0} mit {1} an {2} …</translation></message>
+    <message><source>{0} on {1} at {2} (RS-232 side).</source>
+        <translation>{0} an {1} mit {2} (RS-232-Seite).</translation></message>
+    <message><source>{0} on {1} at {2}.</source>
+        <translation>{0} an {1} mit {2}.</translation></message>
     <message><source>Search cancelled.</source>
         <translation>Suche abgebrochen.</translation></message>
     <message numerus="yes"><source>%n board(s) found.</source>
@@ -4781,14 +4727,6 @@ bisher {1}</translation></message>
         <translation>{0} wird geöffnet …</translation></message>
     <message><source>No reply on {0}. Other devices share the line: nothing else was tried.</source>
         <translation>Keine Antwort an {0}. Andere Geräte teilen sich die Leitung: Sonst wurde nichts versucht.</translation></message>
-    <message><source>{0} on {1} at {2}.</source>
-        <translation>{0} an {1} mit {2}.</translation></message>
-    <message><source>{0} on {1} at {2} (RS-232 side).</source>
-        <translation>{0} an {1} mit {2} (RS-232-Seite).</translation></message>
-    <message><source>{0} on {1} at {2}, device {3}.</source>
-        <translation>{0} an {1} mit {2}, Gerät {3}.</translation></message>
-    <message><source>{0} on {1} at {2}, device {3} (RS-232 side).</source>
-        <translation>{0} an {1} mit {2}, Gerät {3} (RS-232-Seite).</translation></message>
     <message numerus="yes"><source>%n port(s) could not be searched (internal error).</source>
         <translation><numerusform>%n Port konnte nicht durchsucht werden (interner Fehler).</numerusform><numerusform>%n Ports konnten nicht durchsucht werden (interner Fehler).</numerusform></translation></message>
     <message><source>At most {0} s left.</source>
@@ -5557,16 +5495,12 @@ Soll die Datei aus den Einstellungen neu geschrieben werden? Ihre Kommentare geh
         <translation>Serielles Timeout</translation></message>
     <message><source>The motors should stop when the board receives no byte for this long. It protects you when the computer or the cable fails. 0 switches it off. It may need UART-Error Shutdown (twin): leave that on.</source>
         <translation>Die Motoren sollten stoppen, wenn das Board so lange kein Byte empfängt. Das schützt Sie, wenn der Computer oder das Kabel versagt. 0 schaltet es aus. Vielleicht braucht es „Abschaltung bei UART-Fehlern“ (Zwilling): Lassen Sie diese an.</translation></message>
-    <message><source>off</source>
-        <translation>aus</translation></message>
     <message><source>UART-Error Shutdown</source>
         <translation>Abschaltung bei UART-Fehlern</translation></message>
     <message><source>Whether a serial error (noise, wrong baud rate, malformed packet) stops the motors. The board still accepts commands, and the next motor command starts them again. Switched off, it may disable the Serial Timeout, too (twin).</source>
         <translation>Ob ein serieller Fehler (Störung, falsche Baudrate, fehlerhaftes Paket) die Motoren stoppt. Das Board nimmt weiterhin Befehle an, und der nächste Motorbefehl startet sie wieder. Ist dies ausgeschaltet, ist vielleicht auch das serielle Timeout unwirksam (Zwilling).</translation></message>
     <message><source>The default of on is doubtful: public programs that send a stray byte with each command, or pause within a packet, would stutter with it.</source>
         <translation>Der Standardwert „ein“ ist zweifelhaft: Öffentliche Programme, die mit jedem Befehl ein überzähliges Byte senden oder innerhalb eines Pakets pausieren, würden damit stottern.</translation></message>
-    <message><source>on</source>
-        <translation>an</translation></message>
     <message><source>Motor 1 PWM Prescaler</source>
         <translation>PWM-Vorteiler Motor 1</translation></message>
     <message><source>Divides the clock of the motor's PWM. Together with PWM Maximum it sets the PWM frequency: lower frequencies whine and heat the motor, frequencies above the driver's rating heat the driver.</source>

@@ -1215,8 +1215,8 @@
         <translation>Elle ne répond pas. Vérifiez qu'elle est alimentée.</translation></message>
     <message><source>Not verified: {0}. {1}</source>
         <translation>Non vérifié : {0}. {1}</translation></message>
-    <message><source>The line was closed.</source>
-        <translation>La liaison a été fermée.</translation></message>
+    <message><source>The connection was closed.</source>
+        <translation>La connexion a été fermée.</translation></message>
     <message><source>In joint mode the board measures no current, so a test could not be aborted.</source>
         <translation>En mode jumelé, la carte ne mesure pas de courant : un essai ne pourrait pas être interrompu.</translation></message>
     <message><source>No current was read yet.</source>
@@ -1225,6 +1225,8 @@
         <translation>La connexion a été fermée.</translation></message>
     <message><source>Serial commands no longer control the motors.</source>
         <translation>Les commandes série ne commandent plus les moteurs.</translation></message>
+    <message><source>Serial commands no longer reach the motors.</source>
+        <translation>Les commandes série n'atteignent plus les moteurs.</translation></message>
     <message><source>Stop was pressed.</source>
         <translation>L'arrêt a été demandé.</translation></message>
     <message><source>Bench test of motor {0}: {1}</source>
@@ -1255,8 +1257,6 @@
         <translation>Aucune autre carte ne répond sur cette liaison. Chacune doit être alimentée, avoir les réglages série de celle-ci et un numéro d'appareil qui lui est propre.</translation></message>
     <message><source>Another board was selected.</source>
         <translation>Une autre carte a été sélectionnée.</translation></message>
-    <message><source>Minimum and maximum must differ.</source>
-        <translation>Le minimum et le maximum doivent être différents.</translation></message>
     <message><source>A pulse cannot be shorter than {0}.</source>
         <translation>Une impulsion ne peut pas être plus courte que {0}.</translation></message>
     <message><source>A pulse cannot be longer than {0}.</source>
@@ -1273,6 +1273,8 @@
         <translation>La zone morte ne peut pas être plus large que la course.</translation></message>
     <message><source>That would leave {0} on each side of neutral, {1} of it deadband: too little to reach every output value.</source>
         <translation>Il ne resterait que {0} de chaque côté du neutre, dont {1} de zone morte : trop peu pour atteindre toutes les valeurs de sortie.</translation></message>
+    <message><source>Minimum and maximum must differ.</source>
+        <translation>Le minimum et le maximum doivent être différents.</translation></message>
     <message><source>Neutral cannot pass minimum.</source>
         <translation>Le neutre ne peut pas passer sous le minimum.</translation></message>
     <message><source>Neutral cannot pass maximum.</source>
@@ -1315,36 +1317,32 @@
         <translation>commande le seul moteur, alimenté par les deux drivers (mode jumelé, sans mixage)</translation></message>
     <message><source>has no motor: in joint mode both drivers power motor 1</source>
         <translation>n'a pas de moteur : en mode jumelé, les deux drivers alimentent le moteur 1</translation></message>
+    <message><source>{0} ({1}) is beyond the input: {2}. Full output on that side is never reached.</source>
+        <translation>{0} ({1}) est hors de la plage de l'entrée : {2}. La sortie maximale de ce côté n'est jamais atteinte.</translation></message>
     <message><source>is ignored: it is held at neutral, whatever its input is</source>
         <translation>est ignorée : elle est maintenue au neutre, quelle que soit son entrée</translation></message>
     <message><source>In RC and analog mode it {1}.</source>
         <translation>En mode RC ou analogique, elle {1}.</translation></message>
     <message><source>The board reads {0} now, and only shows and accepts calibrations for them. To see these, make it read {1}: set Channel Input Source, apply, and switch the board off and on.</source>
         <translation>La carte lit actuellement : {0} ; elle n'affiche et n'accepte que les étalonnages correspondants. Pour voir ceux-ci, faites-lui lire : {1}. Réglez « Source des entrées des voies », appliquez, puis coupez et remettez l'alimentation de la carte.</translation></message>
+    <message><source>The board reads {0} now, and only shows and accepts calibrations for them. To see these: switch it off, put the mode jumper to {2}, switch it on.</source>
+        <translation>La carte lit actuellement : {0} ; elle n'affiche et n'accepte que les étalonnages correspondants. Pour voir ceux-ci : coupez son alimentation, placez le cavalier de mode sur {2}, remettez l'alimentation.</translation></message>
     <message><source>applied {0}</source>
         <translation>appliqué le {0}</translation></message>
     <message><source>read {0}</source>
         <translation>lu le {0}</translation></message>
-    <message><source>Neutral ({1}) is beyond the input: {3}. No stick position gives 0.</source>
-        <translation>Le neutre ({1}) est hors de la plage de l'entrée : {3}. Aucune position du manche ne donne 0.</translation></message>
-    <message><source>a pulse is {0} to {1}</source>
-        <translation>une impulsion dure de {0} à {1}</translation></message>
-    <message><source>a voltage is {0} to {1}</source>
-        <translation>une tension va de {0} à {1}</translation></message>
-    <message><source>The deadband ({0} to each side of neutral) reaches minimum and maximum: there is nothing between 0 and full output.</source>
-        <translation>La zone morte ({0} de chaque côté du neutre) atteint le minimum et le maximum : il n'y a rien entre 0 et la sortie maximale.</translation></message>
+    <message><source>Neutral ({0}) is beyond the input: {1}. No stick position gives 0.</source>
+        <translation>Le neutre ({0}) est hors de la plage de l'entrée : {1}. Aucune position du manche ne donne 0.</translation></message>
+    <message><source>Minimum</source>
+        <translation>Minimum</translation></message>
+    <message><source>Maximum</source>
+        <translation>Maximum</translation></message>
     <message><source>is ignored: it is held off, whatever its input is</source>
         <translation>est ignorée : elle est maintenue inactive, quelle que soit son entrée</translation></message>
     <message><source>Does not drive now: serial commands override it. Otherwise it {1}.</source>
         <translation>Ne commande rien maintenant : les commandes série ont priorité. Sinon, elle {1}.</translation></message>
-    <message><source>The board reads {0} now, and only shows and accepts calibrations for them. To see these: switch it off, put the mode jumper to RC, switch it on.</source>
-        <translation>La carte lit actuellement : {0} ; elle n'affiche et n'accepte que les étalonnages correspondants. Pour voir ceux-ci : coupez son alimentation, placez le cavalier de mode sur RC, remettez l'alimentation.</translation></message>
-    <message><source>The board reads {0} now, and only shows and accepts calibrations for them. To see these: switch it off, put the mode jumper to analog, switch it on.</source>
-        <translation>La carte lit actuellement : {0} ; elle n'affiche et n'accepte que les étalonnages correspondants. Pour voir ceux-ci : coupez son alimentation, placez le cavalier de mode sur analogique, remettez l'alimentation.</translation></message>
-    <message><source>Minimum ({0}) and maximum ({2}) are beyond the input: {3}. Full output is never reached.</source>
-        <translation>Le minimum ({0}) et le maximum ({2}) sont hors de la plage de l'entrée : {3}. La sortie maximale n'est jamais atteinte.</translation></message>
-    <message><source>The deadband ({0} to each side of neutral) reaches minimum: there is nothing between 0 and full output on that side.</source>
-        <translation>La zone morte ({0} de chaque côté du neutre) atteint le minimum : il n'y a rien entre 0 et la sortie maximale de ce côté.</translation></message>
+    <message><source>The deadband ({0} to each side of neutral) reaches {1}: there is nothing between 0 and full output.</source>
+        <translation>La zone morte ({0} de chaque côté du neutre) atteint {1} : il n'y a rien entre 0 et la sortie maximale.</translation></message>
     <message><source>below about {0} (inferred)</source>
         <translation>en dessous d'environ {0} (déduit)</translation></message>
     <message><source>above about {0} (inferred)</source>
@@ -1365,14 +1363,14 @@
         <translation>Le minimum et le maximum ne peuvent pas valoir tous deux {0}.</translation></message>
     <message><source>The board would reject this: {0}.</source>
         <translation>La carte le rejetterait : {0}.</translation></message>
-    <message><source>Minimum ({0}) is beyond the input: {3}. Full output on that side is never reached.</source>
-        <translation>Le minimum ({0}) est hors de la plage de l'entrée : {3}. La sortie maximale de ce côté n'est jamais atteinte.</translation></message>
-    <message><source>The deadband ({0} to each side of neutral) reaches maximum: there is nothing between 0 and full output on that side.</source>
-        <translation>La zone morte ({0} de chaque côté du neutre) atteint le maximum : il n'y a rien entre 0 et la sortie maximale de ce côté.</translation></message>
+    <message><source>a pulse is {0} to {1}</source>
+        <translation>une impulsion dure de {0} à {1}</translation></message>
+    <message><source>a voltage is {0} to {1}</source>
+        <translation>une tension va de {0} à {1}</translation></message>
+    <message><source> and </source>
+        <translation> et </translation></message>
     <message><source>{0} while the input is {1}</source>
         <translation>{0} tant que l'entrée est {1}</translation></message>
-    <message><source>Maximum ({2}) is beyond the input: {3}. Full output on that side is never reached.</source>
-        <translation>Le maximum ({2}) est hors de la plage de l'entrée : {3}. La sortie maximale de ce côté n'est jamais atteinte.</translation></message>
     <message><source>{0}; it is reversed</source>
         <translation>{0} ; elle est inversée</translation></message>
     <message><source>The board has stopped responding. Is its power on? Waiting for it …</source>
@@ -1449,8 +1447,6 @@
         <translation>La carte qui s'était déconnectée pendant la conduite est de retour.</translation></message>
     <message><source>This may be another board: {0}, at {1}, does not store the settings of the one that was driven.</source>
         <translation>C'est peut-être une autre carte : {0}, sur {1}, ne contient pas les réglages de celle qui était pilotée.</translation></message>
-    <message><source>Serial commands no longer reach the motors.</source>
-        <translation>Les commandes série n'atteignent plus les moteurs.</translation></message>
     <message><source>A setting of the board changed, so the motors were stopped.</source>
         <translation>Un réglage de la carte a changé ; les moteurs ont donc été arrêtés.</translation></message>
     <message><source>The board was restarted, so the motors were stopped.</source>
@@ -1487,8 +1483,8 @@
         <translation>Un délai série de {0:g} s est court pour un port réseau : une seule réponse tardive arrête les moteurs pendant la conduite. Réglez un délai plus long, ou connectez la carte à cet ordinateur.</translation></message>
     <message><source>Serial timeout of {0:g} s is short for {1} baud: one lost reply stops the motors while you drive. Set a longer one, or a faster baud rate.</source>
         <translation>Un délai série de {0:g} s est court pour {1} bauds : une seule réponse perdue arrête les moteurs pendant la conduite. Réglez un délai plus long, ou un débit plus élevé.</translation></message>
-    <message><source>The gamepad “{0}” was disconnected. Plug it in again to continue.</source>
-        <translation>La manette « {0} » a été déconnectée. Rebranchez-la pour continuer.</translation></message>
+    <message><source>Arm the motors first.</source>
+        <translation>Activez d'abord les moteurs.</translation></message>
     <message><source>Another control drives now.</source>
         <translation>Une autre commande pilote maintenant.</translation></message>
     <message><source>button {0}</source>
@@ -1503,8 +1499,6 @@
         <translation>Les réglages de la manette ont été modifiés.</translation></message>
     <message><source>No gamepad is connected. Plug one in or switch it on.</source>
         <translation>Aucune manette n'est connectée. Branchez-en une ou allumez-la.</translation></message>
-    <message><source>Arm the motors, then move a stick.</source>
-        <translation>Activez les moteurs, puis bougez un manche.</translation></message>
     <message><source>Release the sticks: driving starts only after both axes have been at rest. A worn stick may need a wider dead zone.</source>
         <translation>Relâchez les manches : la conduite ne commence que lorsque les deux axes ont été au repos. Un manche usé peut nécessiter une zone morte plus large.</translation></message>
     <message><source>Release {0}, then hold it to drive.</source>
@@ -1559,18 +1553,12 @@
         <translation>Y, le plus haut des quatre</translation></message>
     <message><source>The gamepad “{0}” was disconnected.</source>
         <translation>La manette « {0} » a été déconnectée.</translation></message>
-    <message><source>Arm the motors, then hold {0} and move a stick.</source>
-        <translation>Activez les moteurs, puis maintenez le {0} enfoncé et bougez un manche.</translation></message>
-    <message><source>Connect to a board to test its motors.</source>
-        <translation>Connectez une carte pour essayer ses moteurs.</translation></message>
+    <message><source>Connect to a board first.</source>
+        <translation>Connectez d'abord une carte.</translation></message>
     <message><source>Settings are being written.</source>
         <translation>Des réglages sont en cours d'écriture.</translation></message>
     <message><source>After a stop the motors are locked for another {0:.0f} s.</source>
         <translation>Après un arrêt, les moteurs restent verrouillés pendant encore {0:.0f} s.</translation></message>
-    <message><source>Arm the motors first.</source>
-        <translation>Activez d'abord les moteurs.</translation></message>
-    <message><source>Another control drives the motors now.</source>
-        <translation>Une autre commande pilote maintenant les moteurs.</translation></message>
     <message><source>{0} A test needs serial control.</source>
         <translation>{0} Un essai nécessite la commande par liaison série.</translation></message>
     <message><source>Bring the motors to rest first ({0}).</source>
@@ -1603,12 +1591,6 @@
         <translation>La carte est en mode {0} : les manches commandent les moteurs, et elle rejette les réglages. Coupez son alimentation, retirez le cavalier de mode et remettez l'alimentation.</translation></message>
     <message><source>The board is in {0} mode. Channel 5 has given the motors to the serial line, but with the next move of its switch the sticks drive the motors again; and the board rejects settings. Switch it off, remove the mode jumper and switch it on.</source>
         <translation>La carte est en mode {0}. La voie 5 a cédé les moteurs à la liaison série, mais au prochain mouvement de son interrupteur, les manches commanderont de nouveau les moteurs ; de plus, la carte rejette les réglages. Coupez son alimentation, retirez le cavalier de mode et remettez l'alimentation.</translation></message>
-    <message><source>Connect to a board first.</source>
-        <translation>Connectez d'abord une carte.</translation></message>
-    <message><source>The board has stopped responding: its power or its cable was cut.</source>
-        <translation>La carte a cessé de répondre : son alimentation ou son câble a été coupé.</translation></message>
-    <message><source>The connection to the board was lost.</source>
-        <translation>La connexion avec la carte a été perdue.</translation></message>
     <message><source>The board was started in another mode.</source>
         <translation>La carte a été démarrée dans un autre mode.</translation></message>
     <message><source>The motors were armed, so this has ended.</source>
@@ -1617,8 +1599,6 @@
         <translation>Les manches commandent maintenant les moteurs : la commande est passée aux voies.</translation></message>
     <message><source>motor {0} draws {1:.1f} A</source>
         <translation>le moteur {0} consomme {1:.1f} A</translation></message>
-    <message><source> and </source>
-        <translation> et </translation></message>
     <message><source>It moved during sampling, between {0} and {1}. Release it and sample again.</source>
         <translation>La valeur a bougé pendant la mesure, entre {0} et {1}. Lâchez tout et refaites la mesure.</translation></message>
     <message><source>Release it and sample again; if it continues, the stick or the transmitter is warming up or worn.</source>
@@ -1635,8 +1615,14 @@
         <translation>Il faut au moins {1} : la zone morte, et un count pour chacune des {2} vitesses.</translation></message>
     <message><source>Push it the other way too; if it cannot go there, it was at an end during sampling.</source>
         <translation>Poussez le manche aussi dans l'autre sens ; s'il ne peut pas y aller, il était à une extrémité pendant la mesure.</translation></message>
-    <message><source>It may be further out: go back, push it there and hold it for {0:.1f} s.</source>
-        <translation>Elle est peut-être plus loin : revenez en arrière, poussez-y le manche et maintenez-le {0:.1f} s.</translation></message>
+    <message><source>It went one way only.</source>
+        <translation>La valeur n'est allée que dans un sens.</translation></message>
+    <message><source>Go back, push it all the way and hold it there for {0:.1f} s.</source>
+        <translation>Revenez en arrière, poussez le manche jusqu'au bout et maintenez-l'y {0:.1f} s.</translation></message>
+    <message><source>It went {0} to one side, but only {1} to the other.</source>
+        <translation>La valeur est allée à {0} d'un côté, mais seulement à {1} de l'autre.</translation></message>
+    <message><source>Was it pushed all the way?</source>
+        <translation>Le manche a-t-il été poussé jusqu'au bout ?</translation></message>
     <message><source>Should it be reversed, or not?</source>
         <translation>Faut-il l'inverser, ou non ?</translation></message>
     <message><source>No signal: no valid pulse arrives.</source>
@@ -1671,10 +1657,6 @@
         <translation>Rien ne bouge sur cette entrée : elle reste à {0}, une extrémité de la plage de mesure.</translation></message>
     <message><source>It went only {0} from its rest position.</source>
         <translation>La valeur ne s'est éloignée que de {0} de sa position de repos.</translation></message>
-    <message><source>It went one way only, never below its rest position.</source>
-        <translation>La valeur n'est allée que dans un sens, jamais en dessous de sa position de repos.</translation></message>
-    <message><source>It went one way only, never above its rest position.</source>
-        <translation>La valeur n'est allée que dans un sens, jamais au-dessus de sa position de repos.</translation></message>
     <message><source>The low end is only {0} from the rest position.</source>
         <translation>L'extrémité basse n'est qu'à {0} de la position de repos.</translation></message>
     <message><source>The high end is only {0} from the rest position.</source>
@@ -1685,22 +1667,10 @@
         <translation>L'extrémité haute n'a été atteinte qu'en passant, sans maintien.</translation></message>
     <message><source>Both ends were only passed, not held.</source>
         <translation>Les deux extrémités n'ont été atteintes qu'en passant, sans maintien.</translation></message>
-    <message><source>They may be further out: go back, push it to each and hold it for {0:.1f} s.</source>
-        <translation>Elles sont peut-être plus loin : revenez en arrière, poussez le manche vers chacune et maintenez-l'y {0:.1f} s.</translation></message>
     <message><source>Its rest position ({0}) is not between its ends ({1} and {2}).</source>
         <translation>Sa position de repos ({0}) n'est pas entre ses extrémités ({1} et {2}).</translation></message>
     <message><source>Was a trim moved? Begin again with the sticks at rest.</source>
         <translation>Un trim a-t-il été bougé ? Recommencez avec les manches au repos.</translation></message>
-    <message><source>It went {0} to one side, but only {1} below its rest position.</source>
-        <translation>La valeur est allée à {0} d'un côté, mais seulement à {1} en dessous de sa position de repos.</translation></message>
-    <message><source>Was it pushed all the way?</source>
-        <translation>Le manche a-t-il été poussé jusqu'au bout ?</translation></message>
-    <message><source>It went {0} to one side, but only {1} above its rest position.</source>
-        <translation>La valeur est allée à {0} d'un côté, mais seulement à {1} au-dessus de sa position de repos.</translation></message>
-    <message><source>The board would reject the measured values: {0}.</source>
-        <translation>La carte rejetterait les valeurs mesurées : {0}.</translation></message>
-    <message><source>The board would reject these values: {0}.</source>
-        <translation>La carte rejetterait ces valeurs : {0}.</translation></message>
     <message><source>It rests at {0}: with this neutral it would give {1} there.</source>
         <translation>Au repos, la voie est à {0} : avec ce neutre, elle donnerait {1} à cet endroit.</translation></message>
     <message><source>After release it rests at {0}, not at {1}, and would give {2} there.</source>
@@ -1709,14 +1679,8 @@
         <translation>Une main y était-elle posée pendant la mesure, ou un trim a-t-il été bougé ?</translation></message>
     <message><source>Go back and sample it again, or use the new rest position.</source>
         <translation>Revenez en arrière et refaites la mesure, ou utilisez la nouvelle position de repos.</translation></message>
-    <message><source>The deadband ({0} to each side of neutral) reaches minimum: there is nothing between 0 and full output.</source>
-        <translation>La zone morte ({0} de chaque côté du neutre) atteint le minimum : il n'y a rien entre 0 et la sortie maximale.</translation></message>
-    <message><source>The deadband ({0} to each side of neutral) reaches maximum: there is nothing between 0 and full output.</source>
-        <translation>La zone morte ({0} de chaque côté du neutre) atteint le maximum : il n'y a rien entre 0 et la sortie maximale.</translation></message>
-    <message><source>Maximum is beyond the {0} that was reached: there is no full output.</source>
-        <translation>Le maximum est au-delà de la valeur atteinte ({0}) : il n'y a pas de sortie maximale.</translation></message>
-    <message><source>Minimum is beyond the {0} that was reached: there is no full output.</source>
-        <translation>Le minimum est au-delà de la valeur atteinte ({0}) : il n'y a pas de sortie maximale.</translation></message>
+    <message><source>{0} is beyond the {1} that was reached: there is no full output.</source>
+        <translation>{0} est au-delà de la valeur atteinte ({1}) : il n'y a pas de sortie maximale.</translation></message>
     <message><source>Check that no trim and no broken wire can bring it there.</source>
         <translation>Vérifiez qu'aucun trim ni aucun fil coupé ne peut l'y amener.</translation></message>
     <message><source>Its rest position ({0}) is too close to its switching point ({1}).</source>
@@ -1727,32 +1691,30 @@
         <translation>Elle est active dans toutes ses positions : aucune n'est au-delà de {0}, où elle bascule.</translation></message>
     <message><source>It is inactive in all its positions: none is beyond {0}, where it switches.</source>
         <translation>Elle est inactive dans toutes ses positions : aucune n'est au-delà de {0}, où elle bascule.</translation></message>
-    <message><source>Full output not reached yet: forward (+127) and reverse (−127).</source>
-        <translation>Sortie maximale pas encore atteinte : avant (+127) et arrière (−127).</translation></message>
     <message><source>In {0} mode safe-start would release the motors now.</source>
         <translation>En mode {0}, le démarrage sécurisé libérerait les moteurs maintenant.</translation></message>
     <message><source>Ignored: the board holds it at neutral. There is nothing to test.</source>
         <translation>Ignorée : la carte la maintient au neutre. Il n'y a rien à tester.</translation></message>
     <message><source>Good.</source>
         <translation>C'est bon.</translation></message>
-    <message><source>Only on was seen. Move the switch to its other position.</source>
-        <translation>Seule la position active a été vue. Mettez l'interrupteur dans son autre position.</translation></message>
+    <message><source>Only {0} was seen. Move the switch to its other position.</source>
+        <translation>Seule la position « {0} » a été vue. Mettez l'interrupteur dans son autre position.</translation></message>
     <message><source>Full output not reached yet. Push it all the way.</source>
         <translation>Sortie maximale pas encore atteinte. Poussez jusqu'au bout.</translation></message>
+    <message><source>Full output not reached yet: {0}.</source>
+        <translation>Sortie maximale pas encore atteinte : {0}.</translation></message>
     <message><source>Full output reached. Let it rest for a moment.</source>
         <translation>Sortie maximale atteinte. Laissez au repos un instant.</translation></message>
-    <message><source>Full output not reached yet: reverse (−127).</source>
-        <translation>Sortie maximale pas encore atteinte : arrière (−127).</translation></message>
-    <message><source>Full output not reached yet: forward (+127).</source>
-        <translation>Sortie maximale pas encore atteinte : avant (+127).</translation></message>
     <message><source>In {0} mode safe-start would hold the motors now. {1}</source>
         <translation>En mode {0}, le démarrage sécurisé bloquerait les moteurs maintenant. {1}</translation></message>
     <message><source>Move the switch to all its positions.</source>
         <translation>Mettez l'interrupteur dans toutes ses positions.</translation></message>
-    <message><source>Only off was seen. Move the switch to its other position.</source>
-        <translation>Seule la position inactive a été vue. Mettez l'interrupteur dans son autre position.</translation></message>
     <message><source>Full output reached. Release it: at rest the output must be 0, but it is {0}.</source>
         <translation>Sortie maximale atteinte. Relâchez : au repos, la sortie doit être 0, mais elle est {0}.</translation></message>
+    <message><source>off</source>
+        <translation>désactivé</translation></message>
+    <message><source>on</source>
+        <translation>activé</translation></message>
     <message><source>The board is back. It has confirmed the stop.</source>
         <translation>La carte est de retour. Elle a confirmé l'arrêt.</translation></message>
     <message><source>The board is back. It has confirmed the stop. For {0:.0f} s it received nothing: did its Serial Timeout stop the motor meanwhile?</source>
@@ -1769,10 +1731,6 @@
         <translation>moteur {0} {1}</translation></message>
     <message><source>Hexadecimal, such as 9F 07</source>
         <translation>Hexadécimal, par exemple 9F 07</translation></message>
-    <message><source>Connect a board to send this.</source>
-        <translation>Connectez une carte pour envoyer ceci.</translation></message>
-    <message><source>Settings are being written; wait until they are.</source>
-        <translation>Des réglages sont en cours d'écriture ; attendez qu'ils soient écrits.</translation></message>
     <message><source>A stop would not reach that board: address device {0}.</source>
         <translation>Un arrêt n'atteindrait pas cette carte : adressez l'appareil {0}.</translation></message>
     <message numerus="yes"><source>and %n more packet(s)</source>
@@ -1883,8 +1841,8 @@
         <translation>il ne contient aucun étalonnage</translation></message>
     <message><source>{0}; it is shown as Western European text. Check the characters that are not plain letters; Save writes UTF-8</source>
         <translation>{0} ; il est affiché comme texte d'Europe occidentale. Vérifiez les caractères qui ne sont pas de simples lettres ; l'enregistrement écrit en UTF-8</translation></message>
-    <message><source>it holds settings of a {0}</source>
-        <translation>il contient les réglages d'un {0}</translation></message>
+    <message><source>these are settings of a {0}</source>
+        <translation>ce sont des réglages d'un {0}</translation></message>
     <message><source>{0} is left out: it could not be read from the board.</source>
         <translation>{0} est omis : impossible de le lire dans la carte.</translation></message>
     <message><source>The {0} calibrations are left out: the board accepts them only while it reads its inputs as {0}.</source>
@@ -1905,8 +1863,6 @@
         <translation>Modifications de cette carte</translation></message>
     <message><source>What was applied to this board cannot be remembered. {0}</source>
         <translation>Ce qui a été appliqué à cette carte ne peut pas être mémorisé. {0}</translation></message>
-    <message><source>What the board accepted was not remembered. {0}</source>
-        <translation>Ce que la carte a accepté n'a pas été mémorisé. {0}</translation></message>
     <message><source>Note on {0}</source>
         <translation>Note sur {0}</translation></message>
     <message numerus="yes"><source>And %n more problem(s).</source>
@@ -1943,8 +1899,6 @@
         <translation>Soulevez le robot pour que ses roues tournent librement, puis confirmez-le ici.</translation></message>
     <message><source>The wheels may touch the ground.</source>
         <translation>Les roues touchent peut-être le sol.</translation></message>
-    <message><source>No board is connected, so nothing can be changed.</source>
-        <translation>Aucune carte n'est connectée, rien ne peut donc être modifié.</translation></message>
     <message><source>The assistant was closed.</source>
         <translation>L'assistant a été fermé.</translation></message>
     <message><source>Another step of the assistant was opened.</source>
@@ -2403,12 +2357,8 @@
         <translation>Un {0} accepte au moins {1} ; 0 le désactive (jumeau).</translation></message>
     <message><source>The same value in steps of {0}: {1} becomes {2}.</source>
         <translation>La même valeur par pas de {0} : {1} devient {2}.</translation></message>
-    <message><source>these are settings of a {0}</source>
-        <translation>ce sont des réglages d'un {0}</translation></message>
     <message><source>it cannot be changed: {0}</source>
         <translation>impossible à modifier : {0}</translation></message>
-    <message><source>it cannot be renamed: {0}</source>
-        <translation>impossible à renommer : {0}</translation></message>
     <message><source>it cannot be read: {0}</source>
         <translation>impossible à lire : {0}</translation></message>
     <message><source>this file is written in a way that cannot be changed in place; save the settings as a new file</source>
@@ -2421,8 +2371,6 @@
         <translation>Il n'indique pas de quelle carte il s'agit.</translation></message>
     <message><source>is damaged</source>
         <translation>est endommagé</translation></message>
-    <message><source>it cannot be removed: {0}</source>
-        <translation>impossible à supprimer : {0}</translation></message>
     <message><source>a history keeps at least one snapshot, not {0}</source>
         <translation>un historique conserve au moins un instantané, et non {0}</translation></message>
     <message><source>the folder for snapshots cannot be made: {0}</source>
@@ -2499,6 +2447,26 @@
         <translation>{0} entre guillemets</translation></message>
     <message><source>{name} is off while a computer drives the motors: if the cable or the computer fails, the motors keep running at their last setpoint.</source>
         <translation>{name} est désactivé alors qu'un ordinateur commande les moteurs : si le câble ou l'ordinateur tombe en panne, les moteurs continuent de tourner à leur dernière consigne.</translation></message>
+    <message><source>Both required and ignored: {channels}. The signal moves nothing, but without it the motors may not run in RC mode (inferred).</source>
+        <translation>À la fois requis et ignoré : {channels}. Le signal ne fait rien bouger, mais sans lui les moteurs risquent de ne pas tourner en mode RC (déduit).</translation></message>
+    <message><source>The {end} of {channel}, {count}, is beyond {limit}, the last count that the board measures: full speed on that side is never reached.</source>
+        <translation>Le {end} de la {channel}, {count}, est au-delà de {limit}, la dernière valeur en counts que la carte mesure : la pleine vitesse n'est jamais atteinte de ce côté.</translation></message>
+    <message><source>After the next power cycle the line settings of the board are {new}; now they are {now}. Change the programs that use the board then.</source>
+        <translation>Après la prochaine coupure et remise de l'alimentation, les réglages de liaison de la carte seront {new} ; ce sont actuellement {now}. Modifiez alors les programmes qui utilisent la carte.</translation></message>
+    <message><source>The prescaler {0} gives {1}.</source>
+        <translation>Le prédiviseur {0} donne {1}.</translation></message>
+    <message><source>The deadband of {channel} reaches from neutral to its {ends}: there is nothing between standstill and full speed on that side.</source>
+        <translation>La zone morte de la {channel} s'étend du neutre jusqu'au {ends} : il n'y a rien entre l'arrêt et la pleine vitesse de ce côté.</translation></message>
+    <message><source>A {board} set to {baud} baud really runs at {real} baud; firmware {fixed_in} corrects this. Programs must use {real} baud.</source>
+        <translation>Un {board} réglé à {baud} bauds fonctionne en réalité à {real} bauds ; le firmware {fixed_in} corrige cela. Les programmes doivent utiliser {real} bauds.</translation></message>
+    <message><source>This computer's serial port does not support {baud} baud: after the next power cycle it could not reach the board any more.</source>
+        <translation>Le port série de cet ordinateur ne prend pas en charge {baud} bauds : après la prochaine coupure et remise de l'alimentation, il ne pourrait plus atteindre la carte.</translation></message>
+    <message><source>{0} to {1}</source><comment>set a parameter</comment>
+        <translation>{0} à {1}</translation></message>
+    <message><source>Set {0}</source>
+        <translation>Régler {0}</translation></message>
+    <message><source>{0} and {1}</source>
+        <translation>{0} et {1}</translation></message>
     <message><source>{timeout} of {seconds} may not stop the motors if the cable or the computer fails: {shutdown} is off (twin).</source>
         <translation>{timeout} de {seconds} n'arrête peut-être pas les moteurs si le câble ou l'ordinateur tombe en panne : {shutdown} est désactivé (jumeau).</translation></message>
     <message><source>No effect in joint mode: {limits}. The board measures no current then, so the motor is not protected.</source>
@@ -2509,32 +2477,10 @@
         <translation>{limit} vaut {value} et {ramp} est à 0, c'est-à-dire immédiat. Dès que le courant repasse sous la limite, le moteur revient d'un coup à sa pleine vitesse de consigne ; il peut donc tourner par à-coups (déduit).</translation></message>
     <message><source>The PWM of motor {motor} runs at {now} (inferred), but the motor driver of a {product} is rated for {highest}; above that it gets hot.</source>
         <translation>Le PWM du moteur {motor} fonctionne à {now} (déduit), mais le driver de moteur d'un {product} est prévu pour {highest} ; au-delà, il chauffe.</translation></message>
-    <message><source>The PWM of motor {motor} runs at {now} (inferred), but the motor driver of a {product} is rated for {highest}; above that it gets hot. The prescaler {prescaler} gives {gives}.</source>
-        <translation>Le PWM du moteur {motor} fonctionne à {now} (déduit), mais le driver de moteur d'un {product} est prévu pour {highest} ; au-delà, il chauffe. Le prédiviseur {prescaler} donne {gives}.</translation></message>
-    <message><source>Both required and ignored: {channels}. The signal moves nothing, but without it the motors may not run in RC mode (inferred).</source>
-        <translation>À la fois requis et ignoré : {channels}. Le signal ne fait rien bouger, mais sans lui les moteurs risquent de ne pas tourner en mode RC (déduit).</translation></message>
-    <message><source>The deadband of {channel} reaches from neutral to its {ends}: there is nothing between standstill and full speed on that side.</source>
-        <translation>La zone morte de la {channel} s'étend du neutre jusqu'au {ends} : il n'y a rien entre l'arrêt et la pleine vitesse de ce côté.</translation></message>
-    <message><source>The minimum of {channel}, {count}, is below {limit}, the lowest count that the board measures: full speed on that side is never reached.</source>
-        <translation>Le minimum de la {channel}, {count}, est inférieur à {limit}, la plus petite valeur en counts que la carte mesure : la pleine vitesse n'est jamais atteinte de ce côté.</translation></message>
-    <message><source>The maximum of {channel}, {count}, is above {limit}, the highest count that the board measures: full speed on that side is never reached.</source>
-        <translation>Le maximum de la {channel}, {count}, est supérieur à {limit}, la plus grande valeur en counts que la carte mesure : la pleine vitesse n'est jamais atteinte de ce côté.</translation></message>
     <message><source>{name} is {value} instead of the default {default}, but CRC-7 is not switched on: no packet is checked with it.</source>
         <translation>{name} vaut {value} au lieu de la valeur par défaut {default}, mais CRC-7 n'est pas activé : aucun paquet n'est vérifié avec.</translation></message>
     <message><source>With {value} as {name} the checksum of every packet is 0, so CRC-7 detects no errors at all.</source>
         <translation>Avec {value} pour {name}, la somme de contrôle de chaque paquet est 0 : CRC-7 ne détecte alors aucune erreur.</translation></message>
-    <message><source>A {board} set to {baud} baud really runs at {real} baud; firmware {fixed_in} corrects this. Programs must use {real} baud.</source>
-        <translation>Un {board} réglé à {baud} bauds fonctionne en réalité à {real} bauds ; le firmware {fixed_in} corrige cela. Les programmes doivent utiliser {real} bauds.</translation></message>
-    <message><source>This computer's serial port does not support {baud} baud: after the next power cycle it could not reach the board any more.</source>
-        <translation>Le port série de cet ordinateur ne prend pas en charge {baud} bauds : après la prochaine coupure et remise de l'alimentation, il ne pourrait plus atteindre la carte.</translation></message>
-    <message><source>After the next power cycle the line settings of the board are {new}; now they are {now}. Change the programs that use the board then.</source>
-        <translation>Après la prochaine coupure et remise de l'alimentation, les réglages de liaison de la carte seront {new} ; ce sont actuellement {now}. Modifiez alors les programmes qui utilisent la carte.</translation></message>
-    <message><source>{0} to {1}</source><comment>set a parameter</comment>
-        <translation>{0} à {1}</translation></message>
-    <message><source>Set {0}</source>
-        <translation>Régler {0}</translation></message>
-    <message><source>{0} and {1}</source>
-        <translation>{0} et {1}</translation></message>
     <message><source>{0} with firmware {1}</source>
         <translation>{0} avec le firmware {1}</translation></message>
     <message><source>{0}, deadband {1}</source>
@@ -3705,12 +3651,8 @@ avant {1}</translation></message>
         <translation>Lire {0} après la prochaine coupure et remise de l'alimentation</translation></message>
     <message><source>Edited: apply it, then power-cycle the board to read {0}.</source>
         <translation>Modifié : appliquez, puis coupez et remettez l'alimentation de la carte pour qu'elle lise : {0}.</translation></message>
-    <message><source>Minimum</source>
-        <translation>Minimum</translation></message>
     <message><source>Neutral</source>
         <translation>Neutre</translation></message>
-    <message><source>Maximum</source>
-        <translation>Maximum</translation></message>
     <message><source>Output</source>
         <translation>Sortie</translation></message>
     <message><source>Its handles can be dragged; the fields below set the same values.</source>
@@ -4771,6 +4713,10 @@ avant {1}</translation></message>
         <translation>Fin de la recherche …</translation></message>
     <message><source>Looking for {0} at {1} on {2} …</source>
         <translation>Recherche : {0} à {1} sur {2} …</translation></message>
+    <message><source>{0} on {1} at {2} (RS-232 side).</source>
+        <translation>{0} sur {1} à {2} (côté RS-232).</translation></message>
+    <message><source>{0} on {1} at {2}.</source>
+        <translation>{0} sur {1} à {2}.</translation></message>
     <message><source>Search cancelled.</source>
         <translation>Recherche annulée.</translation></message>
     <message numerus="yes"><source>%n board(s) found.</source>
@@ -4781,14 +4727,6 @@ avant {1}</translation></message>
         <translation>Ouverture de {0} …</translation></message>
     <message><source>No reply on {0}. Other devices share the line: nothing else was tried.</source>
         <translation>Pas de réponse sur {0}. D'autres appareils partagent la liaison : rien d'autre n'a été essayé.</translation></message>
-    <message><source>{0} on {1} at {2}.</source>
-        <translation>{0} sur {1} à {2}.</translation></message>
-    <message><source>{0} on {1} at {2} (RS-232 side).</source>
-        <translation>{0} sur {1} à {2} (côté RS-232).</translation></message>
-    <message><source>{0} on {1} at {2}, device {3}.</source>
-        <translation>{0} sur {1} à {2}, appareil {3}.</translation></message>
-    <message><source>{0} on {1} at {2}, device {3} (RS-232 side).</source>
-        <translation>{0} sur {1} à {2}, appareil {3} (côté RS-232).</translation></message>
     <message numerus="yes"><source>%n port(s) could not be searched (internal error).</source>
         <translation><numerusform>%n port n'a pas pu être exploré (erreur interne).</numerusform><numerusform>%n ports n'ont pas pu être explorés (erreur interne).</numerusform></translation></message>
     <message><source>At most {0} s left.</source>
@@ -5557,16 +5495,12 @@ Réécrire le fichier à partir des réglages ? Ses commentaires seront perdus.
         <translation>Délai série</translation></message>
     <message><source>The motors should stop when the board receives no byte for this long. It protects you when the computer or the cable fails. 0 switches it off. It may need UART-Error Shutdown (twin): leave that on.</source>
         <translation>Les moteurs devraient s'arrêter quand la carte ne reçoit aucun octet pendant ce temps. Cela vous protège si l'ordinateur ou le câble tombe en panne. 0 le désactive. Il peut avoir besoin de « Arrêt sur erreur UART » (jumeau) : laissez celui-ci activé.</translation></message>
-    <message><source>off</source>
-        <translation>désactivé</translation></message>
     <message><source>UART-Error Shutdown</source>
         <translation>Arrêt sur erreur UART</translation></message>
     <message><source>Whether a serial error (noise, wrong baud rate, malformed packet) stops the motors. The board still accepts commands, and the next motor command starts them again. Switched off, it may disable the Serial Timeout, too (twin).</source>
         <translation>Détermine si une erreur série (bruit, mauvais débit, paquet mal formé) arrête les moteurs. La carte accepte toujours les commandes, et la commande de moteur suivante les remet en marche. Désactivé, ce réglage peut rendre aussi le « Délai série » inopérant (jumeau).</translation></message>
     <message><source>The default of on is doubtful: public programs that send a stray byte with each command, or pause within a packet, would stutter with it.</source>
         <translation>La valeur par défaut « activé » est douteuse : des programmes publics qui envoient un octet parasite avec chaque commande, ou marquent une pause dans un paquet, auraient des à-coups.</translation></message>
-    <message><source>on</source>
-        <translation>activé</translation></message>
     <message><source>Motor 1 PWM Prescaler</source>
         <translation>Prédiviseur PWM moteur 1</translation></message>
     <message><source>Divides the clock of the motor's PWM. Together with PWM Maximum it sets the PWM frequency: lower frequencies whine and heat the motor, frequencies above the driver's rating heat the driver.</source>

@@ -58,7 +58,7 @@ def test_board_at_unknown_line_settings_is_found_and_connected(
     at_115200 = [most for text, most in progress if text.startswith("Looking for TReX at 115200")]
     assert set(at_115200) == {102}
     assert re.search(r" At most \d+ s left\.$", progress[-2][0])
-    assert dialog.text("findText0").startswith(f"TReX 1.2 on {url} at 57600 baud, device 7.")
+    assert dialog.text("findText0").startswith(f"TReX 1.2, device 7 on {url} at 57600 baud.")
     dialog.wait_for_end()
     assert dialog.text("findProgressText") == "1 board found."
     assert dialog.root.focusWidget() is dialog.find(QPushButton, "connectFound0")
@@ -114,7 +114,7 @@ def test_board_with_parity_is_found_on_port_that_shows_parity(
     assert dialog.has("findCancelButton")
     dialog.wait_for_end()
     (finding,) = dialog.finder.findings
-    assert finding.text == f"TReX 1.2 on {simulator.url} at 57600 baud, even parity, device 7."
+    assert finding.text == f"TReX 1.2, device 7 on {simulator.url} at 57600 baud, even parity."
     dialog.click("connectFound0")
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
     assert window.device.settings is not None

@@ -233,7 +233,7 @@ def test_typed_bytes_are_explained_and_sent(
     page.type_into("transcriptBytes", "9F 0", enter=False)
     assert "“9F 0” is not a row of hexadecimal bytes" in meaning()
     page.type_into("transcriptBytes", "9F 07", enter=False)
-    assert meaning() == "get Serial Timeout\nConnect a board to send this."
+    assert meaning() == "get Serial Timeout\nConnect to a board first."
     window.connect(simulator.url)
     page.wait(lambda: page.view.verticalScrollBar().maximum() > 100 and page.view.is_at_bottom)
     window.window.resize(1100, 640)

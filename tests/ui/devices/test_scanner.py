@@ -54,7 +54,7 @@ def test_found_board_is_listed_with_port_and_settings(
     until(lambda: not finder.running)
     (finding,) = finder.findings
     assert finding.port == port
-    assert finding.text == f"TReX 1.2 on {port.url} at 19200 baud, device 7."
+    assert finding.text == f"TReX 1.2, device 7 on {port.url} at 19200 baud."
     assert finding.found is not None
     assert finder.summary == "1 board found."
     assert not finder.is_searching(port)
@@ -107,9 +107,9 @@ def test_findings_are_in_the_order_of_the_first_scan_that_was_started(
     finder.start([at("/dev/ttyNothing8")])
     until(lambda: not finder.running)
     first, second, third = (finding.text for finding in finder.findings)
-    assert first.startswith("TReX 1.2 on")
+    assert first.startswith("TReX 1.2, device 7 on")
     assert second.startswith("There is no port /dev/ttyNothing9.")
-    assert third.startswith("TReX Jr 1.2 on")
+    assert third.startswith("TReX Jr 1.2, device 7 on")
 
 
 def test_scan_emits_nothing_after_shutdown(
@@ -151,7 +151,7 @@ def test_simulated_board_can_be_found_and_connected(until: Until) -> None:
     scanner_of(connector).start([ports.demo_of("trex")])
     until(lambda: not scanner_of(connector).running)
     (finding,) = scanner_of(connector).findings
-    assert finding.text == "TReX 1.2 on the Demo TReX at 19200 baud, device 7."
+    assert finding.text == "TReX 1.2, device 7 on the Demo TReX at 19200 baud."
     assert finding.found is not None
     connector.connect_with(finding.port, finding.found.settings)
     until(lambda: device.link is ConnectionState.CONNECTED)

@@ -264,18 +264,11 @@ class DeviceScanner(QObject):
         self.changed.emit()
 
     def _sentence(self, found: FoundDevice) -> str:
-        settings = found.settings
-        match found.device_number is not None, found.echo:
-            case False, False:
-                text = tr("{0} on {1} at {2}.")
-            case False, True:
-                text = tr("{0} on {1} at {2} (RS-232 side).")
-            case True, False:
-                text = tr("{0} on {1} at {2}, device {3}.")
-            case _:
-                text = tr("{0} on {1} at {2}, device {3} (RS-232 side).")
-        text = text.format(found.name, settings.label, settings.short, found.device_number)
-        return f"{text} {found.note}".strip()
+        settings, name = found.settings, found.name
+        if found.device_number is not None:
+            name = tr("{0}, device {1}").format(name, found.device_number)
+        text = tr("{0} on {1} at {2} (RS-232 side).") if found.echo else tr("{0} on {1} at {2}.")
+        return f"{text.format(name, settings.label, settings.short)} {found.note}".strip()
 
     @Slot()
     def _on_worker_finished(self) -> None:

@@ -115,7 +115,7 @@ def test_ends_only_passed_are_reported_and_block_proposal(rate: float) -> None:
     assert not travel.is_enough
     proposal = proposal_of(stick, travel)
     assert [problem.kind for problem in proposal.problems] == [ProblemKind.NOT_HELD]
-    assert "Both ends were only passed, not held. They may be further out" in problem_text(
+    assert "Both ends were only passed, not held. Go back, push it" in problem_text(
         proposal.problems[0]
     )
     assert proposal.calibration is None
@@ -125,7 +125,7 @@ def test_single_end_only_passed_is_named() -> None:
     moves = (*push(1.0, 0.2, 1.2, 0.4), (0.5, -0.8), (0.5, 0.0))
     (problem,) = travel_of(Stick(), moves, 8.0).problems
     assert problem.kind is ProblemKind.NOT_HELD
-    assert problem_text(problem).startswith("The low end was only passed, not held. It may")
+    assert problem_text(problem).startswith("The low end was only passed, not held. Go back")
 
 
 def test_pause_short_of_end_is_discarded_after_further_travel() -> None:

@@ -281,7 +281,7 @@ def test_current_of_other_motor_does_not_abort_the_test(driving: BenchSetup) -> 
     ("act", "reason"),
     [
         (lambda run: run.simulator.do("fault 1 on"), "reported a fault"),
-        (lambda run: run.simulator.do("line mute on"), "The board stopped responding."),
+        (lambda run: run.simulator.do("line mute on"), "The board does not respond."),
         (lambda run: run.device.motors.press_stop(), "Stop was pressed."),
         (lambda run: run.device.disconnect_line(), "The connection was closed."),
     ],
@@ -321,7 +321,7 @@ def test_channel_takeover_aborts_the_test(qtbot: QtBot, start_simulator: StartSi
     setup.until(lambda: setup.speed() == 60)
     setup.simulator.do("channel 5 2000us")
     run = aborted(setup)
-    assert "no longer control the motors" in run.reason
+    assert "no longer reach the motors" in run.reason
     setup.until(setup.device.shut_down)
 
 

@@ -103,7 +103,7 @@ def test_values_within_their_ranges_are_no_concern() -> None:
         (
             Calibration(1249, 3750, 6251, 75),
             InputSource.RC,
-            "Minimum (499.6 µs) and maximum (2500.4 µs) are beyond",
+            "Minimum (499.6 µs) is beyond",
         ),
         (Calibration(100, 512, 1100, 20), InputSource.ANALOG, "Maximum (5.376 V) is beyond"),
         (Calibration(2500, 7000, 9000, 75), InputSource.RC, "Neutral (2800 µs) is beyond"),

@@ -161,8 +161,8 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
             Context(),
             Expected(
                 "end_out_of_reach",
-                "The maximum of analog channel 3, 1100, is above 1023, the highest count that "
-                "the board measures: full speed on that side is never reached.",
+                "The maximum of analog channel 3, 1100, is beyond 1023, the last count that the "
+                "board measures: full speed on that side is never reached.",
                 ("analog_channel_3",),
             ),
         ),

@@ -61,7 +61,7 @@ def test_inactive_panel_reads_nothing_and_hides_its_controls(panel: Panel) -> No
 
 
 def test_state_says_what_to_hold_and_how_to_stop(active_panel: Panel) -> None:
-    active_panel.wait_for_state("Arm the motors, then hold button 5 (left shoulder)")
+    active_panel.wait_for_state("Arm the motors first.")
     active_panel.drive()
     active_panel.wait_for_state("Release button 5 (left shoulder) to stop")
 

@@ -206,7 +206,7 @@ def test_unplugging_ends_learning_and_test_and_changes_nothing(learning: Learnin
     ):
         step(1)
         learning.simulator.do("line unplug")
-        learning.wait_for_head(f"The connection to the board was lost. {outcome}")
+        learning.wait_for_head(f"The connection was closed. {outcome}")
         assert not learning.can_click("learnNextButton"), step
         assert not learning.can_click("learnNextButton"), step
         learning.click("learnAgainButton")

@@ -241,7 +241,7 @@ class ApplyToBoards(QObject):
             return
         for plan in self.plans:
             if plan.step in {BoardStep.READING, BoardStep.WRITING}:
-                self._set(plan.number, BoardStep.FAILED, tr("The line was closed."))
+                self._set(plan.number, BoardStep.FAILED, tr("The connection was closed."))
         self._current = self._home = None
         self._end()
 

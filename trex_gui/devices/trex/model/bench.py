@@ -255,11 +255,11 @@ class Bench(QObject):
 
     def _external_reason(self) -> str:
         if self._device.link is ConnectionState.NOT_RESPONDING:
-            return tr("The board stopped responding.")
+            return tr("The board does not respond.")
         if not self._device.is_connected:
             return tr("The connection was closed.")
         if self._device.board.serial_controls is False:
-            return tr("Serial commands no longer control the motors.")
+            return tr("Serial commands no longer reach the motors.")
         return self._motors.stop_reason or tr("Stop was pressed.")
 
     # --- The end ------------------------------------------------------------------------

@@ -106,17 +106,12 @@ def source_instructions(source: InputSource, mode: Mode) -> str:
             "these, make it read {1}: set Channel Input Source, apply, and switch the board off "
             "and on."
         )
-    elif source is InputSource.RC:
-        text = tr(
-            "The board reads {0} now, and only shows and accepts calibrations for them. To see "
-            "these: switch it off, put the mode jumper to RC, switch it on."
-        )
     else:
         text = tr(
             "The board reads {0} now, and only shows and accepts calibrations for them. To see "
-            "these: switch it off, put the mode jumper to analog, switch it on."
+            "these: switch it off, put the mode jumper to {2}, switch it on."
         )
-    return text.format(tr(SOURCE_NAMES[mode.source]), tr(SOURCE_NAMES[source]))
+    return text.format(tr(SOURCE_NAMES[mode.source]), tr(SOURCE_NAMES[source]), source.word)
 
 
 def known_text(known: Known) -> str:
@@ -161,32 +156,19 @@ def beyond_input(calibration: Calibration, source: InputSource) -> str:
     is an error.
     """
     lowest, highest = source.lowest_count, source.highest_count
-    minimum, neutral, maximum = (
-        _exactly(count, source)
-        for count in (calibration.minimum, calibration.neutral, calibration.maximum)
-    )
-    if not lowest <= calibration.neutral <= highest:
-        text = tr("Neutral ({1}) is beyond the input: {3}. No stick position gives 0.")
-    elif calibration.minimum < lowest and calibration.maximum > highest:
-        text = tr(
-            "Minimum ({0}) and maximum ({2}) are beyond the input: {3}. Full output is never "
-            "reached."
-        )
-    elif calibration.minimum < lowest:
-        text = tr(
-            "Minimum ({0}) is beyond the input: {3}. Full output on that side is never reached."
-        )
-    elif calibration.maximum > highest:
-        text = tr(
-            "Maximum ({2}) is beyond the input: {3}. Full output on that side is never reached."
-        )
-    else:
-        return ""
     limits = (
         tr("a pulse is {0} to {1}") if source is InputSource.RC else tr("a voltage is {0} to {1}")
+    ).format(source.text(lowest), source.text(highest))
+    if not lowest <= calibration.neutral <= highest:
+        text = tr("Neutral ({0}) is beyond the input: {1}. No stick position gives 0.")
+        return text.format(_exactly(calibration.neutral, source), limits)
+    ends = {tr("Minimum"): calibration.minimum, tr("Maximum"): calibration.maximum}
+    text = tr("{0} ({1}) is beyond the input: {2}. Full output on that side is never reached.")
+    return " ".join(
+        text.format(end, _exactly(count, source), limits)
+        for end, count in ends.items()
+        if not lowest <= count <= highest
     )
-    limits = limits.format(source.text(lowest), source.text(highest))
-    return text.format(minimum, neutral, maximum, limits)
 
 
 def _exactly(count: int, source: InputSource) -> str:
@@ -201,21 +183,16 @@ def concern(calibration: Calibration, source: InputSource) -> str:
     """Warn of a calibration that the board rejects or that makes no sense; may be empty."""
     if text := wrong_order(calibration, source) or beyond_input(calibration, source):
         return text
-    at_minimum = calibration.neutral - calibration.minimum <= calibration.deadband
-    at_maximum = calibration.maximum - calibration.neutral <= calibration.deadband
-    if at_minimum and at_maximum:
-        text = tr(
-            "The deadband ({0} to each side of neutral) reaches minimum and maximum: there is "
-            "nothing between 0 and full output."
-        )
-    elif at_minimum:
-        text = tr(
-            "The deadband ({0} to each side of neutral) reaches minimum: there is nothing between "
-            "0 and full output on that side."
-        )
-    elif at_maximum:
-        text = tr(
-            "The deadband ({0} to each side of neutral) reaches maximum: there is nothing between "
-            "0 and full output on that side."
-        )
-    return text.format(source.text(calibration.deadband))
+    return deadband_problem(calibration, source, "minimum", "maximum")
+
+
+def deadband_problem(calibration: Calibration, source: InputSource, *ends: str) -> str:
+    """Warn of a deadband that reaches one of these ends, `minimum` or `maximum`; may be empty."""
+    travel = {end: abs(getattr(calibration, end) - calibration.neutral) for end in ends}
+    reached = [tr(end) for end in ends if travel[end] <= calibration.deadband]
+    if not reached:
+        return ""
+    return tr(
+        "The deadband ({0} to each side of neutral) reaches {1}: there is nothing between 0 and "
+        "full output."
+    ).format(source.text(calibration.deadband), tr(" and ").join(reached))

@@ -223,17 +223,14 @@ class Gamepad(QObject):
         if self.pad is None:
             if not self.gone:
                 return tr("No gamepad is connected. Plug one in or switch it on.")
-            text = tr("The gamepad “{0}” was disconnected. Plug it in again to continue.")
-            return text.format(self.gone)
+            return tr("The gamepad “{0}” was disconnected.").format(self.gone)
         if self._unattended:
             return self._unattended
-        held = button_text(self.pad, self.profile.hold)
         if not self._motors.armed:
-            if self.profile.hold is None:
-                return tr("Arm the motors, then move a stick.")
-            return tr("Arm the motors, then hold {0} and move a stick.").format(held)
+            return tr("Arm the motors first.")
         if self._motors.holder and not self.drives:
             return tr("Another control drives now.")
+        held = button_text(self.pad, self.profile.hold)
         return self._waits_text().format(held) if self._has_read else self.text
 
     def _waits_text(self) -> str:

@@ -19,7 +19,7 @@ def held_drive_blocker(
     if device.link is ConnectionState.NOT_RESPONDING:
         return tr("The board does not respond.")
     if not device.is_connected:
-        return tr("Connect to a board to test its motors.")
+        return tr("Connect to a board first.")
     if device.writer.running:
         return tr("Settings are being written.")
     if device.board.serial_controls is False:
@@ -32,7 +32,7 @@ def held_drive_blocker(
     if not motors.armed:
         return tr("Put the robot on blocks, then arm the motors.")
     if motors.holder not in {"", holder}:
-        return tr("Another control drives the motors now.")
+        return tr("Another control drives now.")
     if not is_driving and (is_moving or motors.auxiliary > 0):
         return tr("Bring the motors to rest first ({0}).").format(motors.text)
     return ""

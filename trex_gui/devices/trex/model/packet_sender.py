@@ -77,9 +77,9 @@ class TrexPacketSender(QObject):
     def _blocker(self, packets: tuple[RawPacket, ...]) -> str:
         settings = self._device.settings
         if not self._device.is_connected or settings is None:
-            return tr("Connect a board to send this.")
+            return tr("Connect to a board first.")
         if self._device.writer.running:
-            return tr("Settings are being written; wait until they are.")
+            return tr("Settings are being written.")
         moving = [packet for packet in packets if packet.moves]
         if moving and not self._device.motors.armed:
             return tr("Arm the motors first.")

@@ -108,9 +108,8 @@ def put_aside(path: Path) -> Path | None:
     except FileNotFoundError:
         return None
     except OSError as error:
-        raise SettingsError.of(
-            path, tr("it cannot be renamed: {0}").format(error.strerror or error)
-        ) from error
+        why = error.strerror or str(error)
+        raise SettingsError.of(path, tr("it cannot be changed: {0}").format(why)) from error
     return aside
 
 

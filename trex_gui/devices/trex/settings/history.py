@@ -163,7 +163,7 @@ class SettingsHistory:
         try:
             snapshot.path.unlink(missing_ok=True)
         except OSError as error:
-            why = tr("it cannot be removed: {0}").format(error.strerror or error)
+            why = tr("it cannot be changed: {0}").format(error.strerror or error)
             raise SettingsError.of(snapshot.path, why) from error
 
     def bound(self) -> Bound:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import NamedTuple
 
-from trex_gui.core.translation import Number, tr, tr_noop
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.driving.timeout_stop import with_shutdown
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.device_table import device_table
@@ -59,15 +59,9 @@ def lint(settings: Settings, context: Context = _NOTHING_MORE) -> tuple[LintFind
     """
     case = _Case(settings.without_invalid(forced=False), context)
     return tuple(
-        LintFinding(
-            rule,
-            found.keys,
-            tr(_MESSAGES[rule + found.variant]).format(**found.fields),
-            found.change,
-            _proposal_text(case, found.change),
-        )
+        LintFinding(rule, keys, message, change, _proposal_text(case, change))
         for rule, find in RULES.items()
-        for found in find(case)
+        for keys, message, change in find(case)
     )
 
 
@@ -89,12 +83,11 @@ def _joined(words: Sequence[str]) -> str:
 
 
 class _Match(NamedTuple):
-    """A finding of a rule: the settings, the fields of the message, and a change."""
+    """A finding of a rule: the settings, the message, and a change."""
 
     keys: tuple[str, ...]
-    fields: Mapping[str, object]
+    message: str
     change: Mapping[str, int] = MappingProxyType({})
-    variant: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,47 +132,61 @@ def _no_timeout(case: _Case) -> Iterator[_Match]:
     if case.context.drives_from_computer and case.wires.get(key) == 0:
         change = with_shutdown(case.settings.specs[key].wire(_TIMEOUT))
         change = {name: wire for name, wire in change.items() if case.wires.get(name) != wire}
-        yield _Match((key,), {"name": case.name(key)}, change)
+        text = tr(
+            "{name} is off while a computer drives the motors: if the cable or the computer fails, "
+            "the motors keep running at their last setpoint."
+        )
+        yield _Match((key,), text.format(name=case.name(key)), change)
 
 
 def _timeout_without_shutdown(case: _Case) -> Iterator[_Match]:
-    keys = (ParameterKey.SERIAL_TIMEOUT, ParameterKey.UART_ERROR_SHUTDOWN)
-    timeout, shutdown = keys
+    timeout, shutdown = ParameterKey.SERIAL_TIMEOUT, ParameterKey.UART_ERROR_SHUTDOWN
     if case.wires.get(timeout) and case.wires.get(shutdown) == 0:
-        fields = {
-            "timeout": case.name(timeout),
-            "seconds": case.text(timeout),
-            "shutdown": case.name(shutdown),
-        }
-        yield _Match(keys, fields, {shutdown: 1})
+        text = tr(
+            "{timeout} of {seconds} may not stop the motors if the cable or the computer fails: "
+            "{shutdown} is off (twin)."
+        ).format(
+            timeout=case.name(timeout), seconds=case.text(timeout), shutdown=case.name(shutdown)
+        )
+        yield _Match((timeout, shutdown), text, {shutdown: 1})
 
 
 def _limit_in_joint_mode(case: _Case) -> Iterator[_Match]:
     keys = [MotorParameter.CURRENT_LIMIT.of(motor) for motor in _MOTORS]
     if set_keys := [key for key in keys if case.is_joint and case.wires.get(key)]:
         limits = _joined([f"{case.name(key)} ({case.text(key)})" for key in set_keys])
-        change = dict.fromkeys(set_keys, 0)
-        yield _Match((ParameterKey.MOTOR_MODE, *set_keys), {"limits": limits}, change)
+        text = tr(
+            "No effect in joint mode: {limits}. The board measures no current then, so the motor "
+            "is not protected."
+        ).format(limits=limits)
+        yield _Match((ParameterKey.MOTOR_MODE, *set_keys), text, dict.fromkeys(set_keys, 0))
 
 
-def _limits_beside_zero(
-    case: _Case, parameter: MotorParameter
-) -> Iterator[tuple[str, str, dict[str, str]]]:
-    """Yield current limits in force whose motor has 0 for another parameter."""
+def _limits_beside_zero(case: _Case, parameter: MotorParameter) -> Iterator[tuple[str, str]]:
+    """Yield the keys of current limits in force and of another parameter that is 0."""
     for motor in () if case.is_joint else _MOTORS:
         limit, other = MotorParameter.CURRENT_LIMIT.of(motor), parameter.of(motor)
         if case.wires.get(limit) and case.wires.get(other) == 0:
-            yield limit, other, {"limit": case.name(limit), "value": case.text(limit)}
+            yield limit, other
 
 
 def _limit_without_gain(case: _Case) -> Iterator[_Match]:
-    for limit, gain, fields in _limits_beside_zero(case, MotorParameter.CURRENT_LIMIT_P):
-        yield _Match((limit, gain), fields, {gain: case.default(gain)})
+    for limit, gain in _limits_beside_zero(case, MotorParameter.CURRENT_LIMIT_P):
+        text = tr(
+            "{limit} is {value}, but its proportionality constant P, how strongly the limiter "
+            "reacts, is 0. The limit may have no effect then (inferred)."
+        ).format(limit=case.name(limit), value=case.text(limit))
+        yield _Match((limit, gain), text, {gain: case.default(gain)})
 
 
 def _limit_without_ramp(case: _Case) -> Iterator[_Match]:
-    for limit, ramp, fields in _limits_beside_zero(case, MotorParameter.ACCELERATION):
-        yield _Match((limit, ramp), {**fields, "ramp": case.name(ramp)}, {ramp: _ACCELERATION})
+    for limit, ramp in _limits_beside_zero(case, MotorParameter.ACCELERATION):
+        text = tr(
+            "{limit} is {value} and {ramp} is 0, which means at once. As soon as the current falls "
+            "below the limit, the motor jumps back to its full target speed, so it may run in "
+            "jerks (inferred)."
+        ).format(limit=case.name(limit), value=case.text(limit), ramp=case.name(ramp))
+        yield _Match((limit, ramp), text, {ramp: _ACCELERATION})
 
 
 def _pwm_above_rating(case: _Case) -> Iterator[_Match]:
@@ -193,19 +200,22 @@ def _pwm_above_rating(case: _Case) -> Iterator[_Match]:
         now = frequencies[case.wires[prescaler]]
         if now <= highest:
             continue
-        fields = {
-            "motor": motor,
-            "now": _kilohertz(now),
-            "product": case.settings.product.name,
-            "highest": _kilohertz(highest),
-        }
-        better = [n for n, frequency in enumerate(frequencies) if frequency <= highest]
-        if not better:
-            yield _Match((prescaler, top), fields)
-            continue
-        fields["prescaler"] = case.text(prescaler, better[0])
-        fields["gives"] = _kilohertz(frequencies[better[0]])
-        yield _Match((prescaler, top), fields, {prescaler: better[0]}, ".better")
+        text = tr(
+            "The PWM of motor {motor} runs at {now} (inferred), but the motor driver of a "
+            "{product} is rated for {highest}; above that it gets hot."
+        ).format(
+            motor=motor,
+            now=_kilohertz(now),
+            product=case.settings.product.name,
+            highest=_kilohertz(highest),
+        )
+        change = {}
+        better = (n for n, frequency in enumerate(frequencies) if frequency <= highest)
+        if (wire := next(better, None)) is not None:
+            gives = tr("The prescaler {0} gives {1}.")
+            text += " " + gives.format(case.text(prescaler, wire), _kilohertz(frequencies[wire]))
+            change = {prescaler: wire}
+        yield _Match((prescaler, top), text, change)
 
 
 def _kilohertz(hertz: float) -> str:
@@ -218,8 +228,12 @@ def _required_but_ignored(case: _Case) -> Iterator[_Match]:
     keys = ParameterKey.REQUIRED_CHANNELS, ParameterKey.IGNORED_CHANNELS
     required, ignored = (case.wires.get(key, 0) for key in keys)
     if both := required & ignored:
-        fields = {"channels": _joined([tr("channel {0}").format(n) for n in channels_in(both)])}
-        yield _Match(keys, fields, {str(keys[0]): required & ~ignored})
+        text = tr(
+            "Both required and ignored: {channels}. The signal moves nothing, but without it the "
+            "motors may not run in RC mode (inferred)."
+        )
+        channels = _joined([tr("channel {0}").format(n) for n in channels_in(both)])
+        yield _Match(keys, text.format(channels=channels), {keys[0]: required & ~ignored})
 
 
 def _motor_calibrations(case: _Case) -> Iterator[tuple[CalibrationKey, Calibration]]:
@@ -234,19 +248,29 @@ def _deadband_over_travel(case: _Case) -> Iterator[_Match]:
         }
         # An end equal to neutral is intended: a channel with one direction.
         if lost := [end for end, travel in ends.items() if 0 < travel <= found.deadband]:
-            yield _Match((key,), {"channel": key.label, "ends": _joined(lost)})
+            text = tr(
+                "The deadband of {channel} reaches from neutral to its {ends}: there is nothing "
+                "between standstill and full speed on that side."
+            )
+            yield _Match((key,), text.format(channel=key.label, ends=_joined(lost)))
 
 
 def _end_out_of_reach(case: _Case) -> Iterator[_Match]:
     for key, found in _motor_calibrations(case):
         lowest = _SHORTEST_PULSE if key.source is InputSource.RC else 0
         highest = key.source.highest_count
+        text = tr(
+            "The {end} of {channel}, {count}, is beyond {limit}, the last count that the board "
+            "measures: full speed on that side is never reached."
+        )
+        ends = []
         if found.minimum < min(lowest, found.neutral):
-            fields = {"count": found.minimum, "limit": lowest}
-            yield _Match((key,), {"channel": key.label, **fields}, variant=".minimum")
+            ends.append((tr("minimum"), found.minimum, lowest))
         if found.maximum > max(highest, found.neutral):
-            fields = {"count": found.maximum, "limit": highest}
-            yield _Match((key,), {"channel": key.label, **fields}, variant=".maximum")
+            ends.append((tr("maximum"), found.maximum, highest))
+        for end, count, limit in ends:
+            message = text.format(end=end, channel=key.label, count=count, limit=limit)
+            yield _Match((key,), message)
 
 
 def _polynomial_without_crc(case: _Case) -> Iterator[_Match]:
@@ -255,31 +279,40 @@ def _polynomial_without_crc(case: _Case) -> Iterator[_Match]:
         return
     default = case.default(key)
     if case.wires[key] != default:
-        fields = {"name": case.name(key), "value": case.text(key)}
-        fields["default"] = case.text(key, default)
-        yield _Match((key, ParameterKey.UART_SETTINGS), fields, {str(key): default})
+        text = tr(
+            "{name} is {value} instead of the default {default}, but CRC-7 is not switched on: no "
+            "packet is checked with it."
+        ).format(name=case.name(key), value=case.text(key), default=case.text(key, default))
+        yield _Match((key, ParameterKey.UART_SETTINGS), text, {key: default})
 
 
 def _crc_that_checks_nothing(case: _Case) -> Iterator[_Match]:
     key, line = ParameterKey.CRC7_POLYNOMIAL, case.line
     if case.wires.get(key) == 0 and line is not None and line.detection is Detection.CRC7:
         # Divided by x^7, the seven zero bits behind any packet leave no remainder.
-        fields = {"name": case.name(key), "value": case.text(key)}
-        yield _Match((key, ParameterKey.UART_SETTINGS), fields, {str(key): case.default(key)})
+        text = tr(
+            "With {value} as {name} the checksum of every packet is 0, so CRC-7 detects no errors "
+            "at all."
+        ).format(name=case.name(key), value=case.text(key))
+        yield _Match((key, ParameterKey.UART_SETTINGS), text, {key: case.default(key)})
 
 
 def _half_rate(case: _Case) -> Iterator[_Match]:
     line = case.line
     if line is None or (real := case.real(line.baud)) == line.baud:
         return
-    firmware = case.settings.firmware
-    fields = {
-        "board": tr("{0} with firmware {1}").format(case.settings.product.name, firmware),
-        "baud": line.baud,
-        "real": real,
-        "fixed_in": device_table().half_rate_fixed_in,
-    }
-    yield _line_match(fields, replace(line, baud=real) if real in baud_rates() else None)
+    text = tr(
+        "A {board} set to {baud} baud really runs at {real} baud; firmware {fixed_in} corrects "
+        "this. Programs must use {real} baud."
+    ).format(
+        board=tr("{0} with firmware {1}").format(
+            case.settings.product.name, case.settings.firmware
+        ),
+        baud=line.baud,
+        real=real,
+        fixed_in=device_table().half_rate_fixed_in,
+    )
+    yield _line_match(text, replace(line, baud=real) if real in baud_rates() else None)
 
 
 def _rate_the_port_lacks(case: _Case) -> Iterator[_Match]:
@@ -294,7 +327,11 @@ def _rate_the_port_lacks(case: _Case) -> Iterator[_Match]:
     best = slower[-1] if slower else known[0] if known else None
     if used is not None and used.baud in baud_rates() and case.real(used.baud) == used.baud:
         best = used.baud
-    yield _line_match({"baud": wanted}, None if best is None else replace(line, baud=best))
+    text = tr(
+        "This computer's serial port does not support {baud} baud: after the next power cycle it "
+        "could not reach the board any more."
+    ).format(baud=wanted)
+    yield _line_match(text, None if best is None else replace(line, baud=best))
 
 
 def _line_will_change(case: _Case) -> Iterator[_Match]:
@@ -303,12 +340,16 @@ def _line_will_change(case: _Case) -> Iterator[_Match]:
         return
     real = replace(line, baud=case.real(line.baud))
     if real != used:
-        yield _line_match({"new": real.text(), "now": used.text()}, None)
+        text = tr(
+            "After the next power cycle the line settings of the board are {new}; now they are "
+            "{now}. Change the programs that use the board then."
+        )
+        yield _line_match(text.format(new=real.text(), now=used.text()))
 
 
-def _line_match(fields: Mapping[str, object], proposed: LineSettings | None) -> _Match:
+def _line_match(text: str, proposed: LineSettings | None = None) -> _Match:
     key = ParameterKey.UART_SETTINGS
-    return _Match((key,), fields, {} if proposed is None else {str(key): proposed.to_wire()})
+    return _Match((key,), text, {} if proposed is None else {key: proposed.to_wire()})
 
 
 RULES: Mapping[str, Callable[[_Case], Iterator[_Match]]] = {
@@ -327,73 +368,3 @@ RULES: Mapping[str, Callable[[_Case], Iterator[_Match]]] = {
     "rate_the_port_lacks": _rate_the_port_lacks,
     "line_will_change": _line_will_change,
 }
-
-_MESSAGES: Mapping[str, str] = {
-    "no_serial_timeout": tr_noop(
-        "{name} is off while a computer drives the motors: if the cable or the "
-        "computer fails, the motors keep running at their last setpoint."
-    ),
-    "timeout_without_shutdown": tr_noop(
-        "{timeout} of {seconds} may not stop the motors if the cable or the computer fails: "
-        "{shutdown} is off (twin)."
-    ),
-    "limit_in_joint_mode": tr_noop(
-        "No effect in joint mode: {limits}. The board measures no current then, "
-        "so the motor is not protected."
-    ),
-    "limit_without_gain": tr_noop(
-        "{limit} is {value}, but its proportionality constant P, how strongly the"
-        " limiter reacts, is 0. The limit may have no effect then (inferred)."
-    ),
-    "limit_without_ramp": tr_noop(
-        "{limit} is {value} and {ramp} is 0, which means at once. As soon as the "
-        "current falls below the limit, the motor jumps back to its full target "
-        "speed, so it may run in jerks (inferred)."
-    ),
-    "pwm_above_rating": tr_noop(
-        "The PWM of motor {motor} runs at {now} (inferred), but the motor driver "
-        "of a {product} is rated for {highest}; above that it gets hot."
-    ),
-    "pwm_above_rating.better": tr_noop(
-        "The PWM of motor {motor} runs at {now} (inferred), but the motor driver "
-        "of a {product} is rated for {highest}; above that it gets hot. The "
-        "prescaler {prescaler} gives {gives}."
-    ),
-    "required_but_ignored": tr_noop(
-        "Both required and ignored: {channels}. The signal moves nothing, but "
-        "without it the motors may not run in RC mode (inferred)."
-    ),
-    "deadband_over_travel": tr_noop(
-        "The deadband of {channel} reaches from neutral to its {ends}: there is "
-        "nothing between standstill and full speed on that side."
-    ),
-    "end_out_of_reach.minimum": tr_noop(
-        "The minimum of {channel}, {count}, is below {limit}, the lowest count "
-        "that the board measures: full speed on that side is never reached."
-    ),
-    "end_out_of_reach.maximum": tr_noop(
-        "The maximum of {channel}, {count}, is above {limit}, the highest count "
-        "that the board measures: full speed on that side is never reached."
-    ),
-    "polynomial_without_crc": tr_noop(
-        "{name} is {value} instead of the default {default}, but CRC-7 is not "
-        "switched on: no packet is checked with it."
-    ),
-    "crc_that_checks_nothing": tr_noop(
-        "With {value} as {name} the checksum of every packet is 0, so CRC-7 "
-        "detects no errors at all."
-    ),
-    "half_rate": tr_noop(
-        "A {board} set to {baud} baud really runs at {real} baud; firmware "
-        "{fixed_in} corrects this. Programs must use {real} baud."
-    ),
-    "rate_the_port_lacks": tr_noop(
-        "This computer's serial port does not support {baud} baud: after the next"
-        " power cycle it could not reach the board any more."
-    ),
-    "line_will_change": tr_noop(
-        "After the next power cycle the line settings of the board are {new}; now"
-        " they are {now}. Change the programs that use the board then."
-    ),
-}
-"""By rule, or by rule and variant."""

@@ -478,7 +478,7 @@ def test_restart_after_power_loss_stops_the_motors_again(
     setup.until_step(step)
     setup.simulator.do("power off")
     setup.until_step(LearningStep.FAILED)
-    assert "The board has stopped responding" in setup.learning.trouble
+    assert "The board does not respond" in setup.learning.trouble
     assert ("Nothing was changed" in setup.learning.trouble) is not is_test
     assert ("The test has ended" in setup.learning.trouble) is is_test
     setup.learning.again()

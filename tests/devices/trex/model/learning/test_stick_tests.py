@@ -6,14 +6,19 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
+from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.stick_tests import StickTest, StickTests, idle_side
-from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration, remap
+from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.devices.connection import ConnectionState
 
 THROTTLE = Calibration(minimum=2600, neutral=2750, maximum=4730, deadband=75)
 """Learned from a stick that rests at 1100 µs; below that is trim only."""
+
+CENTRE = 3750
+EXACT = ChannelCurve(Calibration(CENTRE - FULL_SCALE, CENTRE, CENTRE + FULL_SCALE, 0))
+"""A count more is one more at the output."""
 
 REST = {1: 1500.0, 2: 1500.0, 3: 1500.0, 4: 1500.0, 5: 1900.0}
 
@@ -77,31 +82,30 @@ def sticks(connect: Callable[..., Device]) -> Callable[..., Sticks]:
 
 def test_throttle_passes_with_full_output_on_its_travel_side() -> None:
     test = StickTest(3)
-    idle = idle_side(THROTTLE, reversed_=False)
     for step, microseconds in enumerate([1040] * 30 + [1100] * 40):
-        test.feed(step / 50, remap(round(2.5 * microseconds), THROTTLE), idle=idle)
+        test.feed(step / 50, round(2.5 * microseconds), ChannelCurve(THROTTLE))
     assert not test.reverse
     assert not test.passed
     assert test.text == "Full output not reached yet. Push it all the way."
     for step, microseconds in enumerate([1895] * 30 + [1100] * 40):
-        test.feed(2 + step / 50, remap(round(2.5 * microseconds), THROTTLE), idle=idle)
+        test.feed(2 + step / 50, round(2.5 * microseconds), ChannelCurve(THROTTLE))
     assert test.forward
     assert test.passed
 
 
 def test_centered_throttle_passes_on_either_side() -> None:
-    even = Calibration(2500, 3750, 5000, 75)
-    assert idle_side(even, reversed_=True) == 0
+    even = ChannelCurve(Calibration(2500, 3750, 5000, 75))
+    assert idle_side(even) == 0
     test = StickTest(3)
     for step, count in enumerate([2500] * 5 + [3750] * 40):
-        test.feed(step / 50, remap(count, even), idle=0)
+        test.feed(step / 50, count, even)
     assert test.passed
 
 
 def test_uneven_stick_passes_with_both_ends() -> None:
     test = StickTest(1)
     for step, count in enumerate([2600] * 5 + [4730] * 5 + [2750] * 40):
-        test.feed(step / 50, remap(count, THROTTLE), idle=-1)
+        test.feed(step / 50, count, ChannelCurve(THROTTLE))
     assert test.passed
 
 
@@ -189,10 +193,10 @@ def test_moved_channel_that_fails_is_offered_for_relearning(
 def test_single_wild_pulses_are_no_position_of_the_switch() -> None:
     test = StickTest(5)
     for number in range(60):
-        test.feed(number * 0.02, 0, switched=number % 10 == 9)
+        test.feed(number * 0.02, CENTRE - (FULL_SCALE if number % 10 == 9 else 0), EXACT)
     assert (test.off, test.on) == (True, False)
     for number in range(60, 63):
-        test.feed(number * 0.02, 127, switched=True)
+        test.feed(number * 0.02, CENTRE - FULL_SCALE, EXACT)
     assert test.on
     assert test.passed
 
@@ -206,7 +210,7 @@ def stick_held_at(*phases: tuple[int, int]) -> StickTest:
     step = 0
     for output, samples in phases:
         for _ in range(samples):
-            test.feed(step / 50, output)
+            test.feed(step / 50, CENTRE + output, EXACT)
             step += 1
     return test
 
@@ -216,7 +220,7 @@ def switch_held_at(*phases: tuple[bool, int]) -> StickTest:
     test = StickTest(4)
     for active, samples in phases:
         for _ in range(samples):
-            test.feed(0.0, FULL_SCALE, switched=active)
+            test.feed(0.0, CENTRE + (-FULL_SCALE if active else FULL_SCALE), EXACT)
     return test
 
 
@@ -239,9 +243,9 @@ def test_end_is_reached_when_three_samples_agree(output: int, end: str) -> None:
 
 
 def test_stick_result_names_missing_ends() -> None:
-    assert stick_held_at((0, 1)).text.endswith(": forward (+127) and reverse (−127).")
-    assert stick_held_at((127, 3)).text.endswith(": reverse (−127).")
-    assert stick_held_at((-127, 3)).text.endswith(": forward (+127).")
+    assert stick_held_at((0, 1)).text.endswith(": forward 127, reverse 127.")
+    assert stick_held_at((127, 3)).text.endswith(": reverse 127.")
+    assert stick_held_at((-127, 3)).text.endswith(": forward 127.")
 
 
 def test_stick_passes_after_both_ends_and_rest() -> None:
@@ -261,8 +265,8 @@ def test_stick_passes_after_both_ends_and_rest() -> None:
     [(Calibration(2500, 2750, 4700, 75), -1), (Calibration(2800, 4750, 5000, 75), 1)],
 )
 def test_throttle_is_idle_on_its_shorter_side(calibration: Calibration, side: int) -> None:
-    assert idle_side(calibration, reversed_=False) == side
-    assert idle_side(calibration, reversed_=True) == -side
+    assert idle_side(ChannelCurve(calibration)) == side
+    assert idle_side(ChannelCurve(calibration, reversed_=True)) == -side
 
 
 # --- Switches ---------------------------------------------------------------------------

@@ -9,7 +9,7 @@ from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.calibration.neutral import Neutral
 from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind
 from trex_gui.devices.trex.calibration.travel import Task, Travel, Way
-from trex_gui.devices.trex.model.channel_text import concern
+from trex_gui.devices.trex.model.channel_text import concern, deadband_problem
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.flags import InputSource
 
@@ -45,10 +45,13 @@ class Check:
     def _found(self) -> Iterator[_Found]:
         text, wanted = self.neutral.source.text, self.curve.calibration
         yield from self._useless()
-        for way, end in ((Way.UP, wanted.maximum), (Way.DOWN, wanted.minimum)):
+        for way, end, name in (
+            (Way.UP, wanted.maximum, tr("Maximum")),
+            (Way.DOWN, wanted.minimum, tr("Minimum")),
+        ):
             reached = self.travel.end(way)
             if self.travel.reached(way) and way.value * (end - reached) > 0:
-                yield ProblemKind.NEVER_FULL, way.name, (text(reached),)
+                yield ProblemKind.NEVER_FULL, "", (name, text(reached))
         if self.travel.task is Task.SWITCH:
             yield from self._switching()
             return
@@ -65,12 +68,11 @@ class Check:
     def _useless(self) -> Iterator[_Found]:
         wanted, source, idle = self.curve.calibration, self.neutral.source, self.travel.idle
         if idle is None:
-            if text := concern(wanted, source):
-                yield ProblemKind.USELESS, "", (text,)
-            return
-        end = wanted.minimum if idle is Way.UP else wanted.maximum
-        if abs(end - wanted.neutral) <= wanted.deadband:
-            yield ProblemKind.USELESS, idle.name, (source.text(wanted.deadband),)
+            text = concern(wanted, source)
+        else:
+            text = deadband_problem(wanted, source, "minimum" if idle is Way.UP else "maximum")
+        if text:
+            yield ProblemKind.USELESS, "", (text,)
 
     def _neutral_moved(self) -> Iterator[_Found]:
         text, wanted, sampled = self.neutral.source.text, self.curve.calibration, self.neutral.value

@@ -93,11 +93,11 @@ class CalibrationPreconditions(QObject):
     def _violation(self) -> str:
         device, state = self._device, self._device.state
         if device.link is ConnectionState.NOT_RESPONDING:
-            return tr("The board has stopped responding: its power or its cable was cut.")
+            return tr("The board does not respond.")
         if device.link is ConnectionState.CONNECTING:
             return tr("Another board was selected.")
         if not device.is_connected or state is None:
-            return tr("The connection to the board was lost.")
+            return tr("The connection was closed.")
         if not state.mode.is_serial or state.source is not self._source:
             text = tr("The board was started in another mode.")
             return f"{text} {self.blocker}".rstrip()

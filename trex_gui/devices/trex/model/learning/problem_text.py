@@ -36,7 +36,11 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
     other_way = tr(
         "Push it the other way too; if it cannot go there, it was at an end during sampling."
     )
-    hold = tr("It may be further out: go back, push it there and hold it for {0:.1f} s.")
+    one_way = tr("It went one way only.")
+    hold = tr("Go back, push it all the way and hold it there for {0:.1f} s.")
+    uneven = tr("It went {0} to one side, but only {1} to the other.")
+    all_the_way = tr("Was it pushed all the way?")
+    refused = tr("The board would reject this: {0}.")
     reverse = tr("Should it be reversed, or not?")
     return {
         (kind.NO_SIGNAL, "RC"): [
@@ -85,14 +89,8 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
             unmoved,
         ],
         (kind.TOO_LITTLE, ""): [tr("It went only {0} from its rest position."), needed],
-        (kind.ONE_DIRECTION, "DOWN"): [
-            tr("It went one way only, never below its rest position."),
-            other_way,
-        ],
-        (kind.ONE_DIRECTION, "UP"): [
-            tr("It went one way only, never above its rest position."),
-            other_way,
-        ],
+        (kind.ONE_DIRECTION, "DOWN"): [one_way, other_way],
+        (kind.ONE_DIRECTION, "UP"): [one_way, other_way],
         (kind.END_TOO_NEAR, "DOWN"): [
             tr("The low end is only {0} from the rest position."),
             needed,
@@ -100,24 +98,15 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
         (kind.END_TOO_NEAR, "UP"): [tr("The high end is only {0} from the rest position."), needed],
         (kind.NOT_HELD, "DOWN"): [tr("The low end was only passed, not held."), hold],
         (kind.NOT_HELD, "UP"): [tr("The high end was only passed, not held."), hold],
-        (kind.NOT_HELD, "BOTH"): [
-            tr("Both ends were only passed, not held."),
-            tr("They may be further out: go back, push it to each and hold it for {0:.1f} s."),
-        ],
+        (kind.NOT_HELD, "BOTH"): [tr("Both ends were only passed, not held."), hold],
         (kind.NEUTRAL_OUTSIDE, ""): [
             tr("Its rest position ({0}) is not between its ends ({1} and {2})."),
             tr("Was a trim moved? Begin again with the sticks at rest."),
         ],
-        (kind.UNEVEN, "DOWN"): [
-            tr("It went {0} to one side, but only {1} below its rest position."),
-            tr("Was it pushed all the way?"),
-        ],
-        (kind.UNEVEN, "UP"): [
-            tr("It went {0} to one side, but only {1} above its rest position."),
-            tr("Was it pushed all the way?"),
-        ],
-        (kind.REFUSED, "MEASURED"): [tr("The board would reject the measured values: {0}.")],
-        (kind.REFUSED, "CHOSEN"): [tr("The board would reject these values: {0}.")],
+        (kind.UNEVEN, "DOWN"): [uneven, all_the_way],
+        (kind.UNEVEN, "UP"): [uneven, all_the_way],
+        (kind.REFUSED, "MEASURED"): [refused],
+        (kind.REFUSED, "CHOSEN"): [refused],
         (kind.NEUTRAL_MOVED, "CHOSEN"): [
             tr("It rests at {0}: with this neutral it would give {1} there.")
         ],
@@ -127,23 +116,8 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
             tr("Go back and sample it again, or use the new rest position."),
         ],
         (kind.USELESS, ""): ["{0}"],
-        (kind.USELESS, "UP"): [
-            tr(
-                "The deadband ({0} to each side of neutral) reaches minimum: there is nothing "
-                "between 0 and full output."
-            )
-        ],
-        (kind.USELESS, "DOWN"): [
-            tr(
-                "The deadband ({0} to each side of neutral) reaches maximum: there is nothing "
-                "between 0 and full output."
-            )
-        ],
-        (kind.NEVER_FULL, "UP"): [
-            tr("Maximum is beyond the {0} that was reached: there is no full output.")
-        ],
-        (kind.NEVER_FULL, "DOWN"): [
-            tr("Minimum is beyond the {0} that was reached: there is no full output.")
+        (kind.NEVER_FULL, ""): [
+            tr("{0} is beyond the {1} that was reached: there is no full output.")
         ],
         (kind.SPEEDS_UP, ""): [
             tr(

@@ -13,7 +13,8 @@ from trex_gui.devices.trex.calibration.neutral import LIMITS
 from trex_gui.devices.trex.calibration.travel import TASKS, Task
 from trex_gui.devices.trex.driving.board_reasons import safe_start_reasons
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
+from trex_gui.devices.trex.model.drive_texts import direction_text
+from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 
@@ -35,22 +36,12 @@ class StickTest:
         self._switched = {False: 0, True: 0}
         self._zero_since: float | None = None
 
-    def feed(
-        self,
-        time: float,
-        output: int | None,
-        *,
-        switched: bool = False,
-        idle: int = 0,
-        ignored: bool = False,
-    ) -> None:
-        """Process the present output.
-
-        `switched` says whether a switch is active; `idle` is the sign of the output on the side
-        to which a throttle never goes (`idle_side`).
-        """
+    def feed(self, time: float, raw: int | None, curve: ChannelCurve) -> None:
+        """Process the present raw count."""
         task = TASKS[self.channel]
-        self.output, self.ignored = output, ignored
+        output = None if raw is None else curve.output(raw)
+        switched, idle = curve.is_switched(self.channel, raw), idle_side(curve)
+        self.output, self.ignored = output, curve.ignored
         for sign in self._full:
             is_full = output == sign * FULL_SCALE and (task is not Task.ONE_WAY or sign != idle)
             self._full[sign] = self._full[sign] + 1 if is_full else 0
@@ -72,7 +63,7 @@ class StickTest:
                 good = self.is_at_rest and (self.forward or self.reverse)
             case Task.STICK:
                 good = self.is_at_rest and self.forward and self.reverse
-        self.passed = good and not ignored
+        self.passed = good and not curve.ignored
         self.was_good |= self.passed
 
     @property
@@ -88,13 +79,14 @@ class StickTest:
         if task is Task.SWITCH:
             if not self.off and not self.on:
                 return tr("Move the switch to all its positions.")
-            if self.off:
-                return tr("Only off was seen. Move the switch to its other position.")
-            return tr("Only on was seen. Move the switch to its other position.")
+            text = tr("Only {0} was seen. Move the switch to its other position.")
+            return text.format(tr("off") if self.off else tr("on"))
         if task is Task.ONE_WAY and not (self.forward or self.reverse):
             return tr("Full output not reached yet. Push it all the way.")
         if task is Task.STICK and not (self.forward and self.reverse):
-            return self._unreached_text()
+            text = tr("Full output not reached yet: {0}.")
+            missing = [FULL_SCALE] * (not self.forward) + [-FULL_SCALE] * (not self.reverse)
+            return text.format(", ".join(map(direction_text, missing)))
         if self.output == 0:
             return tr("Full output reached. Let it rest for a moment.")
         now = signed_text(self.output)
@@ -102,25 +94,18 @@ class StickTest:
             "Full output reached. Release it: at rest the output must be 0, but it is {0}."
         ).format(now)
 
-    def _unreached_text(self) -> str:
-        if self.forward:
-            return tr("Full output not reached yet: reverse (−127).")
-        if self.reverse:
-            return tr("Full output not reached yet: forward (+127).")
-        return tr("Full output not reached yet: forward (+127) and reverse (−127).")
 
-
-def idle_side(calibration: Calibration, *, reversed_: bool) -> int:
+def idle_side(curve: ChannelCurve) -> int:
     """Return the sign of the output on the shorter side of rest; 0 when both are as long.
 
     A throttle that rests at one end of its travel has that end only just beyond its rest: the
     trim alone reaches it, and that shows nothing.
     """
-    up = calibration.maximum - calibration.neutral
-    down = calibration.neutral - calibration.minimum
+    up = curve.calibration.maximum - curve.calibration.neutral
+    down = curve.calibration.neutral - curve.calibration.minimum
     if up == down:
         return 0
-    return -1 if (up > down) != reversed_ else 1
+    return -1 if (up > down) != curve.reversed_ else 1
 
 
 class StickTests:
@@ -138,22 +123,13 @@ class StickTests:
         self._counts = tuple(counts)
         self._curves.clear()
         for channel, raw in zip(CHANNELS, counts, strict=True):
-            curve = self._device.draft.stored_curve(channel)
-            output = None if raw is None or curve is None else curve.output(raw)
-            switched = curve is not None and curve.is_switched(channel, raw)
-            if curve is not None:
-                self._curves[channel] = curve
             if raw is not None:
                 low, high = self._reached.get(channel, (raw, raw))
                 self._reached[channel] = min(low, raw), max(high, raw)
-            if channel in tests and curve is not None:
-                tests[channel].feed(
-                    moment,
-                    output,
-                    switched=switched,
-                    idle=idle_side(curve.calibration, reversed_=curve.reversed_),
-                    ignored=curve.ignored,
-                )
+            if (curve := self._device.draft.stored_curve(channel)) is not None:
+                self._curves[channel] = curve
+                if channel in tests:
+                    tests[channel].feed(moment, raw, curve)
 
     @property
     def heard(self) -> bool:

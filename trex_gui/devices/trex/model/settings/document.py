@@ -231,6 +231,6 @@ def put_calibrations(shown: Settings, path: Path, title: str) -> None:
     before = load(path)
     old, _ = read_settings(before, path.name)
     if old.product.key != shown.product.key:
-        raise SettingsError.of(path, tr("it holds settings of a {0}").format(old.product.name))
+        raise SettingsError.of(path, tr("these are settings of a {0}").format(old.product.name))
     whole = replace(old, calibrations={**old.calibrations, **shown.calibrations})
     save(path, amend(before.decode("utf-8"), whole, path.name))

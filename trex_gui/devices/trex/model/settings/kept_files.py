@@ -15,7 +15,7 @@ from trex_gui.devices.trex.settings.accepted import Accepted, AcceptedValues
 from trex_gui.devices.trex.settings.board_records import BoardRecord, BoardRecords
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 from trex_gui.ui.files import in_background
-from trex_gui.ui.translations import error_sentence, error_text, local_time
+from trex_gui.ui.translations import error_sentence, local_time
 
 
 class KeptFiles(QObject):
@@ -53,11 +53,7 @@ class KeptFiles(QObject):
         self._set_accepted(partial(self._accepted.add, kind, values))
 
     def _set_accepted(self, work: Callable[[], Accepted]) -> None:
-        def on_failed(error: StudioError) -> None:
-            text = tr("What the board accepted was not remembered. {0}")
-            self.failed.emit(text.format(error_text(error)))
-
-        in_background(self, work, self._parameters.set_accepted, on_failed)
+        in_background(self, work, self._parameters.set_accepted, self._on_failed)
 
     def find_lost(self, board: BoardIdentity, adapter: str) -> None:
         find = partial(self._records.of_other_number, board, adapter)

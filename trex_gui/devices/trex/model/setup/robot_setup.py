@@ -130,7 +130,7 @@ class RobotSetup(QObject):
         if self.step not in {SetupStep.MOTORS, SetupStep.LIMITS, SetupStep.TIMEOUT}:
             return ""
         if not device.is_connected or device.state is None:
-            return tr("No board is connected, so nothing can be changed.")
+            return tr("Connect to a board first.")
         if device.writer.running:
             return tr("Settings are being written.")
         return mode_blocker(device)
