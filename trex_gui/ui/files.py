@@ -109,15 +109,12 @@ def start_in_background(
     work: Callable[[ProgressCallback], ResultT],
     then: Callable[[ResultT], object],
     failed: Callable[[StudioError], object],
-    progressed: Callable[[float], object] | None = None,
 ) -> Callable[[], None]:
     """Do the same with work that reports its progress, and return what cancels it.
 
     Work that is cancelled calls back no more.
     """
     job = _Job(owner, work, then, failed)
-    if progressed is not None:
-        job.progressed.connect(progressed, Qt.ConnectionType.QueuedConnection)
     _start(job)
     return job.cancel
 

@@ -18,7 +18,7 @@ from trex_gui.ui.frame.workspace import FileKind, Workspace
 from trex_gui.ui.last_run import report_last_run
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.plotting.page import PlotPage
-from trex_gui.ui.workers.threads import wait_for_orphans
+from trex_gui.ui.workers.threads import have_orphans_ended
 
 _FILES_TIMEOUT_MS = 5000  # a slow disk takes seconds to save a file; reading is cancelled
 
@@ -147,7 +147,7 @@ class Program:
         ends = [self.device_manager.shut_down()]
         ends += [workspace.shut_down() for workspace in self._workspaces.values()]
         ends.append(end_background(_FILES_TIMEOUT_MS))
-        return all(ends) and wait_for_orphans()
+        return all(ends) and have_orphans_ended()
 
     def close(self) -> bool:
         """Shut down and destroy everything, for whoever runs the event loop.

@@ -12,7 +12,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
-from trex_gui.devices.trex.model.settings.comparison_table import ComparisonColumn, ComparisonRole
+from trex_gui.devices.trex.model.settings.comparison_table import ComparisonColumn
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.history_dialog import HistoryDialog as HistoryWidget
@@ -46,7 +46,9 @@ class ComparisonDialog(WidgetDriver):
     def values(self) -> dict[str, tuple[str, str]]:
         """Return both values of each setting by its key."""
         model = self.table.model()
-        keys = [model.index(row, 0).data(ComparisonRole.KEY) for row in range(model.rowCount())]
+        keys = [
+            model.index(row, 0).data(Qt.ItemDataRole.UserRole) for row in range(model.rowCount())
+        ]
         return {key: (row[1], row[2]) for key, row in zip(keys, self.rows(), strict=True)}
 
     def tick_all(self, wanted: bool) -> None:

@@ -21,7 +21,7 @@ from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.devices.scanner import ScanWorker
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.workers.session_thread import SessionThread
-from trex_gui.ui.workers.threads import wait_for_orphans
+from trex_gui.ui.workers.threads import have_orphans_ended
 
 Emit = Callable[[object], None]
 
@@ -95,7 +95,7 @@ def test_late_final_report_of_a_session_is_emitted(qtbot: QtBot) -> None:
     line.start(RecordingSession(Closed(None, may_move=False), gate).make, may_move=True)
     assert not line.shut_down()
     assert line.last is None
-    assert not wait_for_orphans()
+    assert not have_orphans_ended()
     with qtbot.waitSignal(line.closed) as closed:
         gate.open()
     assert closed.args == [Closed(None, may_move=False)]
@@ -112,7 +112,7 @@ def test_final_report_of_old_session_does_not_close_the_new_one(
     line.start(RecordingSession(Closed(None, may_move=True)).make, may_move=False)
     with qtbot.assertNotEmitted(line.closed):
         gate.open()
-        qtbot.waitUntil(wait_for_orphans)
+        qtbot.waitUntil(have_orphans_ended)
         virtual_time.advance(0.01)
     assert line.is_open
     qtbot.waitUntil(line.shut_down)

@@ -7,7 +7,12 @@ import pytest
 from PySide6.QtCore import QObject
 from pytestqt.qtbot import QtBot
 
-from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan, release_orphan, wait_for_orphans
+from trex_gui.ui.workers.threads import (
+    WorkerThread,
+    adopt_orphan,
+    have_orphans_ended,
+    release_orphan,
+)
 
 pytestmark = pytest.mark.realtime
 
@@ -24,7 +29,7 @@ class Held(WorkerThread):
 
 
 def test_orphaned_thread_outlives_parent_until_finished(qtbot: QtBot) -> None:
-    qtbot.waitUntil(wait_for_orphans)  # of the tests before
+    qtbot.waitUntil(have_orphans_ended)  # of the tests before
     owner = QObject()
     thread = Held(owner)
     thread.start()
@@ -32,11 +37,9 @@ def test_orphaned_thread_outlives_parent_until_finished(qtbot: QtBot) -> None:
     adopt_orphan(thread)
     go = thread.go
     del owner, thread
-    assert not wait_for_orphans()
-    assert not wait_for_orphans(1)
+    assert not have_orphans_ended()
     go.set()
-    assert wait_for_orphans(15_000)
-    assert wait_for_orphans()
+    qtbot.waitUntil(have_orphans_ended)
 
 
 def test_orphaned_thread_can_be_released(qtbot: QtBot) -> None:

@@ -1,6 +1,6 @@
 """Recordings of a board: header, sample kinds, and rows of measurements."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from typing import Any, Self
@@ -187,11 +187,6 @@ def _setpoint(  # noqa: PLR0917 - a value for each column
     return SetpointRecord(time, motor, drive, bool(accelerate))
 
 
-def measured_kinds(kinds: Sequence[SampleKind]) -> list[SampleKind]:
-    """Return the kinds of polled values; the mode is none, since only the power changes it."""
-    return [kind for kind in kinds if kind.held and kind.type is not ModeSample]
-
-
 FORMAT = RecordingFormat(
     "trex",
     Header.from_values,
@@ -210,7 +205,8 @@ class MeasurementTable:
         self.mode = mode
         kinds = sample_kinds(mode.source, unit)
         self._kinds: dict[type[Any], SampleKind] = {kind.type: kind for kind in kinds}
-        measured = measured_kinds(kinds)
+        # Polled values; the mode is none, since only the power changes it.
+        measured = [kind for kind in kinds if kind.held and kind.type is not ModeSample]
         self._missing = {kind.type for kind in measured} - {Currents}
         columns = [name for kind in measured for name in kind.exported]
         self.row: Row = dict.fromkeys(["time_s", *columns])

@@ -1,7 +1,7 @@
 """A saved transcript against the simulated board, in virtual time."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from trex_gui.core.errors import BadRequest
@@ -147,9 +147,7 @@ class RecordedTraffic:
 
     def meaning(self, row: TranscriptRow, reply: bytes) -> str:
         """Return what a row means with this reply."""
-        transaction = Transaction(
-            row.line, row.time, row.sent, reply, settings=self.settings, is_over=True
-        )
+        transaction = self._transaction(replace(row, received=reply))
         return TrexDecoder().decoded(transaction).text
 
     def replayed(self) -> Iterator[tuple[TranscriptRow, bytes]]:

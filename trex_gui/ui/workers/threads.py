@@ -8,7 +8,7 @@ import gc
 
 from PySide6.QtCore import QObject, QThread, QTimer, Slot
 
-from trex_gui.ui.runtime import now, runtime
+from trex_gui.ui.runtime import runtime
 
 FOREVER = -1
 _COLLECT_INTERVAL_MS = 1000
@@ -50,12 +50,8 @@ def release_orphan(thread: WorkerThread) -> None:
         _orphans.remove(thread)
 
 
-def wait_for_orphans(timeout_ms: int = 0) -> bool:
-    """Wait for all orphaned threads together and return whether they ended in time."""
-    end = now() + timeout_ms / 1000
-    _orphans[:] = [
-        thread for thread in _orphans if not thread.wait(max(0, round((end - now()) * 1000)))
-    ]
+def have_orphans_ended() -> bool:
+    _orphans[:] = [thread for thread in _orphans if not thread.wait(0)]
     return not _orphans
 
 

@@ -15,10 +15,9 @@ from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.recording import (
     AuxiliarySetpointRecord,
+    MeasurementTable,
     Record,
     SetpointRecord,
-    measured_kinds,
-    sample_kinds,
 )
 
 T0 = HEADER.clock
@@ -55,9 +54,7 @@ def test_csv_has_units_and_rows_repeat_last_values(tmp_path: Path) -> None:
 
 def test_csv_names_everything_that_stream_writes(tmp_path: Path) -> None:
     (header,) = rows_of(export(tmp_path, []))
-    kinds = sample_kinds(HEADER.mode.source, HEADER.model.current_unit)
-    columns = {name for kind in measured_kinds(kinds) for name in kind.exported}
-    assert columns < set(header)
+    assert MeasurementTable(HEADER.mode, HEADER.model.current_unit).row.keys() < set(header)
 
 
 def test_csv_names_setpoints_status_and_markers(tmp_path: Path) -> None:

@@ -22,7 +22,6 @@ from trex_gui.devices.trex.settings.history import (
     KEPT,
     Bound,
     SettingsHistory,
-    default_folder,
 )
 
 NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
@@ -369,8 +368,8 @@ def test_snapshot_accepts_any_adapter_and_reason(
 
 def test_default_folder_is_absolute_and_names_program(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("TREX_STUDIO_DATA", raising=False)
-    assert default_folder().is_absolute()
-    assert "TReX Studio" in str(default_folder())
+    assert SettingsHistory().folder.is_absolute()
+    assert "TReX Studio" in str(SettingsHistory().folder)
 
 
 def test_environment_variable_sets_data_folder(

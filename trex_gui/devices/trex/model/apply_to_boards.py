@@ -30,9 +30,6 @@ class BoardStep(Enum):
     SKIPPED = auto()  # it was not its turn any more when an error or the user ended the work
 
 
-_UNFINISHED = {BoardStep.WAITING, BoardStep.READING, BoardStep.WRITING}
-
-
 @dataclass(frozen=True, slots=True)
 class BoardPlan:
     number: int  # its device number, which it keeps
@@ -174,16 +171,9 @@ class ApplyToBoards(QObject):
         if self.is_writing:
             self._write(number, changes)
         else:
-            doubts = self._device.parameters.values.doubtful(changes.rows)
-            self._replace(
-                BoardPlan(
-                    number,
-                    BoardStep.REVIEWED,
-                    changes,
-                    findings=self._findings(changes),
-                    doubts=tuple(doubts),
-                )
-            )
+            doubts = tuple(self._device.parameters.values.doubtful(changes.rows))
+            findings = self._findings(changes)
+            self._replace(BoardPlan(number, BoardStep.REVIEWED, changes, "", findings, doubts))
             self._go_on()
 
     def _findings(self, changes: Comparison) -> tuple[LintFinding, ...]:
@@ -230,8 +220,9 @@ class ApplyToBoards(QObject):
     @Slot()
     def _on_stop_requested(self) -> None:
         """End the work, if it was the user who stopped the motors."""
-        is_over = not any(plan.step in _UNFINISHED for plan in self.plans)
-        if self.is_running and not is_over and not self._device.motors.stop_reason:
+        unfinished = {BoardStep.WAITING, BoardStep.READING, BoardStep.WRITING}
+        is_working = self.is_running and any(plan.step in unfinished for plan in self.plans)
+        if is_working and not self._device.motors.stop_reason:
             self.was_stopped = True
             self.cancel()
 

@@ -168,15 +168,13 @@ class BoardList(QObject):
         found = [one for one in self.boards if one.presence not in missing]
         self.boards = tuple(found)
         self._remember()
+        text = tr(
+            "No other board replies on this line. Each needs power, the serial settings of this "
+            "one, and a device number of its own."
+        )
         if len(found) > 1:
-            self._device.notifier.info.emit(tr("%n board(s) on this line.", "", len(found)))
-        else:
-            self._device.notifier.info.emit(
-                tr(
-                    "No other board replies on this line. Each needs power, the serial settings "
-                    "of this one, and a device number of its own."
-                )
-            )
+            text = tr("%n board(s) on this line.", "", len(found))
+        self._device.notifier.info.emit(text)
         self._on_state_changed()
         settings = self._device.settings
         readable = [one.number for one in found if one.presence is not Presence.UNREADABLE]

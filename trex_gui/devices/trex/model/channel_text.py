@@ -66,12 +66,16 @@ def function_text(
     `mixed` whether the mix jumper is on, `None` if that is not known.
     """
     if curve is not None and curve.ignored:
-        held = tr_noop("is ignored: it is held at neutral, whatever its input is")
+        task = tr("is ignored: it is held at neutral, whatever its input is")
         if channel in _SWITCHES:
-            held = tr_noop("is ignored: it is held off, whatever its input is")
-        task = tr(held)
+            task = tr("is ignored: it is held off, whatever its input is")
     else:
-        task = _task(channel, joint=joint, mixed=mixed)
+        task = _TASKS[channel]
+        if joint:
+            task = _JOINT_TASKS.get(channel, task)
+        elif mixed is not None:
+            task = _MIXED_TASKS.get((channel, mixed), task)
+        task = tr(task)
         if curve is not None and (threshold := curve.threshold(channel)) is not None:
             below, above = tr("below about {0} (inferred)"), tr("above about {0} (inferred)")
             where = (above if curve.reversed_ else below).format(source.text(threshold))
@@ -87,15 +91,6 @@ def function_text(
     else:
         text = tr("Channel {0} {1}.")
     return text.format(channel, task)
-
-
-def _task(channel: int, *, joint: bool, mixed: bool | None) -> str:
-    task = _TASKS[channel]
-    if joint:
-        task = _JOINT_TASKS.get(channel, task)
-    elif mixed is not None:
-        task = _MIXED_TASKS.get((channel, mixed), task)
-    return tr(task)
 
 
 def source_instructions(source: InputSource, mode: Mode) -> str:

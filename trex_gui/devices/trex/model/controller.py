@@ -1,10 +1,9 @@
 """Controller of a TReX: its line settings, and stops that something else than the user caused."""
 
-from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
 
-from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtCore import Signal, Slot
 
 from trex_gui.core.errors import BadRequest, NoReply, StudioError
 from trex_gui.core.plugin import DevicePlugin
@@ -59,7 +58,8 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.demo_board = DemoBoard(self.simulator, self)
         self._last: Port | None = None  # the port that was connected, or tried, last
         LossWhileDriven(device, self)
-        self._automatic_stop = AutomaticStop(device, self.stop_reported.emit, self)
+        self._stops = 0  # that an event has caused
+        self._unconfirmed = ""  # the reason of the newest, if it may still be confirmed
 
         self.simulator.ended.connect(self._on_simulator_ended)
         self.demo_board.factory_reset.connect(self._on_demo_factory_reset)
@@ -67,6 +67,8 @@ class TrexController(DeviceController[ConnectionSettings]):
         device.link_changed.connect(self._note_settings)
         device.quality_changed.connect(self.changed)
         device.motors.arming_changed.connect(self.changed)
+        for changed in (device.link_changed, device.motors.arming_changed):
+            changed.connect(self._report_late_stop)
         device.connection.progressed.connect(self.progressed)
 
     @property
@@ -211,11 +213,61 @@ class TrexController(DeviceController[ConnectionSettings]):
         device.warn(tr("Trying to reach the board to stop it …"))
         self.connect_to(self.ports.now(self._last) or self._last)
 
-    def stop_because(self, reason: str) -> str:
-        return self._automatic_stop.stop(reason)
-
     def stop_now(self, *, ending: bool = False) -> None:
         self.device.connection.stop_now(ending=ending)
+
+    # --- Stops because of an event: of several only the newest is reported ----------------
+
+    def stop_because(self, reason: str) -> str:
+        self._unconfirmed = ""
+        self._stops += 1
+        if self.device.link is ConnectionState.DISCONNECTED:
+            return self._out_of_reach(reason) if self.device.may_move else ""
+        number = self._stops
+        self.device.driving.stop(
+            lambda error: self._on_stopped(number, reason, error), reason=f"{reason}."
+        )
+        return tr("{0}. The stop was sent, and is not confirmed yet.").format(reason)
+
+    def _on_stopped(self, number: int, reason: str, error: StudioError | None) -> None:
+        if number != self._stops:
+            return
+        if error is None:
+            text = self._confirmed(reason)
+        elif isinstance(error, TrexError) and error.code is ErrorCode.CLOSED:
+            is_closed = tr("{0}. The line is closed.").format(reason)
+            text = self._out_of_reach(reason) if self.may_move else is_closed
+        else:
+            self._unconfirmed = reason if self.may_move else ""
+            text = tr("{0}. The stop is not confirmed: {1} If a motor still turns, cut its power.")
+            if isinstance(error, NoReply):  # its text says what was sent, and what to do
+                text = "{0}. {1}"
+            text = text.format(reason, error_sentence(error))
+        self.stop_reported.emit(text)
+
+    @Slot()
+    def _report_late_stop(self) -> None:
+        """Forget it once the motors are armed: the next confirmation is of another one."""
+        if self.is_armed or self.link is ConnectionState.DISCONNECTED:
+            self._unconfirmed = ""
+        elif self._unconfirmed and self.device.is_connected and not self.may_move:
+            reason, self._unconfirmed = self._unconfirmed, ""
+            self.stop_reported.emit(self._confirmed(reason))
+
+    def _confirmed(self, reason: str) -> str:
+        """Say what the confirmation means: usually, but not always, motors at standstill."""
+        by_serial = self.device.board.serial_controls
+        if by_serial is None:  # not read yet, or not responding
+            return tr("{0}. The board has confirmed the stop.").format(reason)
+        if not by_serial:
+            return f"{reason}. {tr(BEYOND_A_STOP)}"
+        return tr("{0}, so the motors were stopped.").format(reason)
+
+    def _out_of_reach(self, reason: str) -> str:
+        return tr(
+            "{0}. No board is connected that could be stopped, and motors may still turn: cut "
+            "their power."
+        ).format(reason)
 
 
 def make_controller(
@@ -229,87 +281,3 @@ def make_controller(
     controller = TrexController(plugin, device, ports, scanner, timeouts)
     device.setParent(controller)
     return controller
-
-
-class AutomaticStop(QObject):
-    """Stops the motors because of an event, and reports what is known of the stop.
-
-    Of several stops only the newest is reported. `report` gets the outcome, in sentences that
-    begin with the reason.
-    """
-
-    def __init__(
-        self, device: Device, report: Callable[[str], None], parent: QObject | None = None
-    ) -> None:
-        super().__init__(parent)
-        self._device = device
-        self._report = report
-        self._newest = 0
-        self._unconfirmed = ""  # the reason of a stop that may still be confirmed
-        device.link_changed.connect(self._on_link_changed)
-        device.motors.arming_changed.connect(self._on_arming_changed)
-
-    def stop(self, reason: str) -> str:
-        """Stop and disarm, because of `reason`, a clause without a full stop.
-
-        Return what is known of it at once; empty where no board is connected and none was left
-        with motors that may turn.
-        """
-        self._unconfirmed = ""
-        self._newest += 1
-        if self._device.link is ConnectionState.DISCONNECTED:
-            return self._out_of_reach(reason) if self._device.may_move else ""
-        number = self._newest
-        self._device.driving.stop(
-            lambda error: self._on_stopped(number, reason, error), reason=f"{reason}."
-        )
-        return tr("{0}. The stop was sent, and is not confirmed yet.").format(reason)
-
-    def _on_stopped(self, number: int, reason: str, error: StudioError | None) -> None:
-        if number != self._newest:
-            return
-        if error is None:
-            self._report(self._confirmed(reason))
-            return
-        if isinstance(error, TrexError) and error.code is ErrorCode.CLOSED:
-            is_closed = tr("{0}. The line is closed.").format(reason)
-            self._report(self._out_of_reach(reason) if self._device.may_move else is_closed)
-            return
-        if self._device.may_move:
-            self._unconfirmed = reason
-        text = tr("{0}. The stop is not confirmed: {1} If a motor still turns, cut its power.")
-        if isinstance(error, NoReply):  # its text says what was sent, and what to do
-            text = "{0}. {1}"
-        self._report(text.format(reason, error_sentence(error)))
-
-    @Slot()
-    def _on_link_changed(self) -> None:
-        """Report a late confirmation."""
-        link, may_move = self._device.link, self._device.may_move
-        if link is ConnectionState.DISCONNECTED:
-            self._unconfirmed = ""
-        elif self._unconfirmed and link is ConnectionState.CONNECTED and not may_move:
-            reason, self._unconfirmed = self._unconfirmed, ""
-            self._report(self._confirmed(reason))
-
-    @Slot()
-    def _on_arming_changed(self) -> None:
-        """Forget the stop once the motors are armed; the next confirmation is of another one."""
-        if self._device.motors.armed:
-            self._unconfirmed = ""
-
-    def _confirmed(self, reason: str) -> str:
-        """Say what the confirmation means: usually, but not always, motors at standstill."""
-        by_serial = self._device.board.serial_controls
-        if by_serial is None:  # not read yet, or not responding
-            return tr("{0}. The board has confirmed the stop.").format(reason)
-        if not by_serial:
-            return f"{reason}. {tr(BEYOND_A_STOP)}"
-        return tr("{0}, so the motors were stopped.").format(reason)
-
-    def _out_of_reach(self, reason: str) -> str:
-        text = tr(
-            "{0}. No board is connected that could be stopped, and motors may still turn: cut "
-            "their power."
-        )
-        return text.format(reason)

@@ -45,14 +45,13 @@ class Motors(QObject):
     Methods change its attributes, except `accelerate`, `lockout` and `adapter`.
     """
 
-    arming_changed = Signal()  # `armed` or `stop_reason`
-    availability_changed = Signal()
+    # `armed`, `is_available` or `stop_reason`; `locked_for` began, passed another second, or ended
+    arming_changed = Signal()
     setpoints_changed = Signal()  # what `drive`, `auxiliary` and `text` return
     holder_changed = Signal()
     options_changed = Signal()  # `board`, `ceiling`, `linked` or `release_brake`
     # Another board, for which inputs that drive have to be switched on anew
     board_changed = Signal()
-    lockout_changed = Signal()  # `locked_for` began, passed another second, or ended
     # A `SetMotor`, a `SetAuxiliary`, or a `SetMotors` if both motors start at once
     requested = Signal(object)
     stop_requested = Signal()  # everything has to stop now; before any other signal of a stop
@@ -189,7 +188,7 @@ class Motors(QObject):
         if not available:
             self._disarm()
         if available != was_available:
-            self.availability_changed.emit()
+            self.arming_changed.emit()
 
     def arm(self) -> None:
         """Send setpoints from now on, beginning at rest; ignored while locked or unavailable."""
@@ -204,7 +203,6 @@ class Motors(QObject):
         self._announced = math.ceil(self.locked_for)
         self._lockout_timer.start()
         self.stop(reason)
-        self.lockout_changed.emit()
 
     @property
     def locked_for(self) -> float:
@@ -218,7 +216,7 @@ class Motors(QObject):
             self._lockout_timer.stop()
         if left != self._announced:
             self._announced = left
-            self.lockout_changed.emit()
+            self.arming_changed.emit()
 
     def stop(self, reason: str = "") -> None:
         """Stop everything and disarm, armed or not: a stop is never rejected."""

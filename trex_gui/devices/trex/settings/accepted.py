@@ -28,7 +28,11 @@ class AcceptedValues:
         A file that cannot be used counts as empty: then the user is asked again.
         """
         found = self._read().get(_name(board))
-        return {} if not isinstance(found, dict) else _sound(found)
+        return {
+            str(key): frozenset(w for w in wires if type(w) is int and 0 <= w <= HIGHEST_WIRE)
+            for key, wires in (found.items() if isinstance(found, dict) else ())
+            if isinstance(wires, list)
+        }
 
     def add(self, board: Signature, values: Mapping[str, int]) -> Accepted:
         """Remember values that a board has stored; return all of its model and firmware.
@@ -56,12 +60,3 @@ class AcceptedValues:
 
 def _name(board: Signature) -> str:
     return f"{board.model.key} {board.firmware}"
-
-
-def _sound(found: Mapping[str, object]) -> Accepted:
-    """Return what can be wire values."""
-    return {
-        str(key): frozenset(w for w in wires if type(w) is int and 0 <= w <= HIGHEST_WIRE)
-        for key, wires in found.items()
-        if isinstance(wires, list)
-    }

@@ -1,6 +1,6 @@
 """Settings for another model or firmware: what is carried over, changed and left out."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from enum import StrEnum
 
@@ -149,15 +149,11 @@ def _line(settings: Settings, target: Settings, wire: int) -> tuple[int, str]:
 
 def conversion_lines(conversion: Conversion) -> Iterator[str]:
     """Yield the conversion as lines of text: what was altered one by one, the rest by its keys."""
-    yield tr("For a {0}: {1}.").format(conversion.board, conversion_counts(conversion))
+    fates = (Fate.CARRIED_OVER, Fate.CHANGED, Fate.LEFT_OUT)
+    counts = ", ".join(f"{len(conversion.of(fate))} {fate}" for fate in fates)
+    yield tr("For a {0}: {1}.").format(conversion.board, counts)
     for row in conversion.rows:
         if row.fate is not Fate.CARRIED_OVER:
             yield f"{row.fate}: {row}"
     if kept := conversion.of(Fate.CARRIED_OVER):
         yield f"{Fate.CARRIED_OVER}: {', '.join(row.key for row in kept)}"
-
-
-def conversion_counts(conversion: Conversion) -> str:
-    """Return the counts, such as `26 carried over, 2 changed, 1 left out`."""
-    fates: Iterable[Fate] = (Fate.CARRIED_OVER, Fate.CHANGED, Fate.LEFT_OUT)
-    return ", ".join(f"{len(conversion.of(fate))} {fate}" for fate in fates)

@@ -72,10 +72,6 @@ class Bound:
     problem: str = ""
 
 
-def default_folder() -> Path:
-    return data_folder() / "snapshots"
-
-
 class SettingsHistory:
     """The snapshots in one folder, which is created with the first one.
 
@@ -83,7 +79,7 @@ class SettingsHistory:
     """
 
     def __init__(self, folder: Path | None = None) -> None:
-        self.folder = folder or default_folder()
+        self.folder = folder or data_folder() / "snapshots"
 
     def take(
         self,
@@ -235,11 +231,6 @@ class SettingsHistory:
         return self.folder / f"{taken.strftime(_TIME)}-{again}{model}-{firmware}.txt"
 
 
-def order_of(path: Path) -> Order:
-    match = _NAME.fullmatch(path.name)
-    return _order(match) if match else (_NO_DATE, 1, path.name)
-
-
 def _order(match: re.Match[str]) -> Order:
     try:
         taken = datetime.fromisoformat(match[1])
@@ -253,8 +244,8 @@ def _oldest(names: Sequence[str], count: int) -> list[str]:
     if count <= 0:
         return []
     last = heapq.nsmallest(count, names)[-1][:_TIME_LENGTH]
-    early = [name for name in names if name[:_TIME_LENGTH] <= last]
-    return sorted(early, key=lambda name: order_of(Path(name)))[:count]
+    matches = (_NAME.fullmatch(name) for name in names if name[:_TIME_LENGTH] <= last)
+    return [name for _, _, name in sorted(map(_order, filter(None, matches)))[:count]]
 
 
 def _stamp(path: Path) -> Stamp:

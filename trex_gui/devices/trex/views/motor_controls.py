@@ -212,8 +212,7 @@ class ArmButton(ConfirmButton):
         self._motors = motors = device.motors
         ui.named(self, name)
         self.clicked.connect(self._on_clicked)
-        for signal in (motors.arming_changed, motors.availability_changed, motors.lockout_changed):
-            signal.connect(self._on_changed)
+        motors.arming_changed.connect(self._on_changed)
         self._on_changed()
 
     @Slot()
@@ -283,9 +282,7 @@ class ControlBar(ActionBar):
             device.errors_changed,
             device.telemetry.text_due,  # a fault is over some time later
             motors.arming_changed,
-            motors.availability_changed,
             motors.setpoints_changed,
-            motors.lockout_changed,
         ):
             signal.connect(self._on_changed)
         self._on_changed()

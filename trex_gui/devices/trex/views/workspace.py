@@ -134,8 +134,6 @@ class TrexWorkspace(Workspace):
             controller.changed,
             self._demo.wanted_changed,
             device.motors.arming_changed,
-            device.motors.availability_changed,
-            device.motors.lockout_changed,
             device.draft.pending_changed,
             boards.changed,
         ):

@@ -32,7 +32,7 @@ class RequestRecorder:
         self.changes: list[str] = []
         self.motors.requested.connect(self.requests.append)
         self.motors.stop_requested.connect(self._on_stop)
-        for name in ("arming", "availability", "setpoints", "holder", "options", "lockout"):
+        for name in ("arming", "setpoints", "holder", "options"):
             signal = getattr(self.motors, f"{name}_changed")
             signal.connect(partial(self.changes.append, name))
 
@@ -167,7 +167,7 @@ def test_each_change_is_announced_by_its_signal(recorder: RequestRecorder) -> No
     recorder.motors.acquire("pad")
     recorder.motors.stop()
     assert recorder.changes == [
-        *("availability", "arming", "setpoints", "setpoints", "options", "holder"),
+        *("arming", "arming", "setpoints", "setpoints", "options", "holder"),
         *("arming", "setpoints", "holder"),
     ]
 
@@ -202,7 +202,7 @@ def test_pressed_stop_prevents_arming_during_the_lockout(
     virtual_time.advance(2.9)
     motors.arm()
     assert not motors.armed
-    with qtbot.waitSignal(motors.lockout_changed):  # the end of the lock is announced
+    with qtbot.waitSignal(motors.arming_changed):  # the end of the lock is announced
         virtual_time.advance(0.2)
     assert motors.locked_for == 0
     motors.arm()

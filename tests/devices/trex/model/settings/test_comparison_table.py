@@ -13,7 +13,6 @@ from pytestqt.qtbot import QtBot
 from tests.devices.trex.settings.samples import factory
 from trex_gui.devices.trex.model.settings.comparison_table import (
     ComparisonColumn,
-    ComparisonRole,
     ComparisonTable,
     renew_rows,
 )
@@ -41,7 +40,7 @@ def table(qtbot: QtBot) -> ComparisonTable:
 
 
 def keys(table: ComparisonTable) -> list[str]:
-    return [table.index(row, 0).data(ComparisonRole.KEY) for row in range(table.rowCount())]
+    return [table.index(row, 0).data(Qt.ItemDataRole.UserRole) for row in range(table.rowCount())]
 
 
 def index(table: ComparisonTable, key: str, column: int = ComparisonColumn.SETTING) -> QModelIndex:
@@ -89,7 +88,7 @@ def test_equal_rows_are_shown_on_request_without_check_box(table: ComparisonTabl
     table.set_with_equal(False)
     assert table.rowCount() == 2
     assert place.isValid()
-    assert place.data(ComparisonRole.KEY) == "serial_timeout"
+    assert place.data(Qt.ItemDataRole.UserRole) == "serial_timeout"
 
 
 def test_row_can_be_unchecked_and_checked(table: ComparisonTable, qtbot: QtBot) -> None:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
-from trex_gui.devices.trex.calibration.neutral import Neutral, Sample, measure_neutral, no_signal
+from trex_gui.devices.trex.calibration.neutral import Neutral, Sample, no_signal
 from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind, has_fatal
 from trex_gui.devices.trex.calibration.proposal import Proposal, propose
 from trex_gui.devices.trex.calibration.travel import TASKS, Task, Travel
@@ -130,9 +130,6 @@ class LearnedChannel:
     def begin_sampling(self) -> None:
         self.samples = []
         self.neutral = None
-
-    def measure_rest(self) -> None:
-        self.neutral = measure_neutral(self.samples, self.source)
 
     @property
     def is_at_rest(self) -> bool:

@@ -8,7 +8,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.calibration.neutral import SAMPLING_SECONDS, Sample
+from trex_gui.devices.trex.calibration.neutral import SAMPLING_SECONDS, Sample, measure_neutral
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.channels import Counts, LearnedChannel, MeasuredInputs
 from trex_gui.devices.trex.model.learning.pending_values import PendingLearnedValues
@@ -324,7 +324,7 @@ class Learning(QObject):
                 elif self.step is LearningStep.TRAVEL and channel.travel is not None:
                     channel.travel.feed(sample)
             if self.sampling:
-                channel.measure_rest()
+                channel.neutral = measure_neutral(channel.samples, channel.source)
         if self.sampling and self.seconds_left == 0:
             self.sampling = False
             if all(channel.is_at_rest for channel in self.channels):

@@ -87,8 +87,8 @@ class ParameterModel(QAbstractTableModel):
             Qt.ItemDataRole.EditRole: self._number,
             Qt.ItemDataRole.AccessibleTextRole: self.text.spoken,
             Role.KEY: str,
-            Role.DIRTY: self._is_dirty,
-            Role.WAITING: self._waiting,
+            Role.DIRTY: lambda key: any(map(self.values.is_modified, self.text.together(key))),
+            Role.WAITING: lambda key: self.values.active.get(key),  # noqa: PLW0108
             Role.PROBLEM: self._problem,
             Role.RESET: self._reset_text,
         }
@@ -346,12 +346,6 @@ class ParameterModel(QAbstractTableModel):
 
     def default_number(self, key: str) -> int:
         return _number([self.values.specs[each].default for each in self.text.together(key)])
-
-    def _is_dirty(self, key: str) -> bool:
-        return any(map(self.values.is_modified, self.text.together(key)))
-
-    def _waiting(self, key: str) -> int | None:
-        return self.values.active.get(key)
 
     def _problem(self, key: str) -> str | None:
         return next(filter(None, map(self.values.problems.get, self.text.together(key))), None)

@@ -35,17 +35,13 @@ _NONE = "–"
 
 
 class ComparisonColumn(IntEnum):
-    """The columns. OUTCOME is there after writing."""
+    """The columns. OUTCOME is there after writing. The user role of each is the key of the row."""
 
     SETTING = 0
     BEFORE = 1
     AFTER = 2
     WIRE = 3
     OUTCOME = 4
-
-
-class ComparisonRole(IntEnum):
-    KEY = Qt.ItemDataRole.UserRole
 
 
 class ComparisonTable(QAbstractTableModel):
@@ -177,7 +173,7 @@ class ComparisonTable(QAbstractTableModel):
             case Qt.ItemDataRole.DecorationRole if index.column() == ComparisonColumn.OUTCOME:
                 outcome = self._outcomes.get(row.key)
                 return None if outcome is None else icon("warning" if outcome else "ok")
-            case ComparisonRole.KEY:
+            case Qt.ItemDataRole.UserRole:
                 return row.key
         return None
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtGui import QUndoStack
@@ -24,15 +24,6 @@ from trex_gui.devices.trex.settings.document import Settings, settings_of, specs
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 
 
-@dataclass(frozen=True, slots=True)
-class _SetAside:
-    """State of a deselected board that it does not store."""
-
-    stored: Mapping[str, int]
-    active: Mapping[str, int]
-    reset_pending: bool
-
-
 class SettingsDraft(QObject):
     """Stored settings, their edits, and the undo stack that parameters and calibrations share."""
 
@@ -48,7 +39,9 @@ class SettingsDraft(QObject):
         self.reset_pending = False  # the next start will reset what is written until then
         self._product: Model | None = None
         self._firmware: str | None = None
-        self._set_aside: dict[BoardIdentity, _SetAside] = {}  # while its line is open
+        # Of boards on the line that are not selected: what each stores, what is active there
+        # although it stores something else, and `reset_pending`
+        self._set_aside: dict[BoardIdentity, tuple[dict[str, int], dict[str, int], bool]] = {}
 
         self.parameters.pending_changed.connect(self._on_pending_changed)
         self.calibrations.pending_changed.connect(self._on_pending_changed)
@@ -76,19 +69,15 @@ class SettingsDraft(QObject):
 
         What waits for a power cycle of the former board is known again when that is selected.
         """
-        before = self.stored
-        if before is not None:
-            self._set_aside[BoardIdentity.of(before)] = _SetAside(
-                before.parameters, dict(self.parameters.values.active), self.reset_pending
-            )
-        known = self._set_aside.pop(BoardIdentity.of(settings_of(state)), None)
+        values = self.parameters.values
+        if (before := self.stored) is not None:
+            known = values.all_stored, dict(values.active), self.reset_pending
+            self._set_aside[BoardIdentity.of(before)] = known
+        board = BoardIdentity.of(settings_of(state))
+        stored, active, reset_pending = self._set_aside.pop(board, ({}, {}, False))
         self.undo.clear()
-        self._take(state, connection, known.active if known else {}, keep_edits=False)
-        self.reset_pending = (
-            known is not None
-            and known.reset_pending
-            and known.stored == self.parameters.values.all_stored
-        )
+        self._take(state, connection, active, keep_edits=False)
+        self.reset_pending = reset_pending and stored == values.all_stored
         self.loaded.emit()
 
     def take_state(

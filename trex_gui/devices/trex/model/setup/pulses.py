@@ -46,10 +46,8 @@ class MotorPulses(QObject):
 
         for signal in (
             motors.arming_changed,
-            motors.availability_changed,
             motors.setpoints_changed,
             motors.holder_changed,
-            motors.lockout_changed,
         ):
             signal.connect(self._on_motors_changed)
         device.link_changed.connect(self._on_link_changed)

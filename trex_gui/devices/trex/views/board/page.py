@@ -92,8 +92,7 @@ class BoardPage(QWidget):
         for changed in (device.link_changed, device.state_changed):
             changed.connect(self._on_device_changed)
         device.telemetry.text_due.connect(self._on_text_due)
-        for changed in (device.motors.arming_changed, device.motors.lockout_changed):
-            changed.connect(self._show_motors)
+        device.motors.arming_changed.connect(self._show_motors)
         device.errors_changed.connect(self._show_problems)
         self._on_device_changed()
 

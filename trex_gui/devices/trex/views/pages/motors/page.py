@@ -127,9 +127,7 @@ class MotorsPage(QWidget):
         motors.arming_changed.connect(self._hold_still)
         for signal in (
             motors.arming_changed,
-            motors.availability_changed,
             motors.options_changed,
-            motors.lockout_changed,
             device.link_changed,
         ):
             signal.connect(self._show_options)
