@@ -128,7 +128,7 @@ def begin(program: "Program", arguments: argparse.Namespace) -> None:
 def connect(program: "Program", arguments: argparse.Namespace) -> None:
     """Connect to what the user named, or to a board that is known."""
     is_named = arguments.demo or bool(arguments.port) or arguments.is_again
-    program.connect_automatically(at_once=not is_named)  # an adapter may be pulled out later
+    program.auto_connect.start(at_once=not is_named)  # an adapter may be pulled out later
     if arguments.demo:
         program.connect_to_demo(arguments.device or program.plugins[0].key)
     elif arguments.port:

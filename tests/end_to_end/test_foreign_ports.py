@@ -94,7 +94,7 @@ def test_window_reconnects_to_the_same_adapter_only(
     listed: list[ListPortInfo] = [adapter(board.url, "A500001")]
     monkeypatch.setattr("trex_gui.ui.devices.ports.list_ports.comports", lambda: list(listed))
     ports.refresh()
-    window.program.connect_automatically()
+    window.program.auto_connect.start()
     window.connect(board.url)
     logged: list[str] = []
     device.notifier.logged.connect(lambda text, _: logged.append(text))

@@ -27,13 +27,16 @@ class Clocks:
 
     now = 100.0
 
-    def log(self) -> Log:
-        return Log(clock=lambda: self.now, wall_clock=lambda: NOON + self.now - 100)
+    def time(self) -> float:
+        return NOON + self.now - 100
 
 
 @pytest.fixture
-def clocks() -> Clocks:
-    return Clocks()
+def clocks(monkeypatch: pytest.MonkeyPatch) -> Clocks:
+    clocks = Clocks()
+    monkeypatch.setattr("trex_gui.ui.log.now", lambda: clocks.now)
+    monkeypatch.setattr("trex_gui.ui.log.time", clocks)
+    return clocks
 
 
 def lines(log: Log) -> list[str]:
@@ -41,7 +44,7 @@ def lines(log: Log) -> list[str]:
 
 
 def test_entries_have_the_time_at_which_they_happened(qtbot: QtBot, clocks: Clocks) -> None:
-    log, events = clocks.log(), EventLog(clock=lambda: clocks.now)
+    log, events = Log(), EventLog()
     log.follow(events)
     clocks.now = 103
     events.add(EventKind.STOP, "Stop: Esc", 101.0)
@@ -56,7 +59,7 @@ def test_entries_have_the_time_at_which_they_happened(qtbot: QtBot, clocks: Cloc
 
 
 def test_event_and_its_message_are_one_entry(qtbot: QtBot, clocks: Clocks) -> None:
-    log = clocks.log()
+    log = Log()
     log.add("Gone.", is_problem=True)
     log.add("Gone.", is_problem=True)
     clocks.now += 5
@@ -84,7 +87,7 @@ def test_messages_of_other_places_are_logged_and_not_shown(qtbot: QtBot) -> None
 
 
 def test_log_is_bounded(qtbot: QtBot, clocks: Clocks) -> None:
-    log = clocks.log()
+    log = Log()
     for number in range(MOST_ENTRIES + 3):
         log.add(f"{number} " + "long " * 1000)
     assert len(log.entries) == MOST_ENTRIES
@@ -93,7 +96,7 @@ def test_log_is_bounded(qtbot: QtBot, clocks: Clocks) -> None:
 
 
 def test_lines_are_filtered_and_copied(qtbot: QtBot, clocks: Clocks) -> None:
-    log, notifier = clocks.log(), Notifier()
+    log, notifier = Log(), Notifier()
     page = LogPage(log, "trex", MessageHelp({}))
     qtbot.addWidget(page)
     driver = WidgetDriver(page, qtbot)

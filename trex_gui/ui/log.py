@@ -4,7 +4,6 @@ import logging
 import time
 from bisect import bisect_right
 from collections import deque
-from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import datetime
 from operator import attrgetter
@@ -26,16 +25,15 @@ _SIGN = "⚠"
 class EventLog(QObject):
     happened = Signal(object)  # the new `Event`
 
-    def __init__(self, parent: QObject | None = None, *, clock: Callable[[], float] = now) -> None:
+    def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._clock = clock
         self.all: list[Event] = []  # in the order of time
 
     def add(
         self, kind: EventKind, text: str, at: float | None = None, *, is_problem: bool = False
     ) -> Event:
         """Note an event, now or at a time of the session's clock, and return it."""
-        event = Event(self._clock() if at is None else at, kind, text, is_problem)
+        event = Event(now() if at is None else at, kind, text, is_problem)
         self.put(event)
         return event
 
@@ -61,28 +59,19 @@ class Log(QObject):
 
     added = Signal(object)  # the new `LogEntry`
 
-    def __init__(
-        self,
-        parent: QObject | None = None,
-        *,
-        clock: Callable[[], float] = now,
-        wall_clock: Callable[[], float] = time.time,
-    ) -> None:
-        """`clock` is that of events, `wall_clock` gives seconds since 1970."""
+    def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._clock = clock
-        self._wall_clock = wall_clock
         self.entries = deque[LogEntry](maxlen=MOST_ENTRIES)  # in the order of their arrival
 
     def follow(self, events: EventLog) -> None:
         events.happened.connect(self._on_happened)
 
     def add(self, text: str, *, is_problem: bool = False, at: float | None = None) -> None:
-        """Log a message, now or at a time of `clock`."""
+        """Log a message, now or at a time of the session's clock."""
         line = " ".join(text.split())
         line = line if len(line) <= _LONGEST else f"{line[:_LONGEST]} …"
-        age = 0.0 if at is None else self._clock() - at
-        moment = datetime.fromtimestamp(self._wall_clock() - age).astimezone()
+        age = 0.0 if at is None else now() - at
+        moment = datetime.fromtimestamp(time.time() - age).astimezone()
         last = self.entries[-1] if self.entries else None
         if last is not None and last.text == line:
             is_repeated = (moment - last.time).total_seconds() < _REPEATED

@@ -46,14 +46,7 @@ class Program:
         self.window = MainWindow(manager, self.ports, notifier, lambda: self.workspaces)
         self._add_workspace(manager.current)
 
-        self._auto_connect = AutoConnect(self.ports, manager, notifier, manager)
-
-    def connect_automatically(self, *, at_once: bool = True) -> None:
-        """Connect to known boards whose adapters are there, unless the user does not want it.
-
-        Not `at_once`: only to adapters that are plugged in from now on.
-        """
-        self._auto_connect.start(at_once=at_once)
+        self.auto_connect = AutoConnect(self.ports, manager, notifier, manager)
 
     def _make_controller(self, plugin: DevicePlugin) -> Controller:
         make: Callable[..., Controller] = plugin.controller.load()

@@ -62,7 +62,7 @@ class Bench:
         self.settle()
 
     def start(self) -> None:
-        self.window.program.connect_automatically()
+        self.window.program.auto_connect.start()
         self.settle()
 
     def settle(self) -> None:

@@ -152,11 +152,6 @@ def test_closing_right_after_start_ends_thread(
     assert watched.worker.isFinished()
 
 
-@pytest.mark.realtime
-def test_unstarted_worker_can_be_closed(watch: Watch) -> None:
-    assert watch("/dev/nothing").worker.close()
-
-
 def test_closing_brakes_running_motor(paced_line: Watched, simulator: SimulatedDevice) -> None:
     def motor() -> tuple[str, int]:
         shown = simulator.show()["motors"][0]

@@ -210,9 +210,6 @@ class DemoDevice(QObject, Generic[SnapshotT]):
             self._under_way.add(key)
             self._send(line, done)
 
-    def _discard_unsent(self) -> None:
-        self._unsent.clear()
-
     @Slot()
     def _poll(self) -> None:
         if self._simulator.url and not self._polling:

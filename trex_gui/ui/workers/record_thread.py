@@ -99,7 +99,6 @@ class RecordThread(QObject, Generic[RecordT]):
         self._worker: RecordWorker[RecordT] | None = None
         self._backlog: Backlog[RecordT] = Backlog(runtime().condition())
         self._started = 0.0
-        self._lost = 0
         self._closing = False
         self._abandoned = False  # the program waits for a disk once
 
@@ -141,7 +140,7 @@ class RecordThread(QObject, Generic[RecordT]):
             return RecordingWriter(path, fmt, header)
 
         self.path, self._started = path, header.clock
-        self.size = self._lost = 0
+        self.size = 0
         self._closing = self._abandoned = False
         self._backlog = Backlog(runtime().condition())
         worker = RecordWorker(self._backlog, open_writer, self)
@@ -158,9 +157,9 @@ class RecordThread(QObject, Generic[RecordT]):
 
     def put(self, *records: RecordT | Marker) -> None:
         if self.recording:
+            before = self.lost
             self._backlog.put(records)
-            if self._backlog.lost != self._lost:
-                self._lost = self._backlog.lost
+            if self.lost != before:
                 self.changed.emit()
 
     @Slot()

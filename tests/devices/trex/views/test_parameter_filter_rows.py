@@ -23,7 +23,7 @@ def keys(
 ) -> list[str]:
     """Return the visible keys."""
     rows = ParameterFilter(tuple(words.split()), shown, frozenset(found)).rows(model)
-    return [key for row in rows for key in model.keys_at(row)]
+    return [key for row in rows for key in model.rows[row].keys]
 
 
 def test_unfiltered_rows_are_all_shown_in_order(model: ParameterModel) -> None:
@@ -67,5 +67,5 @@ def test_task_without_rows_has_no_heading(model: ParameterModel) -> None:
     model.edit("motor_mode", 1)
     model.edit("ignored_channels", 3)
     rows = ParameterFilter(shown=Shown.CHANGED).rows(model)
-    headings = [model.index(row, 0).data() for row in rows if not model.keys_at(row)]
+    headings = [model.index(row, 0).data() for row in rows if not model.rows[row].keys]
     assert headings == ["Motors and speed ramp (1 modified)", "Inputs (1 modified)"]

@@ -238,7 +238,7 @@ def test_pinned_rows_are_remembered(parameters: ParametersDriver, qtbot: QtBot) 
     other = ParametersDriver(qtbot)
     other.load(SPECS, serial_timeout=5)
     assert other.titles[0] == "Pinned"
-    assert [other.model.keys_at(row) for row in (1, 2)] == [
+    assert [other.model.rows[row].keys for row in (1, 2)] == [
         ("serial_timeout",),
         ("motor1_current_limit", "motor2_current_limit"),
     ]

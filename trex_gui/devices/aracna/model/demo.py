@@ -110,7 +110,7 @@ class DemoRobot(DemoDevice[RobotSnapshot]):
 
     def repair(self) -> None:
         """Clear all faults but an unplugged cable; servos keep their positions and speeds."""
-        self._discard_unsent()
+        self._unsent.clear()
         for motor in range(len(self.snapshot.servos) if self.snapshot is not None else 0):
             self.set_dead(motor, dead=False)
             self.set_blocked(motor, blocked=False)

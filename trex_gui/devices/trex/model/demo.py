@@ -233,7 +233,7 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
 
         It takes as long as a power cycle. An unplugged cable stays unplugged.
         """
-        self._discard_unsent()
+        self._unsent.clear()
         self._held.clear()
         self.set_mute(False)
         self.set_noise(0)

@@ -30,7 +30,7 @@ def file_name(settings: Settings, language: Language) -> str:
 
     The Arduino environment wants `trex_board.ino` in a folder `trex_board`.
     """
-    return _stem(settings) + language.suffix
+    return f"{settings.product.key}_board{language.suffix}"
 
 
 def export_code(settings: Settings, link: ConnectionSettings, language: Language) -> str:
@@ -67,7 +67,7 @@ def _program(settings: Settings, link: ConnectionSettings, language: Language) -
         version=__version__,
         product=plain(product.name),
         board=plain(product.name + firmware),
-        stem=_stem(settings),
+        stem=f"{product.key}_board",
         warning=textwrap.fill(plain(_warning(valid)), _COMMENT_WIDTH),
         # Line
         line=line.text(),
@@ -117,10 +117,6 @@ def _calibration_row(key: CalibrationKey, calibration: Calibration) -> dict[str,
         "counts": ", ".join(str(getattr(calibration, name)) for name in CALIBRATION_FIELDS),
         "comment": plain(calibration_text(key.source, calibration)),
     }
-
-
-def _stem(settings: Settings) -> str:
-    return f"{settings.product.key}_board"
 
 
 def _new_line(link: ConnectionSettings, settings: Settings) -> str:

@@ -92,7 +92,7 @@ def test_heading_has_no_parameter_data_and_is_passed_by(model: ParameterModel) -
 
 def test_pinned_rows_come_first_in_their_own_order(model: ParameterModel) -> None:
     model.pin(["serial_timeout", "current_limit", "not_a_key"])
-    keys = [model.keys_at(row) for row in range(4)]
+    keys = [model.rows[row].keys for row in range(4)]
     limits = ("motor1_current_limit", "motor2_current_limit")
     assert keys[:3] == [(), ("serial_timeout",), limits]
     assert heading(model, "pinned").row() == 0

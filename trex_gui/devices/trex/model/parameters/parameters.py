@@ -301,10 +301,6 @@ class ParameterModel(QAbstractTableModel):
     def columnCount(self, parent: Index | None = None) -> int:
         return 0 if parent is not None and parent.isValid() else _COLUMNS
 
-    def keys_at(self, row: int) -> tuple[str, ...]:
-        """Return a key for each value of a row: of motors 1 and 2, of the board, or none."""
-        return self.rows[row].keys
-
     def headerData(
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:

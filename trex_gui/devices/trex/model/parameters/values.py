@@ -83,10 +83,6 @@ class ParameterValues:
         return tuple(filter(self.is_modified, self.specs))
 
     @property
-    def not_default(self) -> tuple[str, ...]:
-        return tuple(filter(self.differs_from_default, self.specs))
-
-    @property
     def waiting_for_power(self) -> tuple[str, ...]:
         """Names of the parameters whose stored value becomes active with the next power cycle."""
         return tuple(spec.name for spec in self.specs.values() if spec.key in self.active)

@@ -99,7 +99,7 @@ class ParameterTable(QWidget):
             self._place = self._view.current_key
             above = range(current.row() - 1, -1, -1)
             visible = next((each for each in above if not self._view.isRowHidden(each)), 0)
-            if not self._model.keys_at(visible):
+            if not self._model.rows[visible].keys:
                 self._view.scrollTo(self._model.index(visible, 0))  # no key reaches a heading
             if current.row() > 1:
                 self._view.scrollTo(current)
@@ -115,7 +115,8 @@ class ParameterTable(QWidget):
             self._on_rows_changed()
         values = self._model.values
         texts = tr("All"), tr("Changed {0}"), tr("Not default {0}"), tr("Findings {0}")
-        kinds = (), values.modified, values.not_default, values.specs.keys() & keys
+        not_default = list(filter(values.differs_from_default, values.specs))
+        kinds = (), values.modified, not_default, values.specs.keys() & keys
         for each, members in enumerate(kinds):
             self._choice.setTabText(each, texts[each].format(len(members)))
         for part in (self._words, self._choice):
