@@ -2,13 +2,13 @@
 
 import math
 import threading
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 
 from PySide6.QtCore import QObject, Qt, Signal, Slot
 
-from trex_gui.core.discovery.prober import FoundDevice, ProberInfo, ScanProgress
+from trex_gui.core.discovery.prober import FoundDevice, ScanProgress
 from trex_gui.core.discovery.scan import PortScan, scan_port
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.plugin import DevicePlugin
@@ -25,13 +25,7 @@ from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan
 _LONG = 90  # seconds from which on the time left is shown in minutes
 
 
-@dataclass(frozen=True, slots=True)
-class ScanJob:
-    settings: PortSettings
-    # The prober of each device kind by its key, the most common kind first.
-    probers: Mapping[str, ProberInfo]
-    first: str | None = None  # key of the kind to probe first
-    packed: str = ""  # settings at which a device of that kind was found before
+ScanJob = Callable[..., PortScan]  # `scan_port` of a port
 
 
 class ScanWorker(WorkerThread):
@@ -44,38 +38,21 @@ class ScanWorker(WorkerThread):
     # Index of the port and its `PortScan`, until the scan is cancelled.
     searched = Signal(int, object)
 
-    def __init__(
-        self,
-        jobs: Sequence[ScanJob],
-        parent: QObject | None = None,
-        *,
-        full: bool = False,
-        only_recall: bool = False,
-        logs: Sequence[TrafficLog] = (),
-    ) -> None:
+    def __init__(self, jobs: Sequence[ScanJob], logs: Sequence[TrafficLog]) -> None:
         """Every byte goes into each of the logs."""
-        super().__init__(parent)
+        super().__init__()
         self.setObjectName("ScanWorker")
         self._open_wire: Callable[[PortSettings], Transport] = open_transport
         for log in logs:
             self._open_wire = logged(log.note, self._open_wire, now)
         self._jobs = tuple(jobs)
-        self._full = full
-        self._only_recall = only_recall
         self._cancelled = threading.Event()
 
     def run(self) -> None:
-        """Scan; called by Qt in the new thread."""
         for index, job in enumerate(self._jobs):
             if self._cancelled.is_set():
                 break
-            search = scan_port(
-                job.settings,
-                job.probers,
-                first=job.first,
-                packed=job.packed,
-                only_recall=self._only_recall,
-                full=self._full,
+            search = job(
                 progress=partial(self.stepped.emit, index),
                 cancelled=self._cancelled.is_set,
                 open_wire=self._open_wire,
@@ -186,8 +163,8 @@ class DeviceScanner(QObject):
         self.summary = ""
         self.was_cancelled = False
         self.text = tr("Opening {0} …").format(_name(self._ports[0]))
-        jobs = [self._job(port) for port in self._ports]
-        self._worker = ScanWorker(jobs, full=full, only_recall=only_recall, logs=self.logs)
+        jobs = [self._job(port, full=full) for port in self._ports]
+        self._worker = ScanWorker(jobs, self.logs)
         self._worker.stepped.connect(self._on_stepped, Qt.ConnectionType.QueuedConnection)
         self._worker.searched.connect(self._on_searched, Qt.ConnectionType.QueuedConnection)
         self._worker.finished.connect(self._on_worker_finished, Qt.ConnectionType.QueuedConnection)
@@ -217,22 +194,24 @@ class DeviceScanner(QObject):
             adopt_orphan(worker)
         return in_time
 
-    def _job(self, port: Port) -> ScanJob:
+    def _job(self, port: Port, *, full: bool) -> ScanJob:
         is_demo = port.kind is PortKind.DEMO
         probers = {
             plugin.key: plugin.prober.load()
             for plugin in self._plugins
             if not is_demo or plugin.key == port.device
         }
-        if not is_demo:
-            settings = PortSettings(port.url, timeouts=self._timeouts)
-            known = port.device, port.settings
-            is_other = self._only_recall and (port.device != self.line[0] or SHARED in known[1])
-            reach = self.line if SHARED in self.line[1] and not is_other else known
-            return ScanJob(settings, probers, *reach)
-        simulator = self._simulators[port.device]
-        settings = PortSettings(simulator.url, name=simulator.label, timeouts=self._timeouts)
-        return ScanJob(settings, probers)
+        scan = partial(scan_port, only_recall=self._only_recall, full=full)
+        if is_demo:
+            simulator = self._simulators[port.device]
+            settings = PortSettings(simulator.url, name=simulator.label, timeouts=self._timeouts)
+            return partial(scan, settings, probers)
+        settings = PortSettings(port.url, timeouts=self._timeouts)
+        first, packed = port.device, port.settings
+        is_other = self._only_recall and (first != self.line[0] or SHARED in packed)
+        if SHARED in self.line[1] and not is_other:
+            first, packed = self.line
+        return partial(scan, settings, probers, first=first, packed=packed)
 
     @Slot(int, object)
     def _on_stepped(self, index: int, step: ScanProgress) -> None:

@@ -336,9 +336,8 @@ class ParameterModel(QAbstractTableModel):
 
     def _number(self, key: str) -> int | None:
         """Return what an editor shows: a wire value, or the code of a frequency."""
-        wires = [self.values.value_of(each) for each in self.text.together(key)]
-        known = [wire for wire in wires if wire is not None]
-        return _number(known) if len(known) == len(wires) else None
+        wires = self.text.wires(key)
+        return _number(wires) if len(wires) == len(self.text.together(key)) else None
 
     def default_number(self, key: str) -> int:
         return _number([self.values.specs[each].default for each in self.text.together(key)])

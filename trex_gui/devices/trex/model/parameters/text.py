@@ -74,11 +74,16 @@ class ParameterText:
 
     def value(self, key: str) -> str:
         """Return the value after Apply or Save."""
-        keys = self.together(key)
-        if any(self._values.value_of(each) is None for each in keys):
+        keys, wires = self.together(key), self.wires(key)
+        if len(wires) < len(keys):
             given = all(self._values.can_edit(each) for each in keys)
             return tr("not given") if given else tr("not read")
-        return self._shown(key, [self._values.value_of(each) or 0 for each in keys])
+        return self._shown(key, wires)
+
+    def wires(self, key: str) -> list[int]:
+        """Return the wire values of a value, as far as they are given."""
+        wires = map(self._values.value_of, self.together(key))
+        return [wire for wire in wires if wire is not None]
 
     def _shown(self, key: str, wires: Sequence[int]) -> str:
         """Return a value as a cell and its editor show it."""
@@ -125,9 +130,7 @@ class ParameterText:
 
     def summary(self, key: str) -> str:
         """Return wire value, number and weakest evidence in a few words."""
-        wires = [
-            wire for each in self.together(key) if (wire := self._values.value_of(each)) is not None
-        ]
+        wires = self.wires(key)
         numbers = [f"{self._values.specs[each].number:#04x}" for each in self.together(key)]
         parts = (
             tr("wire {0}").format(_numbers(wires)) if wires else "",
@@ -145,7 +148,7 @@ class ParameterText:
         """Return wire value, range and default with their grades, a sentence each."""
         keys = self.together(key)
         limits, default, meaning = self._grades(key)
-        wires = [wire for each in keys if (wire := self._values.value_of(each)) is not None]
+        wires = self.wires(key)
         sentences = (
             tr("Wire value: {0}.").format(self.with_wire(key, wires)) if wires else "",
             tr("No source says what the wire values mean{0}.").format(meaning.mark)

@@ -5,12 +5,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Generic, Protocol, TypeVar
+from typing import Any
 
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.files import SettingsError
-from trex_gui.devices.trex.settings.edit_files import BoardIdentity, put_aside
+from trex_gui.devices.trex.settings.board_records import BoardRecord, BoardRecords
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.edit_files import BoardIdentity, EditFiles, put_aside
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.workers.file_worker import Done, FileTask, ProgressCallback
 
@@ -20,43 +22,30 @@ _DELAY_MS = 500  # milliseconds of changes that a crash may lose
 
 _CLOSING_MS = 1000
 
-WrittenT_contra = TypeVar("WrittenT_contra", contravariant=True)
-ReadT_co = TypeVar("ReadT_co", covariant=True)
-SavedT = TypeVar("SavedT")
-FoundT = TypeVar("FoundT")
-
-
-class Folder(Protocol[WrittenT_contra, ReadT_co]):
-    """Files of boards. Both may raise a `SettingsError`."""
-
-    def path(self, board: BoardIdentity, /) -> Path: ...
-
-    def save(self, board: BoardIdentity, content: WrittenT_contra | None, /) -> None: ...
-
-    def load(self, board: BoardIdentity, /) -> ReadT_co | None: ...
+Content = Settings | BoardRecord | None  # `None` removes a file
 
 
 @dataclass(frozen=True, slots=True)
-class _Result(Generic[SavedT, FoundT]):
+class _Result:
     board: BoardIdentity | None  # whose file was read
-    found: FoundT | None
+    found: object
     failure: SettingsError | None
-    unsaved: Mapping[BoardIdentity, SavedT | None]
+    unsaved: Mapping[BoardIdentity, Any]
     moved: frozenset[BoardIdentity] = frozenset()  # whose file may still be that of another board
     aside: tuple[Path, ...] = ()  # to which files of other boards were renamed
 
 
-class BoardFiles(QObject, Generic[SavedT, FoundT]):
+class BoardFiles(QObject):
     """One file for each board: the newest content is saved, before any is read."""
 
     found = Signal(object, object)  # the board for `read`, and its content; `None`: no sound file
     failed = Signal(object)  # why files cannot be saved, a `SettingsError`; once until it works
     replaced = Signal(object)  # the `Path` that the file of another board has now; see `move`
 
-    def __init__(self, files: Folder[SavedT, FoundT], parent: QObject | None = None) -> None:
+    def __init__(self, files: EditFiles | BoardRecords, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._files = files
-        self._due: dict[BoardIdentity, SavedT | None] = {}
+        self._due: dict[BoardIdentity, Any] = {}  # the newest `Content` of each
         self._moved: set[BoardIdentity] = set()  # whose file may be that of another board
         self._wanted: BoardIdentity | None = None  # whose file is to be read
         self._is_failing = False
@@ -70,7 +59,7 @@ class BoardFiles(QObject, Generic[SavedT, FoundT]):
         is_saved = not self._due or self._is_failing
         return is_saved and not self._task.is_running and not self._timer.isActive()
 
-    def save(self, board: BoardIdentity, content: SavedT | None) -> None:
+    def save(self, board: BoardIdentity, content: Content) -> None:
         """Save what is kept for a board. `None` removes its file."""
         self._due[board] = content
         if not self._timer.isActive():
@@ -80,7 +69,7 @@ class BoardFiles(QObject, Generic[SavedT, FoundT]):
         self,
         old: BoardIdentity,
         new: BoardIdentity,
-        content: SavedT | None,
+        content: Content,
         *,
         keeps_old: bool = False,
     ) -> None:
@@ -137,15 +126,16 @@ class BoardFiles(QObject, Generic[SavedT, FoundT]):
 
 
 def _work(
-    files: Folder[SavedT, FoundT],
-    due: Mapping[BoardIdentity, SavedT | None],
+    files: EditFiles | BoardRecords,
+    due: Mapping[BoardIdentity, Any],
     moved: set[BoardIdentity],
     board: BoardIdentity | None,
     _progress: ProgressCallback,
-) -> _Result[SavedT, FoundT]:
+) -> _Result:
     """Save what is due, then read what is saved for a board."""
-    failure = found = None
-    unsaved: dict[BoardIdentity, SavedT | None] = {}
+    failure: SettingsError | None = None
+    found: object = None
+    unsaved: dict[BoardIdentity, Any] = {}
     aside: list[Path] = []
     for each, content in due.items():
         try:

@@ -37,7 +37,7 @@ class EditBackup(QObject):
         # What the user has to decide about; it stays saved until then
         self.offer: EditOffer | None = None
         self._draft = draft
-        self.files = BoardFiles[Settings, SavedEdits](EditFiles(), self)
+        self.files = BoardFiles(EditFiles(), self)
         self._board: BoardIdentity | None = None  # whose edits the draft holds
         self._is_read = False  # what was saved for it before is known
         self._has_file = False

@@ -32,7 +32,7 @@ class KeptFiles(QObject):
         self._accepted = AcceptedValues()
         self._kind: Signature | None = None  # of the board whose accepted values are set
         self.memory = BoardMemory(self)
-        self.files = BoardFiles[BoardRecord, BoardRecord](self._records, self)
+        self.files = BoardFiles(self._records, self)
         # For the memory:
         self.find, self.save, self.move = self.files.read, self.files.save, self.files.move
         self.note_change = self.changed.emit

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from datetime import datetime, timedelta
 from enum import IntEnum
 from functools import partial
-from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -132,16 +131,9 @@ class SnapshotTable(QAbstractTableModel):
         row = self.row_of(snapshot.path)
         if row is None:
             return None
-        newer = (self.snapshots[other] for other in range(row - 1, -1, -1))
-        older = (self.snapshots[other] for other in range(row + 1, len(self.snapshots)))
-        return next(
-            (
-                other
-                for other in chain(newer, older)
-                if other.product == snapshot.product and not self.problem_of(other)
-            ),
-            None,
-        )
+        others = [*reversed(self.snapshots[:row]), *self.snapshots[row + 1 :]]
+        alike = (other for other in others if other.product == snapshot.product)
+        return next((other for other in alike if not self.problem_of(other)), None)
 
     def content_of(self, snapshot: Snapshot) -> Settings | str | None:
         """Return the settings in a snapshot, or why it cannot be used.
