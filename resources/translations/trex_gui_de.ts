@@ -1079,8 +1079,14 @@
         <translation> Es sendet außerdem ein Echo des Gesendeten.</translation></message>
     <message><source>Switched off and on, it will run at {0}.</source>
         <translation>Nach dem Aus- und Einschalten läuft es mit {0}.</translation></message>
+    <message><source>no parity and no CRC</source>
+        <translation>ohne Parität und ohne CRC</translation></message>
     <message><source>Something is connected to {0}, but it does not respond like a TReX: it sent {1} at {2}{3}. It is another device, or the line is noisy.</source>
         <translation>An {0} ist etwas angeschlossen, das aber nicht wie ein TReX antwortet: Es hat {1} mit {2} gesendet{3}. Es ist ein anderes Gerät, oder die Leitung ist gestört.</translation></message>
+    <message><source>Switched off and on, it will run at {0}.</source>
+        <translation>Nach dem Aus- und Einschalten läuft es mit {0}.</translation></message>
+    <message><source> It also echoes what is sent.</source>
+        <translation> Es sendet außerdem ein Echo des Gesendeten.</translation></message>
     <message><source>It is set to {0} baud, which firmware {1} runs at half the rate: connect at {2}.</source>
         <translation>Es ist auf {0} Baud eingestellt; Firmware {1} läuft dabei mit der Hälfte: Verbinden Sie mit {2}.</translation></message>
     <message><source>It is set to {0} stop bits; both numbers work on this line.</source>
@@ -1089,10 +1095,10 @@
         <translation> Der Port lässt sich nicht auf {0} Baud einstellen, daher wurde damit nicht gesucht.</translation></message>
     <message><source>No TReX responds on {0} at any baud rate, with any parity or with CRC. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), and that ground is connected. A board with a custom CRC polynomial is only found by the full scan.</source>
         <translation>An {0} antwortet kein TReX, bei keiner Baudrate, mit keiner Parität und nicht mit CRC. Prüfen Sie, ob das Board Strom hat (eine LED leuchtet), ob TX des Adapters mit SI und RX mit SO verbunden ist (oder beide mit den RS-232-Pins, nie gemischt) und ob die Masse verbunden ist. Ein Board mit eigenem CRC-Polynom findet nur die vollständige Suche.</translation></message>
-    <message><source>, and something at {0} more</source>
-        <translation>, und bei {0} weiteren ebenfalls etwas</translation></message>
     <message><source>Its UART settings hold {0:#04x}, which is not a known setting.</source>
         <translation>Seine UART-Einstellungen enthalten {0:#04x}; das ist keine bekannte Einstellung.</translation></message>
+    <message><source>, and something at {0} more</source>
+        <translation>, und bei {0} weiteren ebenfalls etwas</translation></message>
     <message><source>No TReX responds on {0}: everything sent comes back, and nothing else, at every rate. Either this is the RS-232 side of a board that is off, or the adapter's TX and RX are joined.</source>
         <translation>An {0} antwortet kein TReX: Alles Gesendete kommt zurück, und sonst nichts, bei jeder Baudrate. Entweder ist das die RS-232-Seite eines ausgeschalteten Boards, oder TX und RX des Adapters sind verbunden.</translation></message>
     <message><source>No TReX responds on {0}. Its baud rate is set at the other end of the network, so only that one could be tried, without parity and without CRC.</source>
@@ -1219,7 +1225,7 @@
         <translation>Die Verbindung wurde geschlossen.</translation></message>
     <message><source>In joint mode the board measures no current, so a test could not be aborted.</source>
         <translation>Im Parallelbetrieb misst das Board keinen Strom; ein Prüflauf ließe sich nicht abbrechen.</translation></message>
-    <message><source>No current was read yet.</source>
+    <message><source>No current has been read yet.</source>
         <translation>Es wurde noch kein Strom gelesen.</translation></message>
     <message><source>The connection was closed.</source>
         <translation>Die Verbindung wurde geschlossen.</translation></message>
@@ -1251,20 +1257,12 @@
         <translation>Stopp: {0}</translation></message>
     <message><source>{0} ({1} failed)</source>
         <translation>{0} ({1} fehlgeschlagen)</translation></message>
-    <message numerus="yes"><source>%n board(s) on this line.</source>
-        <translation><numerusform>%n Board an dieser Leitung.</numerusform><numerusform>%n Boards an dieser Leitung.</numerusform></translation></message>
     <message><source>No other board replies on this line. Each needs power, the serial settings of this one, and a device number of its own.</source>
         <translation>An dieser Leitung antwortet kein anderes Board. Jedes braucht Strom, dieselben seriellen Einstellungen wie dieses und eine eigene Gerätenummer.</translation></message>
+    <message numerus="yes"><source>%n board(s) on this line.</source>
+        <translation><numerusform>%n Board an dieser Leitung.</numerusform><numerusform>%n Boards an dieser Leitung.</numerusform></translation></message>
     <message><source>Another board was selected.</source>
         <translation>Ein anderes Board wurde ausgewählt.</translation></message>
-    <message><source>A pulse cannot be shorter than {0}.</source>
-        <translation>Ein Impuls kann nicht kürzer als {0} sein.</translation></message>
-    <message><source>A pulse cannot be longer than {0}.</source>
-        <translation>Ein Impuls kann nicht länger als {0} sein.</translation></message>
-    <message><source>A voltage cannot be lower than {0}.</source>
-        <translation>Eine Spannung kann nicht niedriger als {0} sein.</translation></message>
-    <message><source>A voltage cannot be higher than {0}.</source>
-        <translation>Eine Spannung kann nicht höher als {0} sein.</translation></message>
     <message><source>Minimum cannot pass neutral.</source>
         <translation>Das Minimum kann nicht über die Neutralstellung hinaus.</translation></message>
     <message><source>Maximum cannot pass neutral.</source>
@@ -1317,8 +1315,8 @@
         <translation>steuert den einen Motor, den beide Treiber speisen (Parallelbetrieb, kein Mischer)</translation></message>
     <message><source>has no motor: in joint mode both drivers power motor 1</source>
         <translation>hat keinen Motor: im Parallelbetrieb speisen beide Treiber Motor 1</translation></message>
-    <message><source>{0} ({1}) is beyond the input: {2}. Full output on that side is never reached.</source>
-        <translation>{0} ({1}) liegt außerhalb des Eingangsbereichs: {2}. Der volle Ausgang auf dieser Seite wird nie erreicht.</translation></message>
+    <message><source>{0} ({1}) is beyond the input. {2} Full output on that side is never reached.</source>
+        <translation>{0} ({1}) liegt außerhalb des Eingangsbereichs. {2} Der volle Ausgang auf dieser Seite wird nie erreicht.</translation></message>
     <message><source>is ignored: it is held at neutral, whatever its input is</source>
         <translation>wird ignoriert: er bleibt in Neutralstellung, was auch immer am Eingang anliegt</translation></message>
     <message><source>In RC and analog mode it {1}.</source>
@@ -1331,8 +1329,12 @@
         <translation>angewendet {0}</translation></message>
     <message><source>read {0}</source>
         <translation>gelesen {0}</translation></message>
-    <message><source>Neutral ({0}) is beyond the input: {1}. No stick position gives 0.</source>
-        <translation>Die Neutralstellung ({0}) liegt außerhalb des Eingangsbereichs: {1}. Keine Knüppelstellung ergibt 0.</translation></message>
+    <message><source>A pulse is {0} to {1}.</source>
+        <translation>Ein Impuls dauert {0} bis {1}.</translation></message>
+    <message><source>A voltage is {0} to {1}.</source>
+        <translation>Eine Spannung beträgt {0} bis {1}.</translation></message>
+    <message><source>Neutral ({0}) is beyond the input. {1} No stick position gives 0.</source>
+        <translation>Die Neutralstellung ({0}) liegt außerhalb des Eingangsbereichs. {1} Keine Knüppelstellung ergibt 0.</translation></message>
     <message><source>Minimum</source>
         <translation>Minimum</translation></message>
     <message><source>Maximum</source>
@@ -1363,10 +1365,6 @@
         <translation>Minimum und Maximum können nicht beide {0} sein.</translation></message>
     <message><source>The board would reject this: {0}.</source>
         <translation>Das Board würde dies ablehnen: {0}.</translation></message>
-    <message><source>a pulse is {0} to {1}</source>
-        <translation>ein Impuls dauert {0} bis {1}</translation></message>
-    <message><source>a voltage is {0} to {1}</source>
-        <translation>eine Spannung beträgt {0} bis {1}</translation></message>
     <message><source> and </source>
         <translation> und </translation></message>
     <message><source>{0} while the input is {1}</source>
@@ -1381,10 +1379,6 @@
         <translation>Verbunden mit {0}.</translation></message>
     <message><source>No reply yet. Trying other settings: {0} …</source>
         <translation>Noch keine Antwort. Andere Einstellungen werden probiert: {0} …</translation></message>
-    <message><source>{0}. The stop is not confirmed: {1} If a motor still turns, cut its power.</source>
-        <translation>{0}. Der Stopp ist nicht bestätigt: {1} Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
-    <message><source>{0}. No board is connected that could be stopped, and motors may still turn: cut their power.</source>
-        <translation>{0}. Es ist kein Board verbunden, das sich stoppen ließe, und die Motoren können sich noch drehen: Trennen Sie die Motorversorgung.</translation></message>
     <message><source>{0}: noisy; shorten cable, check ground</source>
         <translation>{0}: gestört; Kabel kürzen, Masse prüfen</translation></message>
     <message><source>Trying to reach the board to stop it …</source>
@@ -1397,14 +1391,18 @@
         <translation>{0}: gestört; Kabel kürzen, Masse prüfen, CRC verwenden</translation></message>
     <message><source>The stop is not confirmed. If a motor still turns, cut its power.</source>
         <translation>Der Stopp ist nicht bestätigt. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
-    <message><source>{0}. The stop was sent, and is not confirmed yet.</source>
-        <translation>{0}. Der Stopp wurde gesendet und ist noch nicht bestätigt.</translation></message>
+    <message><source>{0} A stop was sent but is not confirmed yet.</source>
+        <translation>{0} Ein Stopp wurde gesendet, ist aber noch nicht bestätigt.</translation></message>
+    <message><source>{0}. The stop is not confirmed: {1} If a motor still turns, cut its power.</source>
+        <translation>{0}. Der Stopp ist nicht bestätigt: {1} Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
     <message><source>{0}, so the motors were stopped.</source>
         <translation>{0}, daher wurden die Motoren gestoppt.</translation></message>
-    <message><source>{0}. The line is closed.</source>
-        <translation>{0}. Die Leitung ist geschlossen.</translation></message>
+    <message><source>{0}. No board is connected that could be stopped, and motors may still turn: cut their power.</source>
+        <translation>{0}. Es ist kein Board verbunden, das sich stoppen ließe, und die Motoren können sich noch drehen: Trennen Sie die Motorversorgung.</translation></message>
     <message><source>{0}. The board has confirmed the stop.</source>
         <translation>{0}. Das Board hat den Stopp bestätigt.</translation></message>
+    <message><source>{0}. The line is closed.</source>
+        <translation>{0}. Die Leitung ist geschlossen.</translation></message>
     <message><source>Edits, notes or settings were kept here for another board with this device number. They are in {0} now.</source>
         <translation>Für ein anderes Board mit dieser Gerätenummer waren hier Änderungen, Notizen oder Einstellungen hinterlegt. Sie sind jetzt in {0}.</translation></message>
     <message numerus="yes"><source>%n edit(s) not applied to the previous {0}: kept, and offered when it is connected again.</source>
@@ -1441,8 +1439,6 @@
         <translation>Der Wächterprozess hat die Motoren gestoppt, und das Board hat das bestätigt.</translation></message>
     <message><source>{0} The motors were stopped. Arm the motors again to go on.</source>
         <translation>{0} Die Motoren wurden gestoppt. Geben Sie sie wieder frei, um fortzufahren.</translation></message>
-    <message><source>{0} A stop was sent but is not confirmed yet.</source>
-        <translation>{0} Ein Stopp wurde gesendet, ist aber noch nicht bestätigt.</translation></message>
     <message><source>The board that disconnected while driving is back.</source>
         <translation>Das Board, dessen Verbindung beim Fahren abbrach, ist wieder da.</translation></message>
     <message><source>This may be another board: {0}, at {1}, does not store the settings of the one that was driven.</source>
@@ -1483,38 +1479,6 @@
         <translation>Das serielle Timeout von {0:g} s ist kurz für einen Netzwerkport: Eine einzige späte Antwort stoppt die Motoren beim Fahren. Stellen Sie ein längeres ein oder schließen Sie das Board an diesen Computer an.</translation></message>
     <message><source>Serial timeout of {0:g} s is short for {1} baud: one lost reply stops the motors while you drive. Set a longer one, or a faster baud rate.</source>
         <translation>Das serielle Timeout von {0:g} s ist kurz für {1} Baud: Eine einzige verlorene Antwort stoppt die Motoren beim Fahren. Stellen Sie ein längeres oder eine höhere Baudrate ein.</translation></message>
-    <message><source>Arm the motors first.</source>
-        <translation>Geben Sie zuerst die Motoren frei.</translation></message>
-    <message><source>Another control drives now.</source>
-        <translation>Jetzt steuert ein anderes Bedienelement.</translation></message>
-    <message><source>button {0}</source>
-        <translation>Taste {0}</translation></message>
-    <message><source>axis {0}</source>
-        <translation>Achse {0}</translation></message>
-    <message><source>Driving with a gamepad was switched off.</source>
-        <translation>Das Fahren mit dem Gamepad wurde ausgeschaltet.</translation></message>
-    <message><source>Another gamepad was chosen.</source>
-        <translation>Ein anderes Gamepad wurde gewählt.</translation></message>
-    <message><source>The gamepad settings were changed.</source>
-        <translation>Die Einstellungen des Gamepads wurden geändert.</translation></message>
-    <message><source>No gamepad is connected. Plug one in or switch it on.</source>
-        <translation>Es ist kein Gamepad verbunden. Stecken Sie eines ein oder schalten Sie es ein.</translation></message>
-    <message><source>Release the sticks: driving starts only after both axes have been at rest. A worn stick may need a wider dead zone.</source>
-        <translation>Lassen Sie die Knüppel los: Das Fahren beginnt erst, wenn beide Achsen in Ruhe waren. Ein abgenutzter Knüppel braucht vielleicht eine größere Totzone.</translation></message>
-    <message><source>Release {0}, then hold it to drive.</source>
-        <translation>Lassen Sie {0} los und halten Sie sie dann zum Fahren gedrückt.</translation></message>
-    <message><source>Hold {0} and move a stick to drive.</source>
-        <translation>Halten Sie {0} gedrückt und bewegen Sie zum Fahren einen Knüppel.</translation></message>
-    <message><source>Move a stick to drive.</source>
-        <translation>Bewegen Sie zum Fahren einen Knüppel.</translation></message>
-    <message><source>Driving. Release the sticks to stop.</source>
-        <translation>Es wird gefahren. Lassen Sie die Knüppel los, um zu stoppen.</translation></message>
-    <message><source>Driving. Release {0} to stop.</source>
-        <translation>Es wird gefahren. Lassen Sie {0} los, um zu stoppen.</translation></message>
-    <message><source>button {0} ({1})</source>
-        <translation>Taste {0} ({1})</translation></message>
-    <message><source>axis {0} ({1})</source>
-        <translation>Achse {0} ({1})</translation></message>
     <message><source>left stick, sideways</source>
         <translation>linker Knüppel, seitwärts</translation></message>
     <message><source>left stick, up and down</source>
@@ -1551,6 +1515,34 @@
         <translation>X, die linke von vier</translation></message>
     <message><source>Y, the highest of four</source>
         <translation>Y, die oberste von vier</translation></message>
+    <message><source>Arm the motors first.</source>
+        <translation>Geben Sie zuerst die Motoren frei.</translation></message>
+    <message><source>Another control drives now.</source>
+        <translation>Jetzt steuert ein anderes Bedienelement.</translation></message>
+    <message><source>Driving with a gamepad was switched off.</source>
+        <translation>Das Fahren mit dem Gamepad wurde ausgeschaltet.</translation></message>
+    <message><source>Another gamepad was chosen.</source>
+        <translation>Ein anderes Gamepad wurde gewählt.</translation></message>
+    <message><source>The gamepad settings were changed.</source>
+        <translation>Die Einstellungen des Gamepads wurden geändert.</translation></message>
+    <message><source>No gamepad is connected. Plug one in or switch it on.</source>
+        <translation>Es ist kein Gamepad verbunden. Stecken Sie eines ein oder schalten Sie es ein.</translation></message>
+    <message><source>Release the sticks: driving starts only after both axes have been at rest. A worn stick may need a wider dead zone.</source>
+        <translation>Lassen Sie die Knüppel los: Das Fahren beginnt erst, wenn beide Achsen in Ruhe waren. Ein abgenutzter Knüppel braucht vielleicht eine größere Totzone.</translation></message>
+    <message><source>Release {0}, then hold it to drive.</source>
+        <translation>Lassen Sie {0} los und halten Sie sie dann zum Fahren gedrückt.</translation></message>
+    <message><source>Hold {0} and move a stick to drive.</source>
+        <translation>Halten Sie {0} gedrückt und bewegen Sie zum Fahren einen Knüppel.</translation></message>
+    <message><source>Move a stick to drive.</source>
+        <translation>Bewegen Sie zum Fahren einen Knüppel.</translation></message>
+    <message><source>Driving. Release the sticks to stop.</source>
+        <translation>Es wird gefahren. Lassen Sie die Knüppel los, um zu stoppen.</translation></message>
+    <message><source>Driving. Release {0} to stop.</source>
+        <translation>Es wird gefahren. Lassen Sie {0} los, um zu stoppen.</translation></message>
+    <message><source>button {0}</source>
+        <translation>Taste {0}</translation></message>
+    <message><source>axis {0}</source>
+        <translation>Achse {0}</translation></message>
     <message><source>The gamepad “{0}” was disconnected.</source>
         <translation>Das Gamepad „{0}“ wurde getrennt.</translation></message>
     <message><source>Connect to a board first.</source>
@@ -2343,12 +2335,12 @@
         <translation>{0} nicht übertragbar</translation></message>
     <message><source>{0} note</source>
         <translation>Notiz zu {0}</translation></message>
+    <message><source>For a {0}: {1} carried over, {2} changed, {3} left out.</source>
+        <translation>Für einen {0}: {1} übernommen, {2} geändert, {3} ausgelassen.</translation></message>
     <message><source>Firmware {0} really runs at {1} baud when set to {2}.</source>
         <translation>Firmware {0} läuft bei eingestellten {2} Baud tatsächlich mit {1} Baud.</translation></message>
     <message><source>Rounded down to steps of {0}: {1} becomes {2}.</source>
         <translation>Auf Schritte von {0} abgerundet: {1} wird zu {2}.</translation></message>
-    <message><source>For a {0}: {1}.</source>
-        <translation>Für einen {0}: {1}.</translation></message>
     <message><source>A {0} with firmware {1} does not have it.</source>
         <translation>Ein {0} mit Firmware {1} hat das nicht.</translation></message>
     <message><source>A {0} has at most {1}.</source>
@@ -2371,12 +2363,12 @@
         <translation>Sie nennt nicht, von welchem Board sie stammt.</translation></message>
     <message><source>is damaged</source>
         <translation>ist beschädigt</translation></message>
+    <message><source>is missing</source>
+        <translation>fehlt</translation></message>
     <message><source>a history keeps at least one snapshot, not {0}</source>
         <translation>ein Verlauf behält mindestens eine Sicherungskopie, nicht {0}</translation></message>
     <message><source>the folder for snapshots cannot be made: {0}</source>
         <translation>der Ordner für Sicherungskopien kann nicht angelegt werden: {0}</translation></message>
-    <message><source>is missing</source>
-        <translation>fehlt</translation></message>
     <message><source>cannot be read ({0})</source>
         <translation>kann nicht gelesen werden ({0})</translation></message>
     <message><source>the last line has no end; was the file cut short?</source>
@@ -2933,8 +2925,6 @@
         <translation>{0}: jenseits einer Grenze, die kein Dokument bestätigt (erschlossen). Das Board entscheidet: Es lehnt den Wert vielleicht ab oder speichert einen anderen.</translation></message>
     <message><source>Write an&amp;yway</source>
         <translation>&amp;Trotzdem schreiben</translation></message>
-    <message><source>For a {0}: {1} carried over, {2} changed, {3} left out.</source>
-        <translation>Für einen {0}: {1} übernommen, {2} geändert, {3} ausgelassen.</translation></message>
     <message><source>For a {0}; the board is a {1}. Checked changes become edits.</source>
         <translation>Für einen {0}; das Board ist ein {1}. Werte mit Häkchen werden als Änderungen übernommen.</translation></message>
     <message numerus="yes"><source>{0}: %n change(s) pending: review them to write them.</source>
@@ -3707,8 +3697,6 @@ bisher {1}</translation></message>
         <translation>Kein Board ist verbunden. Wählen Sie oben im Hauptfenster einen Port und klicken Sie auf „Verbinden“; ohne Hardware wählen Sie das Demo-Board.</translation></message>
     <message><source>Joint mode: the board does not sense currents.</source>
         <translation>Parallelbetrieb: Das Board misst keine Ströme.</translation></message>
-    <message><source>No current has been read yet.</source>
-        <translation>Es wurde noch kein Strom gelesen.</translation></message>
     <message><source>Motor currents, {0}</source>
         <translation>Motorströme, {0}</translation></message>
     <message><source>One count of this board is {0:.0f} mA.</source>
@@ -4799,8 +4787,6 @@ bisher {1}</translation></message>
         <translation>Bilder brauchen eine Dateiendung wie .png</translation></message>
     <message><source>pictures cannot be written as {0}</source>
         <translation>Bilder lassen sich nicht als {0} schreiben</translation></message>
-    <message><source>It was not written: {0}.</source>
-        <translation>Sie wurde nicht geschrieben: {0}.</translation></message>
     <message><source>F&amp;ind…</source>
         <translation>Su&amp;chen…</translation></message>
     <message><source>Set up CRC…</source>

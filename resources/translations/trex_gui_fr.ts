@@ -1079,8 +1079,14 @@
         <translation> Il renvoie aussi l'écho de ce qui est envoyé.</translation></message>
     <message><source>Switched off and on, it will run at {0}.</source>
         <translation>Une fois l'alimentation coupée et remise, elle fonctionnera à {0}.</translation></message>
+    <message><source>no parity and no CRC</source>
+        <translation>sans parité ni CRC</translation></message>
     <message><source>Something is connected to {0}, but it does not respond like a TReX: it sent {1} at {2}{3}. It is another device, or the line is noisy.</source>
         <translation>Quelque chose est connecté à {0}, mais ne répond pas comme un TReX : il a envoyé {1} à {2}{3}. C'est un autre appareil, ou la liaison est bruitée.</translation></message>
+    <message><source>Switched off and on, it will run at {0}.</source>
+        <translation>Une fois l'alimentation coupée et remise, elle fonctionnera à {0}.</translation></message>
+    <message><source> It also echoes what is sent.</source>
+        <translation> Il renvoie aussi l'écho de ce qui est envoyé.</translation></message>
     <message><source>It is set to {0} baud, which firmware {1} runs at half the rate: connect at {2}.</source>
         <translation>Elle est réglée sur {0} bauds, que le firmware {1} fait fonctionner à la moitié : connectez à {2}.</translation></message>
     <message><source>It is set to {0} stop bits; both numbers work on this line.</source>
@@ -1089,10 +1095,10 @@
         <translation> Le port ne peut pas être réglé sur {0} bauds ; rien n'y a donc été cherché.</translation></message>
     <message><source>No TReX responds on {0} at any baud rate, with any parity or with CRC. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), and that ground is connected. A board with a custom CRC polynomial is only found by the full scan.</source>
         <translation>Aucun TReX ne répond sur {0}, quels que soient le débit et la parité, ni avec CRC. Vérifiez que la carte est alimentée (une LED est allumée), que TX de l'adaptateur va à SI et son RX à SO (ou aux deux broches RS-232, sans jamais mélanger), et que la masse est reliée. Une carte dont le polynôme CRC est personnalisé n'est trouvée que par la recherche complète.</translation></message>
-    <message><source>, and something at {0} more</source>
-        <translation>, et quelque chose à {0} autres réglages</translation></message>
     <message><source>Its UART settings hold {0:#04x}, which is not a known setting.</source>
         <translation>Ses réglages UART contiennent {0:#04x}, qui n'est pas un réglage connu.</translation></message>
+    <message><source>, and something at {0} more</source>
+        <translation>, et quelque chose à {0} autres réglages</translation></message>
     <message><source>No TReX responds on {0}: everything sent comes back, and nothing else, at every rate. Either this is the RS-232 side of a board that is off, or the adapter's TX and RX are joined.</source>
         <translation>Aucun TReX ne répond sur {0} : tout ce qui est envoyé revient, et rien d'autre, à tous les débits. Soit c'est le côté RS-232 d'une carte hors tension, soit TX et RX de l'adaptateur sont reliés.</translation></message>
     <message><source>No TReX responds on {0}. Its baud rate is set at the other end of the network, so only that one could be tried, without parity and without CRC.</source>
@@ -1219,7 +1225,7 @@
         <translation>La connexion a été fermée.</translation></message>
     <message><source>In joint mode the board measures no current, so a test could not be aborted.</source>
         <translation>En mode jumelé, la carte ne mesure pas de courant : un essai ne pourrait pas être interrompu.</translation></message>
-    <message><source>No current was read yet.</source>
+    <message><source>No current has been read yet.</source>
         <translation>Aucun courant n'a encore été lu.</translation></message>
     <message><source>The connection was closed.</source>
         <translation>La connexion a été fermée.</translation></message>
@@ -1251,20 +1257,12 @@
         <translation>Arrêt : {0}</translation></message>
     <message><source>{0} ({1} failed)</source>
         <translation>{0} (échecs : {1})</translation></message>
-    <message numerus="yes"><source>%n board(s) on this line.</source>
-        <translation><numerusform>%n carte sur cette liaison.</numerusform><numerusform>%n cartes sur cette liaison.</numerusform></translation></message>
     <message><source>No other board replies on this line. Each needs power, the serial settings of this one, and a device number of its own.</source>
         <translation>Aucune autre carte ne répond sur cette liaison. Chacune doit être alimentée, avoir les réglages série de celle-ci et un numéro d'appareil qui lui est propre.</translation></message>
+    <message numerus="yes"><source>%n board(s) on this line.</source>
+        <translation><numerusform>%n carte sur cette liaison.</numerusform><numerusform>%n cartes sur cette liaison.</numerusform></translation></message>
     <message><source>Another board was selected.</source>
         <translation>Une autre carte a été sélectionnée.</translation></message>
-    <message><source>A pulse cannot be shorter than {0}.</source>
-        <translation>Une impulsion ne peut pas être plus courte que {0}.</translation></message>
-    <message><source>A pulse cannot be longer than {0}.</source>
-        <translation>Une impulsion ne peut pas être plus longue que {0}.</translation></message>
-    <message><source>A voltage cannot be lower than {0}.</source>
-        <translation>Une tension ne peut pas être inférieure à {0}.</translation></message>
-    <message><source>A voltage cannot be higher than {0}.</source>
-        <translation>Une tension ne peut pas être supérieure à {0}.</translation></message>
     <message><source>Minimum cannot pass neutral.</source>
         <translation>Le minimum ne peut pas dépasser le neutre.</translation></message>
     <message><source>Maximum cannot pass neutral.</source>
@@ -1317,8 +1315,8 @@
         <translation>commande le seul moteur, alimenté par les deux drivers (mode jumelé, sans mixage)</translation></message>
     <message><source>has no motor: in joint mode both drivers power motor 1</source>
         <translation>n'a pas de moteur : en mode jumelé, les deux drivers alimentent le moteur 1</translation></message>
-    <message><source>{0} ({1}) is beyond the input: {2}. Full output on that side is never reached.</source>
-        <translation>{0} ({1}) est hors de la plage de l'entrée : {2}. La sortie maximale de ce côté n'est jamais atteinte.</translation></message>
+    <message><source>{0} ({1}) is beyond the input. {2} Full output on that side is never reached.</source>
+        <translation>{0} ({1}) est hors de la plage de l'entrée. {2} La sortie maximale de ce côté n'est jamais atteinte.</translation></message>
     <message><source>is ignored: it is held at neutral, whatever its input is</source>
         <translation>est ignorée : elle est maintenue au neutre, quelle que soit son entrée</translation></message>
     <message><source>In RC and analog mode it {1}.</source>
@@ -1331,8 +1329,12 @@
         <translation>appliqué le {0}</translation></message>
     <message><source>read {0}</source>
         <translation>lu le {0}</translation></message>
-    <message><source>Neutral ({0}) is beyond the input: {1}. No stick position gives 0.</source>
-        <translation>Le neutre ({0}) est hors de la plage de l'entrée : {1}. Aucune position du manche ne donne 0.</translation></message>
+    <message><source>A pulse is {0} to {1}.</source>
+        <translation>Une impulsion dure de {0} à {1}.</translation></message>
+    <message><source>A voltage is {0} to {1}.</source>
+        <translation>Une tension va de {0} à {1}.</translation></message>
+    <message><source>Neutral ({0}) is beyond the input. {1} No stick position gives 0.</source>
+        <translation>Le neutre ({0}) est hors de la plage de l'entrée. {1} Aucune position du manche ne donne 0.</translation></message>
     <message><source>Minimum</source>
         <translation>Minimum</translation></message>
     <message><source>Maximum</source>
@@ -1363,10 +1365,6 @@
         <translation>Le minimum et le maximum ne peuvent pas valoir tous deux {0}.</translation></message>
     <message><source>The board would reject this: {0}.</source>
         <translation>La carte le rejetterait : {0}.</translation></message>
-    <message><source>a pulse is {0} to {1}</source>
-        <translation>une impulsion dure de {0} à {1}</translation></message>
-    <message><source>a voltage is {0} to {1}</source>
-        <translation>une tension va de {0} à {1}</translation></message>
     <message><source> and </source>
         <translation> et </translation></message>
     <message><source>{0} while the input is {1}</source>
@@ -1381,10 +1379,6 @@
         <translation>Connecté à {0}.</translation></message>
     <message><source>No reply yet. Trying other settings: {0} …</source>
         <translation>Pas encore de réponse. Essai d'autres réglages : {0} …</translation></message>
-    <message><source>{0}. The stop is not confirmed: {1} If a motor still turns, cut its power.</source>
-        <translation>{0}. L'arrêt n'est pas confirmé : {1} Si un moteur tourne encore, coupez son alimentation.</translation></message>
-    <message><source>{0}. No board is connected that could be stopped, and motors may still turn: cut their power.</source>
-        <translation>{0}. Aucune carte n'est connectée qui puisse être arrêtée, et les moteurs peuvent encore tourner : coupez leur alimentation.</translation></message>
     <message><source>{0}: noisy; shorten cable, check ground</source>
         <translation>{0} : bruitée ; raccourcir le câble, vérifier la masse</translation></message>
     <message><source>Trying to reach the board to stop it …</source>
@@ -1397,14 +1391,18 @@
         <translation>{0} : bruitée ; raccourcir le câble, vérifier la masse, utiliser le CRC</translation></message>
     <message><source>The stop is not confirmed. If a motor still turns, cut its power.</source>
         <translation>L'arrêt n'est pas confirmé. Si un moteur tourne encore, coupez son alimentation.</translation></message>
-    <message><source>{0}. The stop was sent, and is not confirmed yet.</source>
-        <translation>{0}. L'ordre d'arrêt a été envoyé, mais n'est pas encore confirmé.</translation></message>
+    <message><source>{0} A stop was sent but is not confirmed yet.</source>
+        <translation>{0} Un ordre d'arrêt a été envoyé, mais n'est pas encore confirmé.</translation></message>
+    <message><source>{0}. The stop is not confirmed: {1} If a motor still turns, cut its power.</source>
+        <translation>{0}. L'arrêt n'est pas confirmé : {1} Si un moteur tourne encore, coupez son alimentation.</translation></message>
     <message><source>{0}, so the motors were stopped.</source>
         <translation>{0} : les moteurs ont donc été arrêtés.</translation></message>
-    <message><source>{0}. The line is closed.</source>
-        <translation>{0}. La liaison est fermée.</translation></message>
+    <message><source>{0}. No board is connected that could be stopped, and motors may still turn: cut their power.</source>
+        <translation>{0}. Aucune carte n'est connectée qui puisse être arrêtée, et les moteurs peuvent encore tourner : coupez leur alimentation.</translation></message>
     <message><source>{0}. The board has confirmed the stop.</source>
         <translation>{0}. La carte a confirmé l'arrêt.</translation></message>
+    <message><source>{0}. The line is closed.</source>
+        <translation>{0}. La liaison est fermée.</translation></message>
     <message><source>Edits, notes or settings were kept here for another board with this device number. They are in {0} now.</source>
         <translation>Des modifications, des notes ou des réglages étaient conservés ici pour une autre carte ayant ce numéro d'appareil. Ils se trouvent maintenant dans {0}.</translation></message>
     <message numerus="yes"><source>%n edit(s) not applied to the previous {0}: kept, and offered when it is connected again.</source>
@@ -1441,8 +1439,6 @@
         <translation>Le processus gardien a arrêté les moteurs et la carte l'a confirmé.</translation></message>
     <message><source>{0} The motors were stopped. Arm the motors again to go on.</source>
         <translation>{0} Les moteurs ont été arrêtés. Réactivez-les pour continuer.</translation></message>
-    <message><source>{0} A stop was sent but is not confirmed yet.</source>
-        <translation>{0} Un ordre d'arrêt a été envoyé, mais n'est pas encore confirmé.</translation></message>
     <message><source>The board that disconnected while driving is back.</source>
         <translation>La carte qui s'était déconnectée pendant la conduite est de retour.</translation></message>
     <message><source>This may be another board: {0}, at {1}, does not store the settings of the one that was driven.</source>
@@ -1483,38 +1479,6 @@
         <translation>Un délai série de {0:g} s est court pour un port réseau : une seule réponse tardive arrête les moteurs pendant la conduite. Réglez un délai plus long, ou connectez la carte à cet ordinateur.</translation></message>
     <message><source>Serial timeout of {0:g} s is short for {1} baud: one lost reply stops the motors while you drive. Set a longer one, or a faster baud rate.</source>
         <translation>Un délai série de {0:g} s est court pour {1} bauds : une seule réponse perdue arrête les moteurs pendant la conduite. Réglez un délai plus long, ou un débit plus élevé.</translation></message>
-    <message><source>Arm the motors first.</source>
-        <translation>Activez d'abord les moteurs.</translation></message>
-    <message><source>Another control drives now.</source>
-        <translation>Une autre commande pilote maintenant.</translation></message>
-    <message><source>button {0}</source>
-        <translation>bouton {0}</translation></message>
-    <message><source>axis {0}</source>
-        <translation>axe {0}</translation></message>
-    <message><source>Driving with a gamepad was switched off.</source>
-        <translation>La conduite à la manette a été désactivée.</translation></message>
-    <message><source>Another gamepad was chosen.</source>
-        <translation>Une autre manette a été choisie.</translation></message>
-    <message><source>The gamepad settings were changed.</source>
-        <translation>Les réglages de la manette ont été modifiés.</translation></message>
-    <message><source>No gamepad is connected. Plug one in or switch it on.</source>
-        <translation>Aucune manette n'est connectée. Branchez-en une ou allumez-la.</translation></message>
-    <message><source>Release the sticks: driving starts only after both axes have been at rest. A worn stick may need a wider dead zone.</source>
-        <translation>Relâchez les manches : la conduite ne commence que lorsque les deux axes ont été au repos. Un manche usé peut nécessiter une zone morte plus large.</translation></message>
-    <message><source>Release {0}, then hold it to drive.</source>
-        <translation>Relâchez le {0}, puis maintenez-le enfoncé pour piloter.</translation></message>
-    <message><source>Hold {0} and move a stick to drive.</source>
-        <translation>Maintenez le {0} enfoncé et bougez un manche pour piloter.</translation></message>
-    <message><source>Move a stick to drive.</source>
-        <translation>Bougez un manche pour piloter.</translation></message>
-    <message><source>Driving. Release the sticks to stop.</source>
-        <translation>Conduite en cours. Relâchez les manches pour arrêter.</translation></message>
-    <message><source>Driving. Release {0} to stop.</source>
-        <translation>Conduite en cours. Relâchez le {0} pour arrêter.</translation></message>
-    <message><source>button {0} ({1})</source>
-        <translation>bouton {0} ({1})</translation></message>
-    <message><source>axis {0} ({1})</source>
-        <translation>axe {0} ({1})</translation></message>
     <message><source>left stick, sideways</source>
         <translation>manche gauche, horizontal</translation></message>
     <message><source>left stick, up and down</source>
@@ -1551,6 +1515,34 @@
         <translation>X, le plus à gauche des quatre</translation></message>
     <message><source>Y, the highest of four</source>
         <translation>Y, le plus haut des quatre</translation></message>
+    <message><source>Arm the motors first.</source>
+        <translation>Activez d'abord les moteurs.</translation></message>
+    <message><source>Another control drives now.</source>
+        <translation>Une autre commande pilote maintenant.</translation></message>
+    <message><source>Driving with a gamepad was switched off.</source>
+        <translation>La conduite à la manette a été désactivée.</translation></message>
+    <message><source>Another gamepad was chosen.</source>
+        <translation>Une autre manette a été choisie.</translation></message>
+    <message><source>The gamepad settings were changed.</source>
+        <translation>Les réglages de la manette ont été modifiés.</translation></message>
+    <message><source>No gamepad is connected. Plug one in or switch it on.</source>
+        <translation>Aucune manette n'est connectée. Branchez-en une ou allumez-la.</translation></message>
+    <message><source>Release the sticks: driving starts only after both axes have been at rest. A worn stick may need a wider dead zone.</source>
+        <translation>Relâchez les manches : la conduite ne commence que lorsque les deux axes ont été au repos. Un manche usé peut nécessiter une zone morte plus large.</translation></message>
+    <message><source>Release {0}, then hold it to drive.</source>
+        <translation>Relâchez le {0}, puis maintenez-le enfoncé pour piloter.</translation></message>
+    <message><source>Hold {0} and move a stick to drive.</source>
+        <translation>Maintenez le {0} enfoncé et bougez un manche pour piloter.</translation></message>
+    <message><source>Move a stick to drive.</source>
+        <translation>Bougez un manche pour piloter.</translation></message>
+    <message><source>Driving. Release the sticks to stop.</source>
+        <translation>Conduite en cours. Relâchez les manches pour arrêter.</translation></message>
+    <message><source>Driving. Release {0} to stop.</source>
+        <translation>Conduite en cours. Relâchez le {0} pour arrêter.</translation></message>
+    <message><source>button {0}</source>
+        <translation>bouton {0}</translation></message>
+    <message><source>axis {0}</source>
+        <translation>axe {0}</translation></message>
     <message><source>The gamepad “{0}” was disconnected.</source>
         <translation>La manette « {0} » a été déconnectée.</translation></message>
     <message><source>Connect to a board first.</source>
@@ -2343,12 +2335,12 @@
         <translation>{0} non repris</translation></message>
     <message><source>{0} note</source>
         <translation>note sur {0}</translation></message>
+    <message><source>For a {0}: {1} carried over, {2} changed, {3} left out.</source>
+        <translation>Pour un {0} : {1} repris, {2} modifiés, {3} omis.</translation></message>
     <message><source>Firmware {0} really runs at {1} baud when set to {2}.</source>
         <translation>Le firmware {0} fonctionne en réalité à {1} bauds quand il est réglé à {2}.</translation></message>
     <message><source>Rounded down to steps of {0}: {1} becomes {2}.</source>
         <translation>Arrondi vers le bas par pas de {0} : {1} devient {2}.</translation></message>
-    <message><source>For a {0}: {1}.</source>
-        <translation>Pour un {0} : {1}.</translation></message>
     <message><source>A {0} with firmware {1} does not have it.</source>
         <translation>Un {0} avec le firmware {1} ne l'a pas.</translation></message>
     <message><source>A {0} has at most {1}.</source>
@@ -2371,12 +2363,12 @@
         <translation>Il n'indique pas de quelle carte il s'agit.</translation></message>
     <message><source>is damaged</source>
         <translation>est endommagé</translation></message>
+    <message><source>is missing</source>
+        <translation>est absent</translation></message>
     <message><source>a history keeps at least one snapshot, not {0}</source>
         <translation>un historique conserve au moins un instantané, et non {0}</translation></message>
     <message><source>the folder for snapshots cannot be made: {0}</source>
         <translation>impossible de créer le dossier des instantanés : {0}</translation></message>
-    <message><source>is missing</source>
-        <translation>est absent</translation></message>
     <message><source>cannot be read ({0})</source>
         <translation>est illisible ({0})</translation></message>
     <message><source>the last line has no end; was the file cut short?</source>
@@ -2933,8 +2925,6 @@
         <translation>{0} : au-delà d'une limite qu'aucun document ne confirme (déduit). C'est la carte qui décide : elle peut rejeter la valeur, ou en enregistrer une autre.</translation></message>
     <message><source>Write an&amp;yway</source>
         <translation>Écrire &amp;quand même</translation></message>
-    <message><source>For a {0}: {1} carried over, {2} changed, {3} left out.</source>
-        <translation>Pour un {0} : {1} repris, {2} modifiés, {3} omis.</translation></message>
     <message><source>For a {0}; the board is a {1}. Checked changes become edits.</source>
         <translation>Pour un {0} ; la carte est un {1}. Les changements cochés deviennent des modifications.</translation></message>
     <message numerus="yes"><source>{0}: %n change(s) pending: review them to write them.</source>
@@ -3707,8 +3697,6 @@ avant {1}</translation></message>
         <translation>Aucune carte n'est connectée. Choisissez un port en haut de la fenêtre principale et cliquez sur « Connecter » ; sans matériel, choisissez la carte de démo.</translation></message>
     <message><source>Joint mode: the board does not sense currents.</source>
         <translation>Mode jumelé : la carte ne mesure pas les courants.</translation></message>
-    <message><source>No current has been read yet.</source>
-        <translation>Aucun courant n'a encore été lu.</translation></message>
     <message><source>Motor currents, {0}</source>
         <translation>Courants des moteurs, {0}</translation></message>
     <message><source>One count of this board is {0:.0f} mA.</source>
@@ -4799,8 +4787,6 @@ avant {1}</translation></message>
         <translation>les images doivent avoir une extension telle que .png</translation></message>
     <message><source>pictures cannot be written as {0}</source>
         <translation>les images ne peuvent pas être écrites au format {0}</translation></message>
-    <message><source>It was not written: {0}.</source>
-        <translation>Il n'a pas été écrit : {0}.</translation></message>
     <message><source>F&amp;ind…</source>
         <translation>Rec&amp;hercher…</translation></message>
     <message><source>Set up CRC…</source>

@@ -153,7 +153,7 @@ def write_text(
     except OSError as error:
         reason = error.strerror or str(error)
         raise RecordingError(
-            path.name, tr("It was not written: {0}.").format(reason.rstrip("."))
+            path.name, tr("It cannot be written: {0}.").format(reason.rstrip("."))
         ) from error
 
 

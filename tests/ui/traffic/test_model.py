@@ -169,5 +169,5 @@ def test_failed_save_is_reported_and_leaves_no_file(
     write = partial(setup.traffic.write, rows=setup.traffic.everything.rows)
     with qtbot.waitSignal(notifier.error) as failed:
         write_in_background(notifier, path, write, notifier, str)
-    assert failed.args == ["line.txt: It was not written: No such file or directory."]
+    assert failed.args == ["line.txt: It cannot be written: No such file or directory."]
     assert list(tmp_path.iterdir()) == []

@@ -89,10 +89,10 @@ def test_symmetric_travel_is_that_of_one_side_within_the_input_range(
     ("source", "handle", "count", "kept", "words"),
     [
         (InputSource.RC, Handle.MAXIMUM, 6250, 6250, ""),
-        (InputSource.RC, Handle.MAXIMUM, 7000, 6250, "A pulse cannot be longer than 2500 µs."),
-        (InputSource.RC, Handle.MINIMUM, 900, 1250, "A pulse cannot be shorter than 500 µs."),
-        (InputSource.ANALOG, Handle.MAXIMUM, 1100, 1023, "A voltage cannot be higher than 5.00 V."),
-        (InputSource.ANALOG, Handle.MINIMUM, -9, 0, "A voltage cannot be lower than 0.00 V."),
+        (InputSource.RC, Handle.MAXIMUM, 7000, 6250, "A pulse is 500 µs to 2500 µs."),
+        (InputSource.RC, Handle.MINIMUM, 900, 1250, "A pulse is 500 µs to 2500 µs."),
+        (InputSource.ANALOG, Handle.MAXIMUM, 1100, 1023, "A voltage is 0.00 V to 5.00 V."),
+        (InputSource.ANALOG, Handle.MINIMUM, -9, 0, "A voltage is 0.00 V to 5.00 V."),
     ],
 )
 def test_handle_is_limited_to_the_input_range(

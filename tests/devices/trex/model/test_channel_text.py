@@ -115,5 +115,5 @@ def test_calibration_beyond_input_range_is_a_concern(
     said = concern(calibration, source)
     assert said.startswith(words)
     assert said == beyond_input(calibration, source)
-    assert ("a pulse is 500 µs to 2500 µs" in said) is (source is InputSource.RC)
-    assert ("a voltage is 0.00 V to 5.00 V" in said) is (source is InputSource.ANALOG)
+    assert ("A pulse is 500 µs to 2500 µs." in said) is (source is InputSource.RC)
+    assert ("A voltage is 0.00 V to 5.00 V." in said) is (source is InputSource.ANALOG)

@@ -119,7 +119,7 @@ class Bench(QObject):
         if reason := held_drive_blocker(device, _HOLDER, is_driving=self.is_driving):
             return reason
         if device.telemetry.motor_currents is None:
-            return tr("No current was read yet.")
+            return tr("No current has been read yet.")
         return ""
 
     # --- Commands -----------------------------------------------------------------------

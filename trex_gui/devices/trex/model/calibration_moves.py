@@ -3,7 +3,8 @@
 from dataclasses import replace
 from enum import Enum
 
-from trex_gui.core.translation import tr, tr_noop
+from trex_gui.core.translation import tr
+from trex_gui.devices.trex.model.channel_text import input_range_text
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, HIGHEST_CODED, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
 
@@ -70,18 +71,6 @@ def moved(c: Calibration, handle: Handle, count: int) -> tuple[Calibration, str]
     return replace(c, **{field: kept}), "" if kept == value else why
 
 
-_BEYOND_INPUT = {
-    InputSource.RC: (
-        tr_noop("A pulse cannot be shorter than {0}."),
-        tr_noop("A pulse cannot be longer than {0}."),
-    ),
-    InputSource.ANALOG: (
-        tr_noop("A voltage cannot be lower than {0}."),
-        tr_noop("A voltage cannot be higher than {0}."),
-    ),
-}
-
-
 def within_input(
     calibration: Calibration, handle: Handle, count: int, source: InputSource
 ) -> tuple[int, str]:
@@ -93,10 +82,7 @@ def within_input(
     lowest, highest = min(source.lowest_count, now), max(source.highest_count, now)
     if lowest <= count <= highest:
         return count, ""
-    below, above = (tr(text) for text in _BEYOND_INPUT[source])
-    if count < lowest:
-        return lowest, below.format(source.text(source.lowest_count))
-    return highest, above.format(source.text(source.highest_count))
+    return (lowest if count < lowest else highest), input_range_text(source)
 
 
 def symmetric(calibration: Calibration, source: InputSource, *, larger: bool) -> Calibration:

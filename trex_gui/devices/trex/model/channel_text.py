@@ -144,21 +144,25 @@ def wrong_order(calibration: Calibration, source: InputSource) -> str:
     return tr("The board would reject this: {0}.").format(problem) if problem else ""
 
 
+def input_range_text(source: InputSource) -> str:
+    text = (
+        tr("A pulse is {0} to {1}.") if source is InputSource.RC else tr("A voltage is {0} to {1}.")
+    )
+    return text.format(source.text(source.lowest_count), source.text(source.highest_count))
+
+
 def beyond_input(calibration: Calibration, source: InputSource) -> str:
     """Return which values of a calibration no valid input can have; empty if there are none.
 
     Ref: Pololu TReX User's Guide 4.c: a pulse that is shorter than 0.5 ms or longer than 2.5 ms
     is an error.
     """
-    lowest, highest = source.lowest_count, source.highest_count
-    limits = (
-        tr("a pulse is {0} to {1}") if source is InputSource.RC else tr("a voltage is {0} to {1}")
-    ).format(source.text(lowest), source.text(highest))
+    lowest, highest, limits = source.lowest_count, source.highest_count, input_range_text(source)
     if not lowest <= calibration.neutral <= highest:
-        text = tr("Neutral ({0}) is beyond the input: {1}. No stick position gives 0.")
+        text = tr("Neutral ({0}) is beyond the input. {1} No stick position gives 0.")
         return text.format(_exactly(calibration.neutral, source), limits)
     ends = {tr("Minimum"): calibration.minimum, tr("Maximum"): calibration.maximum}
-    text = tr("{0} ({1}) is beyond the input: {2}. Full output on that side is never reached.")
+    text = tr("{0} ({1}) is beyond the input. {2} Full output on that side is never reached.")
     return " ".join(
         text.format(end, _exactly(count, source), limits)
         for end, count in ends.items()

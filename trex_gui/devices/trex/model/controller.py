@@ -227,7 +227,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.device.driving.stop(
             lambda error: self._on_stopped(number, reason, error), reason=f"{reason}."
         )
-        return tr("{0}. The stop was sent, and is not confirmed yet.").format(reason)
+        return tr("{0} A stop was sent but is not confirmed yet.").format(f"{reason}.")
 
     def _on_stopped(self, number: int, reason: str, error: StudioError | None) -> None:
         if number != self._stops:

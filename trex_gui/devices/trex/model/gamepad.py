@@ -255,20 +255,16 @@ class Gamepad(QObject):
 def button_text(pad: Pad, number: int | None) -> str:
     if number is None:
         return tr("none")
-    if name := pad.part_name("b", number):
-        return tr("button {0} ({1})").format(number + 1, _part_text(name))
-    return tr("button {0}").format(number + 1)
+    return _with_part(tr("button {0}").format(number + 1), pad.part_name("b", number))
 
 
 def axis_text(pad: Pad, number: int) -> str:
-    if name := pad.part_name("a", number):
-        return tr("axis {0} ({1})").format(number + 1, _part_text(name))
-    return tr("axis {0}").format(number + 1)
+    return _with_part(tr("axis {0}").format(number + 1), pad.part_name("a", number))
 
 
-def _part_text(part: str) -> str:
-    """SDL's name of a part in words; as SDL has it where there is no better one."""
-    return {
+def _with_part(text: str, part: str) -> str:
+    """Add SDL's name of a part in words; as SDL has it where there is no better one."""
+    words = {
         "leftx": tr("left stick, sideways"),
         "lefty": tr("left stick, up and down"),
         "rightx": tr("right stick, sideways"),
@@ -287,4 +283,5 @@ def _part_text(part: str) -> str:
         "b": tr("B, the right one of four"),
         "x": tr("X, the left one of four"),
         "y": tr("Y, the highest of four"),
-    }.get(part, part)
+    }
+    return f"{text} ({words.get(part, part)})" if part else text

@@ -29,7 +29,6 @@ class TrexPacketSender(QObject):
         self.hint = tr("Hexadecimal, such as 9F 07")
         device.link_changed.connect(self.changed)
         device.motors.arming_changed.connect(self.changed)
-        device.driving.reach_changed.connect(self.changed)
         device.state_changed.connect(self.changed)
 
     def preview(self, text: str) -> SendPreview:

@@ -57,6 +57,11 @@ class Conversion:
     def of(self, fate: Fate) -> tuple[ConvertedRow, ...]:
         return tuple(row for row in self.rows if row.fate is fate)
 
+    def summary(self) -> str:
+        counts = (len(self.of(fate)) for fate in (Fate.CARRIED_OVER, Fate.CHANGED, Fate.LEFT_OUT))
+        text = tr("For a {0}: {1} carried over, {2} changed, {3} left out.")
+        return text.format(self.board, *counts)
+
     def compared_with(self, before: Settings) -> Comparison:
         """Compare the settings before the conversion with those after it."""
         old, new = ({**s.parameters, **s.calibrations} for s in (before, self.settings))
@@ -149,9 +154,7 @@ def _line(settings: Settings, target: Settings, wire: int) -> tuple[int, str]:
 
 def conversion_lines(conversion: Conversion) -> Iterator[str]:
     """Yield the conversion as lines of text: what was altered one by one, the rest by its keys."""
-    fates = (Fate.CARRIED_OVER, Fate.CHANGED, Fate.LEFT_OUT)
-    counts = ", ".join(f"{len(conversion.of(fate))} {fate}" for fate in fates)
-    yield tr("For a {0}: {1}.").format(conversion.board, counts)
+    yield conversion.summary()
     for row in conversion.rows:
         if row.fate is not Fate.CARRIED_OVER:
             yield f"{row.fate}: {row}"

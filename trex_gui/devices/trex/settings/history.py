@@ -168,23 +168,20 @@ class SettingsHistory:
             with open_ordinary(path) as file:
                 data = file.read(_LARGEST_BOUND_FILE + 1)
         except FileNotFoundError:
-            return Bound(None, _no_bound(path, tr("is missing"))) if path.is_symlink() else Bound()
+            return _no_bound(path, tr("is missing")) if path.is_symlink() else Bound()
         except OSError as error:
-            return Bound(
-                None, _no_bound(path, tr("cannot be read ({0})").format(error.strerror or error))
-            )
+            return _no_bound(path, tr("cannot be read ({0})").format(error.strerror or error))
         lines = [
             line.split("#")[0].strip() for line in data.decode("utf-8-sig", "replace").splitlines()
         ]
         words = [line for line in lines if line]
         match = _BOUND.fullmatch(words[0]) if len(words) == 1 else None
         if match is None or len(data) > _LARGEST_BOUND_FILE:
-            return Bound(None, _no_bound(path, tr("is damaged")))
+            return _no_bound(path, tr("is damaged"))
         return Bound(None if match[1] == "all" else int(match[1]))
 
     def beyond(self, kept: int | None) -> tuple[Snapshot, ...]:
-        files = () if kept is None else self.files()[kept:]
-        return tuple(map(self.look_at, files))
+        return () if kept is None else tuple(map(self.look_at, self.files()[kept:]))
 
     def keep(self, kept: int | None) -> tuple[Snapshot, ...]:
         """Set how many are kept, for all programs; remove the oldest beyond, and return them.
@@ -264,10 +261,9 @@ def _removed(path: Path) -> bool:
     return True
 
 
-def _no_bound(path: Path, why: str) -> str:
-    return tr("{0} {1}: how many snapshots to keep is not known, so none is removed.").format(
-        path, why
-    )
+def _no_bound(path: Path, why: str) -> Bound:
+    text = tr("{0} {1}: how many snapshots to keep is not known, so none is removed.")
+    return Bound(None, text.format(path, why))
 
 
 def _look_at(path: Path, taken: datetime) -> Snapshot:

@@ -2,7 +2,6 @@
 
 from collections.abc import Collection, Mapping
 from dataclasses import replace
-from typing import NamedTuple
 
 from trex_gui.core.files import decode
 from trex_gui.devices.trex.settings.document import Settings
@@ -13,15 +12,10 @@ from trex_gui.devices.trex.settings.rules import RULES, Context, LintFinding, li
 _NO_CONTEXT = Context()
 
 
-class Repaired(NamedTuple):
-    """The text of a settings file, and a line for each repair."""
-
-    text: str
-    repairs: tuple[str, ...]
-
-
-def repair_values(data: bytes, name: str) -> Repaired:
+def repair_values(data: bytes, name: str) -> tuple[str, tuple[str, ...]]:
     """Return the text with what is not valid in single values repaired, where that is plain.
+
+    Also return a line for each repair.
 
     Raises:
         SettingsError: it is not the text of a settings file.
@@ -31,7 +25,7 @@ def repair_values(data: bytes, name: str) -> Repaired:
     for fix in reversed(fixes):
         body = body[: fix.start] + fix.text + body[fix.end :]
     mark = BYTE_ORDER_MARK if data.startswith(BYTE_ORDER_MARK.encode()) else ""
-    return Repaired(mark + body, tuple(f"line {fix.line}: {fix.message}" for fix in fixes))
+    return mark + body, tuple(f"line {fix.line}: {fix.message}" for fix in fixes)
 
 
 def accept_proposals(

@@ -188,17 +188,6 @@ def test_ramp_keeps_the_curve(pad: Pad, virtual_time: VirtualRuntime) -> None:
         assert right == pytest.approx(left * 42 / 127, abs=1)
 
 
-def test_speed_falls_at_once_and_reverses_from_zero(pad: Pad, virtual_time: VirtualRuntime) -> None:
-    pad.drive.steer(1.0, 0.0)
-    virtual_time.advance(2.0)
-    pad.drive.steer(0.5, 0.0)
-    assert pad.speeds == (64, 64)
-    pad.drive.steer(-1.0, 0.0)
-    assert -5 <= pad.speeds[0] <= 0
-    virtual_time.advance(0.5)
-    assert pad.speeds[0] == pytest.approx(-GROWTH / 2, abs=6)
-
-
 def test_hand_that_moves_fast_speeds_up_no_faster(pad: Pad, virtual_time: VirtualRuntime) -> None:
     for step in range(1, 101):  # as a mouse reports it
         pad.drive.steer(step / 100, 0.0)

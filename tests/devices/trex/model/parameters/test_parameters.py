@@ -160,17 +160,6 @@ def test_edit_needs_a_value_cell_and_the_edit_role(model: ParameterModel) -> Non
     assert model.values.pending == ()
 
 
-def test_discard_drops_all_edits(model: ParameterModel) -> None:
-    edit(model, "serial_timeout", 9)
-    edit(model, "motor_mode", 1)
-    reports: list[int] = []
-    model.pending_changed.connect(reports.append)
-    model.discard_edits()
-    assert reports[-1] == 0
-    assert model.values.pending == ()
-    assert of(model, "motor_mode", Role.DIRTY) is False
-
-
 # --- Writes -----------------------------------------------------------------------------
 
 

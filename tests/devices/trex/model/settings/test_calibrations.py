@@ -47,14 +47,6 @@ def test_inconsistent_calibration_is_rejected(model: Calibrations) -> None:
     assert model.pending == ()
 
 
-def test_discard_drops_all_edits(model: Calibrations, qtbot: QtBot) -> None:
-    model.edit(CalibrationKey.RC_CHANNEL_1, LEARNED)
-    with qtbot.waitSignal(model.pending_changed) as pending:
-        model.discard_edits()
-    assert pending.args == [0]
-    assert model.pending == ()
-
-
 def test_written_edit_is_stored_and_failed_edit_stays_pending(model: Calibrations) -> None:
     model.edit(1, LEARNED)
     model.edit(2, LEARNED)

@@ -73,16 +73,17 @@ class MotorPulses(QObject):
 
     def confirm_wheels(self, free: bool) -> None:
         """Record that the wheels are off the ground, or not; then everything stops."""
-        if free != self.wheels_are_free:
-            self.wheels_are_free = free
-            if not free:
-                self._stop(tr("The wheels may touch the ground."))
+        if free:
+            self.wheels_are_free = True
             self.changed.emit()
+        else:
+            self.leave(tr("The wheels may touch the ground."))
 
     def leave(self, reason: str) -> None:
-        """Stop and disarm all motors, and forget that the wheels are off the ground."""
+        """Stop and disarm all motors if any may move; the wheels may be on the ground then."""
         self.wheels_are_free = False
-        self._stop(reason)
+        if self._motors.armed or self._device.may_move:
+            self._motors.stop(reason)
         self.changed.emit()
 
     def start(self, motor: int, *, stronger: bool = False) -> bool:
@@ -103,11 +104,6 @@ class MotorPulses(QObject):
     def release(self) -> None:
         """Brake the motor; the motors stay armed."""
         self._motors.release(_HOLDER)
-
-    def _stop(self, reason: str) -> None:
-        """Stop and disarm all motors, if any may move."""
-        if self._motors.armed or self._device.may_move:
-            self._motors.stop(reason)
 
     @Slot()
     def _on_step(self) -> None:

@@ -116,15 +116,9 @@ def _missing(comparison: Comparison) -> Iterator[str]:
         yield tr("Not in the file, so they stay as they are: {0}.").format(names)
 
 
-def _counts(conversion: Conversion) -> str:
-    fates = Fate.CARRIED_OVER, Fate.CHANGED, Fate.LEFT_OUT
-    text = tr("For a {0}: {1} carried over, {2} changed, {3} left out.")
-    return text.format(conversion.board, *(len(conversion.of(fate)) for fate in fates))
-
-
 def _altered(conversion: Conversion) -> Iterator[str]:
     """Yield the counts of a conversion, then each setting that it changes or leaves out."""
-    yield _counts(conversion)
+    yield conversion.summary()
     yield from (str(row) for row in conversion.rows if row.fate is not Fate.CARRIED_OVER)
 
 
@@ -235,7 +229,7 @@ def show_conversion(
             sides=(tr("In the file"), tr("For a {0}").format(found.board)),
             with_ticks=False,
             outcomes={row.key: row.reason for row in altered},
-            summary=_counts(found),
+            summary=found.summary(),
             action=action,
             can_act=True,
         )
