@@ -2349,10 +2349,6 @@
         <translation>Ein {0} hat mindestens {1}; 0 schaltet es aus (Zwilling).</translation></message>
     <message><source>The same value in steps of {0}: {1} becomes {2}.</source>
         <translation>Derselbe Wert in Schritten von {0}: {1} wird zu {2}.</translation></message>
-    <message><source>it cannot be changed: {0}</source>
-        <translation>sie kann nicht geändert werden: {0}</translation></message>
-    <message><source>it cannot be read: {0}</source>
-        <translation>sie kann nicht gelesen werden: {0}</translation></message>
     <message><source>this file is written in a way that cannot be changed in place; save the settings as a new file</source>
         <translation>diese Datei ist so geschrieben, dass sie sich nicht an Ort und Stelle ändern lässt; speichern Sie die Einstellungen als neue Datei</translation></message>
     <message><source>{0} {1}: how many snapshots to keep is not known, so none is removed.</source>
@@ -2367,8 +2363,6 @@
         <translation>fehlt</translation></message>
     <message><source>a history keeps at least one snapshot, not {0}</source>
         <translation>ein Verlauf behält mindestens eine Sicherungskopie, nicht {0}</translation></message>
-    <message><source>the folder for snapshots cannot be made: {0}</source>
-        <translation>der Ordner für Sicherungskopien kann nicht angelegt werden: {0}</translation></message>
     <message><source>cannot be read ({0})</source>
         <translation>kann nicht gelesen werden ({0})</translation></message>
     <message><source>the last line has no end; was the file cut short?</source>

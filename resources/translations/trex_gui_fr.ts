@@ -2349,10 +2349,6 @@
         <translation>Un {0} accepte au moins {1} ; 0 le désactive (jumeau).</translation></message>
     <message><source>The same value in steps of {0}: {1} becomes {2}.</source>
         <translation>La même valeur par pas de {0} : {1} devient {2}.</translation></message>
-    <message><source>it cannot be changed: {0}</source>
-        <translation>impossible à modifier : {0}</translation></message>
-    <message><source>it cannot be read: {0}</source>
-        <translation>impossible à lire : {0}</translation></message>
     <message><source>this file is written in a way that cannot be changed in place; save the settings as a new file</source>
         <translation>ce fichier est écrit d'une façon qui ne permet pas de le modifier sur place ; enregistrez les réglages dans un nouveau fichier</translation></message>
     <message><source>{0} {1}: how many snapshots to keep is not known, so none is removed.</source>
@@ -2367,8 +2363,6 @@
         <translation>est absent</translation></message>
     <message><source>a history keeps at least one snapshot, not {0}</source>
         <translation>un historique conserve au moins un instantané, et non {0}</translation></message>
-    <message><source>the folder for snapshots cannot be made: {0}</source>
-        <translation>impossible de créer le dossier des instantanés : {0}</translation></message>
     <message><source>cannot be read ({0})</source>
         <translation>est illisible ({0})</translation></message>
     <message><source>the last line has no end; was the file cut short?</source>

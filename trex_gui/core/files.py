@@ -215,7 +215,7 @@ LARGEST_FILE = 256 * 1024  # bytes; a complete settings file has about 3000
 
 def load(path: Path, content: str = "settings", largest: int = LARGEST_FILE) -> bytes:
     """Return the bytes of a text file; `content` (plural) says what it holds, for messages."""
-    with _sentences(path, tr("it cannot be read")), open_ordinary(path) as file:
+    with explained(path, tr("it cannot be read")), open_ordinary(path) as file:
         data = file.read(largest + 1)
     check_size(data, str(path), content, largest)
     return data
@@ -249,7 +249,7 @@ def decode(data: bytes, name: str) -> str:
 
 def save(path: Path, content: str | bytes) -> None:
     """Write a file, text as UTF-8; after a SettingsError the old one is there, complete."""
-    with _sentences(path, tr("it cannot be written")):
+    with explained(path, tr("it cannot be written")):
         target = Path(os.path.realpath(path))
         if target.is_file() and not os.access(target, os.W_OK):
             raise SettingsError.of(path, tr("it cannot be written: permission denied"))
@@ -275,7 +275,7 @@ def save_over(path: Path, content: str | bytes, known: bytes | None) -> bool:
 
 
 def save_new(path: Path, text: str) -> bool:
-    with _sentences(path, tr("it cannot be written")):
+    with explained(path, tr("it cannot be written")):
         try:
             with atomic_file(path, overwrite=False) as file:
                 file.write(text.encode("utf-8"))
@@ -285,7 +285,8 @@ def save_new(path: Path, text: str) -> bool:
 
 
 @contextlib.contextmanager
-def _sentences(path: Path, failure: str) -> Iterator[None]:
+def explained(path: Path, failure: str) -> Iterator[None]:
+    """Make a `SettingsError` of an error of the system; `failure` is a clause."""
     try:
         yield
     except FileNotFoundError:

@@ -350,7 +350,7 @@ def test_folder_that_cannot_be_created_is_reported(tmp_path: Path) -> None:
 
 def test_file_in_place_of_folder_is_reported(tmp_path: Path) -> None:
     (tmp_path / "snapshots").write_text("", encoding="utf-8")
-    with pytest.raises(SettingsError, match="cannot be made"):
+    with pytest.raises(SettingsError, match="snapshots: it cannot be written"):
         take(SettingsHistory(tmp_path / "snapshots"))
 
 

@@ -5,7 +5,7 @@ from datetime import UTC, datetime
 from itertools import count
 from pathlib import Path
 
-from trex_gui.core.files import SettingsError, data_folder, load, save
+from trex_gui.core.files import SettingsError, data_folder, explained, load, save
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.device_table import Model
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
@@ -72,7 +72,7 @@ class EditFiles:
         except FileNotFoundError:
             return None
         except (OSError, ValueError, OverflowError) as error:  # also a time beyond the calendar
-            raise SettingsError.of(path, tr("it cannot be read: {0}").format(error)) from error
+            raise SettingsError.of(path, f"{tr('it cannot be read')}: {error}") from error
         return SavedEdits(settings_of_board(load(path), path, board), saved)
 
 
@@ -82,15 +82,12 @@ def replace_file(path: Path, text: str | None) -> None:
     Raises:
         SettingsError: that failed; the old file is still there.
     """
-    try:
+    with explained(path, tr("it cannot be written")):
         if text is None:
             path.unlink(missing_ok=True)
-            return
-        path.parent.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        why = error.strerror or str(error)
-        raise SettingsError.of(path, tr("it cannot be changed: {0}").format(why)) from error
-    save(path, text)
+        else:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            save(path, text)
 
 
 def put_aside(path: Path) -> Path | None:
@@ -103,13 +100,11 @@ def put_aside(path: Path) -> Path | None:
     """
     names = (path.with_name(f"{path.stem}.replaced-{number}.txt") for number in count(1))
     aside = next(name for name in names if not name.exists())
-    try:
-        path.replace(aside)
-    except FileNotFoundError:
-        return None
-    except OSError as error:
-        why = error.strerror or str(error)
-        raise SettingsError.of(path, tr("it cannot be changed: {0}").format(why)) from error
+    with explained(path, tr("it cannot be written")):
+        try:
+            path.replace(aside)
+        except FileNotFoundError:
+            return None
     return aside
 
 

@@ -12,7 +12,14 @@ from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
 
-from trex_gui.core.files import SettingsError, data_folder, load, open_ordinary, save, save_new
+from trex_gui.core.files import (
+    data_folder,
+    explained,
+    load,
+    open_ordinary,
+    save,
+    save_new,
+)
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
@@ -156,11 +163,8 @@ class SettingsHistory:
         Raises:
             SettingsError: it cannot be removed.
         """
-        try:
+        with explained(snapshot.path, tr("it cannot be written")):
             snapshot.path.unlink(missing_ok=True)
-        except OSError as error:
-            why = tr("it cannot be changed: {0}").format(error.strerror or error)
-            raise SettingsError.of(snapshot.path, why) from error
 
     def bound(self) -> Bound:
         path = self.folder / BOUND_FILE
@@ -217,11 +221,8 @@ class SettingsHistory:
                 _removed(self.folder / name)
 
     def _make_folder(self) -> None:
-        try:
+        with explained(self.folder, tr("it cannot be written")):
             self.folder.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            why = tr("the folder for snapshots cannot be made: {0}").format(error.strerror or error)
-            raise SettingsError.of(self.folder, why) from error
 
     def _path(self, taken: datetime, turn: int, model: str, firmware: str) -> Path:
         again = "" if turn == 1 else f"{turn}-"
