@@ -69,7 +69,7 @@ def test_nothing_is_stored_if_snapshot_fails(
     place = tmp_path / "file"
     place.write_text("", encoding="utf-8")
     result = trexcmd(*words, stdin=WANTED, TREX_STUDIO_DATA=str(place), exits=1)
-    assert "snapshots cannot be made" in result.stderr
+    assert "it cannot be written" in result.stderr
     assert result.stdout == ""
     assert memory(trexcmd) == before
 

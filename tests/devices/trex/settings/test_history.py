@@ -344,7 +344,7 @@ def test_loading_removed_snapshot_reports_missing_file(history: SettingsHistory)
 @pytest.mark.skipif(os.name == "nt" or os.geteuid() == 0, reason="root may write everywhere")
 def test_folder_that_cannot_be_created_is_reported(tmp_path: Path) -> None:
     tmp_path.chmod(0o500)
-    with pytest.raises(SettingsError, match="cannot be made"):
+    with pytest.raises(SettingsError, match="it cannot be written"):
         take(SettingsHistory(tmp_path / "snapshots"))
 
 
