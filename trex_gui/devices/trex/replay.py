@@ -146,7 +146,6 @@ class RecordedTraffic:
         return tr("{0}, {1} from the file, others as from the factory").format(board, known)
 
     def meaning(self, row: TranscriptRow, reply: bytes) -> str:
-        """Return what a row means with this reply."""
         transaction = self._transaction(replace(row, received=reply))
         return TrexDecoder().decoded(transaction).text
 

@@ -43,8 +43,6 @@ class Columns:
 
 
 class Rows(ui.Card, Generic[SnapshotT]):
-    """A group of rows."""
-
     def __init__(self, title: str, columns: Columns, parent: QWidget | None = None) -> None:
         super().__init__(title, parent)
         self.controls: list[QWidget] = []  # in the order of Tab

@@ -183,8 +183,6 @@ class BoardList(QObject):
             self._select(selected if selected in readable else readable[0])
 
     def _ask(self, number: int) -> None:
-        """Ask who has a number, and note the reply."""
-
         def take(outcome: Outcome) -> None:
             self.is_asking = False
             match outcome.value, outcome.error:

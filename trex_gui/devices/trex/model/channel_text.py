@@ -116,7 +116,6 @@ def known_text(known: Known) -> str:
 
 
 def write_failure(error: StudioError) -> str:
-    """Explain why a calibration was not stored."""
     result = error.result if isinstance(error, Rejected) else None
     if result is ResultCode.BAD_VALUE:
         return tr(

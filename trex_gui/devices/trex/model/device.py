@@ -242,7 +242,6 @@ class Device(QObject):
 
     @Slot(object)
     def _take(self, report: Report) -> None:
-        """Take a report, and do what its events need."""
         self.board.adapter = self.motors.adapter
         for event in self.board.take(report, now(), utc_now()):
             match event:

@@ -59,7 +59,6 @@ class Gamepad(QObject):
 
     @property
     def drives(self) -> bool:
-        """Whether the motors follow it now."""
         return self._drive_with.held
 
     @property
@@ -156,7 +155,6 @@ class Gamepad(QObject):
         self._report()
 
     def _look(self) -> None:
-        """Take notice of gamepads that came or went."""
         pads = self._source.pads()
         if pads == self.pads:
             return

@@ -41,7 +41,6 @@ class MixJumper(QObject):
             self._set(seen)
 
     def forget(self) -> None:
-        """Forget the state: it may be another board."""
         self._candidate = None
         self._set(None)
 

@@ -39,7 +39,6 @@ class MomentaryDrive(QObject):
 
     @property
     def held(self) -> bool:
-        """Whether this control has acquired the motors."""
         return self._motors.holder == self.name
 
     @property

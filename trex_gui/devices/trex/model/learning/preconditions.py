@@ -181,7 +181,6 @@ class StandstillCheck(QObject):
 
     @property
     def _limit(self) -> float:
-        """Ampere that a standing motor stays below."""
         return _COUNTS * self._device.telemetry.ampere
 
     def _last(self) -> tuple[list[float], list[float]]:

@@ -180,7 +180,6 @@ class ParameterModel(QAbstractTableModel):
         return sum(bool(row.keys) for row in self.rows)
 
     def is_editable(self, key: str) -> bool:
-        """Return whether a value of the table can be edited."""
         return all(self.values.can_edit(each) for each in self.text.together(key))
 
     def open_key(self, key: str) -> str | None:

@@ -200,7 +200,6 @@ class ParameterText:
         return tr("{0} differs: {1}.").format(motor_name(other), self.value(other))
 
     def reset(self, key: str) -> str:
-        """Return the effect of a reset to the default."""
         return tr("Reset to default: {0}").format(self.with_wire(key, self._defaults(key)))
 
     def stored(self, key: str) -> str:

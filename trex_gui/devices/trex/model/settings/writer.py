@@ -109,7 +109,7 @@ class SettingsWriter(QObject):
         )
         curves = tuple(edit for edit in calibrations.pending if only is None or edit[0] in only)
         if count := len(changed) + len(curves):
-            self._begin(tr("Apply of %n setting(s)", "", count), changed, curves)
+            self.write(tr("Apply of %n setting(s)", "", count), changed, curves)
 
     def set_serial_timeout(self, seconds: float) -> None:
         """Write how long the board waits for a byte before it stops its motors, 0 to disable that.
@@ -150,7 +150,7 @@ class SettingsWriter(QObject):
             factory_settings(state.signature.model, state.signature.firmware).parameters
         )
         spec = state.specs[ParameterKey.FACTORY_RESET]
-        self._begin(self._draft.name_of(spec.key), ((spec.key, spec.maximum),))
+        self.write(self._draft.name_of(spec.key), ((spec.key, spec.maximum),))
 
     def write(
         self,
@@ -159,8 +159,23 @@ class SettingsWriter(QObject):
         calibrations: tuple[tuple[CalibrationKey, Calibration], ...] = (),
     ) -> None:
         """Write these values for this `reason`, which heads the snapshot. Edits stay pending."""
-        if self._state_to_change() is not None:
-            self._begin(reason, parameters, calibrations)
+        if self.running or (state := self._state_to_change()) is None:
+            return
+        self.running = True
+        transaction = WriteTransaction(
+            self._board.memory,
+            state,
+            self._connection.settings,
+            (parameters, calibrations),
+            reason=reason,
+        )
+        self._cancel_snapshot = start_in_background(
+            self,
+            lambda _progress: transaction.take_snapshot(self.history),
+            partial(self._on_saved, transaction),
+            self._on_not_saved,
+        )
+        self.changed.emit()
 
     def _state_to_change(self) -> DeviceState | None:
         """Return what the board stores. `None` if a write would not reach it, or others, too."""
@@ -179,31 +194,6 @@ class SettingsWriter(QObject):
         if state is not None and link is not None:
             firmware = state.signature.firmware
             self._connection.expect(reconnect_candidates(link, state.parameters, stored, firmware))
-
-    def _begin(
-        self,
-        reason: str,
-        parameters: tuple[tuple[str, int], ...],
-        calibrations: tuple[tuple[CalibrationKey, Calibration], ...] = (),
-    ) -> None:
-        state = self._board.state
-        if self.running or state is None:
-            return
-        self.running = True
-        transaction = WriteTransaction(
-            self._board.memory,
-            state,
-            self._connection.settings,
-            (parameters, calibrations),
-            reason=reason,
-        )
-        self._cancel_snapshot = start_in_background(
-            self,
-            lambda _progress: transaction.take_snapshot(self.history),
-            partial(self._on_saved, transaction),
-            self._on_not_saved,
-        )
-        self.changed.emit()
 
     def cancel(self) -> bool:
         """Write nothing, if nothing was sent yet. Return whether that is so."""
