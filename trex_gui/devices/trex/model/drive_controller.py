@@ -93,8 +93,7 @@ class DriveController(QObject):
         connection.started.connect(self._on_line_opened)
         connection.not_responding.connect(self._on_unidentified)
         connection.device_read.connect(self._on_read)
-        connection.leaving.connect(self._on_out_of_reach)
-        connection.not_responding.connect(self._on_out_of_reach)
+        connection.leaving.connect(lambda: motors.set_available(False))
         connection.line_closed.connect(self._on_closed)
         connection.ready.connect(self._report_lost)
         connection.motors_stopped.connect(self._on_motors_stopped)
@@ -306,6 +305,7 @@ class DriveController(QObject):
     @Slot()
     def _on_unidentified(self) -> None:
         self._is_identified = False
+        self._motors.set_available(False)
 
     @Slot(object)
     def _on_read(self, report: Connected) -> None:
@@ -325,10 +325,6 @@ class DriveController(QObject):
         if is_back:
             self.may_move = True
             self._motors.stop(tr("The board that disconnected while driving is back."))
-
-    @Slot()
-    def _on_out_of_reach(self) -> None:
-        self._motors.set_available(False)
 
     @Slot(object)
     def _on_closed(self, last: Closed | None) -> None:

@@ -117,22 +117,19 @@ class _Composer(Composer):
 
     def get_single_node(self) -> Node | None:
         try:
-            return self._only_document()
+            self.parser.get_event()
+            if self.parser.check_event(StreamEndEvent):
+                return None
+            node: Node = self.compose_document()
+            if not self.parser.check_event(StreamEndEvent):
+                mark = self.parser.peek_event().start_mark
+                raise _UnsupportedError(mark, tr("a second document begins here; settings are one"))
         except (ValueError, OverflowError):
             # ruamel.yaml does not catch errors of chr() and int() in absurd escapes and versions.
             mark = self.loader.reader.get_mark()
             raise _UnsupportedError(
                 mark, tr("this number cannot be read; {0}").format(tr(_PLAIN_YAML))
             ) from None
-
-    def _only_document(self) -> Node | None:
-        self.parser.get_event()
-        if self.parser.check_event(StreamEndEvent):
-            return None
-        node: Node = self.compose_document()
-        if not self.parser.check_event(StreamEndEvent):
-            mark = self.parser.peek_event().start_mark
-            raise _UnsupportedError(mark, tr("a second document begins here; settings are one"))
         return node
 
     def compose_node(self, parent: Node | None, index: int | None) -> Node:

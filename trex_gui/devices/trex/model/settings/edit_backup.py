@@ -161,13 +161,10 @@ class EditBackup(QObject):
 
     @Slot(object, object)
     def _on_found(self, board: BoardIdentity, found: SavedEdits | None) -> None:
-        if board == self._board and not self._is_read:
-            self._is_read = True
-            self._take(found)
-
-    def _take(self, found: SavedEdits | None) -> None:
+        if board != self._board or self._is_read:
+            return
         offer = None
-        self._has_file = found is not None
+        self._is_read, self._has_file = True, found is not None
         if found is not None:
             changes = diff_against_draft(self._draft, found.settings).rows
             is_modified = self._draft.is_modified
