@@ -1403,6 +1403,22 @@
         <translation>{0}. Das Board hat den Stopp bestätigt.</translation></message>
     <message><source>{0}. The line is closed.</source>
         <translation>{0}. Die Leitung ist geschlossen.</translation></message>
+    <message><source>Learning: remove the Mix jumper to begin.</source>
+        <translation>Einlernen: Mix-Jumper abziehen, um zu beginnen.</translation></message>
+    <message><source>Learning: waits for a signal on any input.</source>
+        <translation>Einlernen: Wartet auf ein Signal an einem Eingang.</translation></message>
+    <message><source>Learning: leave the sticks centred for two seconds.</source>
+        <translation>Einlernen: Knüppel zwei Sekunden in Mittelstellung lassen.</translation></message>
+    <message><source>Learning: one flash per input; green is learned.</source>
+        <translation>Einlernen: Ein Blinken je Eingang; Grün ist eingelernt.</translation></message>
+    <message><source>Learning: hold each stick at both ends, ten seconds in all.</source>
+        <translation>Einlernen: Jeden Knüppel in beiden Endlagen halten, insgesamt zehn Sekunden.</translation></message>
+    <message><source>Learned; green is good. Remove SO–G, then power cycle.</source>
+        <translation>Eingelernt; Grün ist gut. SO–G abziehen, dann aus- und einschalten.</translation></message>
+    <message><source>Boot loader: remove Mix, then SO–G.</source>
+        <translation>Bootloader: Mix abziehen, dann SO–G.</translation></message>
+    <message><source>Boot loader: waits for firmware. Power cycle to leave.</source>
+        <translation>Bootloader: Wartet auf Firmware. Zum Verlassen aus- und einschalten.</translation></message>
     <message><source>Edits, notes or settings were kept here for another board with this device number. They are in {0} now.</source>
         <translation>Für ein anderes Board mit dieser Gerätenummer waren hier Änderungen, Notizen oder Einstellungen hinterlegt. Sie sind jetzt in {0}.</translation></message>
     <message numerus="yes"><source>%n edit(s) not applied to the previous {0}: kept, and offered when it is connected again.</source>
@@ -2487,14 +2503,14 @@
         <translation>diese Zeile ist mit einem Tabulator eingerückt; rücken Sie sie mit Leerzeichen ein</translation></message>
     <message><source>this is not a setting; {0}</source>
         <translation>dies ist keine Einstellung; {0}</translation></message>
-    <message><source>a second document begins here; settings are one</source>
-        <translation>hier beginnt ein zweites Dokument; Einstellungen sind eines</translation></message>
     <message><source>the character U+{0:04X} has no place in a text file</source>
         <translation>das Zeichen U+{0:04X} gehört nicht in eine Textdatei</translation></message>
     <message><source>the text is incomplete or damaged here ({0}); {1}</source>
         <translation>der Text ist hier unvollständig oder beschädigt ({0}); {1}</translation></message>
     <message><source>type an ordinary space after the colon</source>
         <translation>geben Sie nach dem Doppelpunkt ein gewöhnliches Leerzeichen ein</translation></message>
+    <message><source>a second document begins here; settings are one</source>
+        <translation>hier beginnt ein zweites Dokument; Einstellungen sind eines</translation></message>
     <message><source>anchors (&amp; and *) are not allowed; {0}</source>
         <translation>Anker (&amp; und *) sind nicht erlaubt; {0}</translation></message>
     <message><source>tags (!) are not allowed; {0}</source>
@@ -3201,22 +3217,6 @@
         <translation>Serieller Modus, Eingänge als Spannungen gelesen.</translation></message>
     <message><source>Serial commands control the motors.</source>
         <translation>Serielle Befehle steuern die Motoren.</translation></message>
-    <message><source>Learning: remove the Mix jumper to begin.</source>
-        <translation>Einlernen: Mix-Jumper abziehen, um zu beginnen.</translation></message>
-    <message><source>Learning: waits for a signal on any input.</source>
-        <translation>Einlernen: Wartet auf ein Signal an einem Eingang.</translation></message>
-    <message><source>Learning: leave the sticks centred for two seconds.</source>
-        <translation>Einlernen: Knüppel zwei Sekunden in Mittelstellung lassen.</translation></message>
-    <message><source>Learning: one flash per input; green is learned.</source>
-        <translation>Einlernen: Ein Blinken je Eingang; Grün ist eingelernt.</translation></message>
-    <message><source>Learning: hold each stick at both ends, ten seconds in all.</source>
-        <translation>Einlernen: Jeden Knüppel in beiden Endlagen halten, insgesamt zehn Sekunden.</translation></message>
-    <message><source>Learned; green is good. Remove SO–G, then power cycle.</source>
-        <translation>Eingelernt; Grün ist gut. SO–G abziehen, dann aus- und einschalten.</translation></message>
-    <message><source>Boot loader: remove Mix, then SO–G.</source>
-        <translation>Bootloader: Mix abziehen, dann SO–G.</translation></message>
-    <message><source>Boot loader: waits for firmware. Power cycle to leave.</source>
-        <translation>Bootloader: Wartet auf Firmware. Zum Verlassen aus- und einschalten.</translation></message>
     <message><source>serial</source>
         <translation>seriell</translation></message>
     <message><source>Demo TReX</source>

@@ -1403,6 +1403,22 @@
         <translation>{0}. La carte a confirmé l'arrêt.</translation></message>
     <message><source>{0}. The line is closed.</source>
         <translation>{0}. La liaison est fermée.</translation></message>
+    <message><source>Learning: remove the Mix jumper to begin.</source>
+        <translation>Apprentissage : retirez le cavalier Mix pour commencer.</translation></message>
+    <message><source>Learning: waits for a signal on any input.</source>
+        <translation>Apprentissage : attend un signal sur une entrée.</translation></message>
+    <message><source>Learning: leave the sticks centred for two seconds.</source>
+        <translation>Apprentissage : laissez les manches centrés deux secondes.</translation></message>
+    <message><source>Learning: one flash per input; green is learned.</source>
+        <translation>Apprentissage : un clignotement par entrée ; vert signifie apprise.</translation></message>
+    <message><source>Learning: hold each stick at both ends, ten seconds in all.</source>
+        <translation>Apprentissage : maintenez chaque manche aux deux extrémités, dix secondes en tout.</translation></message>
+    <message><source>Learned; green is good. Remove SO–G, then power cycle.</source>
+        <translation>Apprentissage terminé ; vert signifie réussi. Retirez SO–G, puis coupez et remettez l'alimentation.</translation></message>
+    <message><source>Boot loader: remove Mix, then SO–G.</source>
+        <translation>Chargeur d'amorçage : retirez Mix, puis SO–G.</translation></message>
+    <message><source>Boot loader: waits for firmware. Power cycle to leave.</source>
+        <translation>Chargeur d'amorçage : attend un firmware. Coupez et remettez l'alimentation pour en sortir.</translation></message>
     <message><source>Edits, notes or settings were kept here for another board with this device number. They are in {0} now.</source>
         <translation>Des modifications, des notes ou des réglages étaient conservés ici pour une autre carte ayant ce numéro d'appareil. Ils se trouvent maintenant dans {0}.</translation></message>
     <message numerus="yes"><source>%n edit(s) not applied to the previous {0}: kept, and offered when it is connected again.</source>
@@ -2487,14 +2503,14 @@
         <translation>une tabulation indente cette ligne ; indentez-la avec des espaces</translation></message>
     <message><source>this is not a setting; {0}</source>
         <translation>ceci n'est pas un réglage ; {0}</translation></message>
-    <message><source>a second document begins here; settings are one</source>
-        <translation>un second document commence ici ; les réglages n'en forment qu'un</translation></message>
     <message><source>the character U+{0:04X} has no place in a text file</source>
         <translation>le caractère U+{0:04X} n'a pas sa place dans un fichier texte</translation></message>
     <message><source>the text is incomplete or damaged here ({0}); {1}</source>
         <translation>le texte est incomplet ou endommagé ici ({0}) ; {1}</translation></message>
     <message><source>type an ordinary space after the colon</source>
         <translation>tapez une espace ordinaire après les deux-points</translation></message>
+    <message><source>a second document begins here; settings are one</source>
+        <translation>un second document commence ici ; les réglages n'en forment qu'un</translation></message>
     <message><source>anchors (&amp; and *) are not allowed; {0}</source>
         <translation>les ancres (&amp; et *) ne sont pas autorisées ; {0}</translation></message>
     <message><source>tags (!) are not allowed; {0}</source>
@@ -3201,22 +3217,6 @@
         <translation>Mode série, entrées lues comme tensions.</translation></message>
     <message><source>Serial commands control the motors.</source>
         <translation>Les commandes série commandent les moteurs.</translation></message>
-    <message><source>Learning: remove the Mix jumper to begin.</source>
-        <translation>Apprentissage : retirez le cavalier Mix pour commencer.</translation></message>
-    <message><source>Learning: waits for a signal on any input.</source>
-        <translation>Apprentissage : attend un signal sur une entrée.</translation></message>
-    <message><source>Learning: leave the sticks centred for two seconds.</source>
-        <translation>Apprentissage : laissez les manches centrés deux secondes.</translation></message>
-    <message><source>Learning: one flash per input; green is learned.</source>
-        <translation>Apprentissage : un clignotement par entrée ; vert signifie apprise.</translation></message>
-    <message><source>Learning: hold each stick at both ends, ten seconds in all.</source>
-        <translation>Apprentissage : maintenez chaque manche aux deux extrémités, dix secondes en tout.</translation></message>
-    <message><source>Learned; green is good. Remove SO–G, then power cycle.</source>
-        <translation>Apprentissage terminé ; vert signifie réussi. Retirez SO–G, puis coupez et remettez l'alimentation.</translation></message>
-    <message><source>Boot loader: remove Mix, then SO–G.</source>
-        <translation>Chargeur d'amorçage : retirez Mix, puis SO–G.</translation></message>
-    <message><source>Boot loader: waits for firmware. Power cycle to leave.</source>
-        <translation>Chargeur d'amorçage : attend un firmware. Coupez et remettez l'alimentation pour en sortir.</translation></message>
     <message><source>serial</source>
         <translation>série</translation></message>
     <message><source>Demo TReX</source>

@@ -18,7 +18,6 @@ from tests.support.window import WindowDriver
 from trex_gui.composition import build
 from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, PACKETS
 from trex_gui.devices.trex.model.demo import (
-    BootStep,
     DemoJumpers,
     DemoLeds,
     DemoSnapshot,
@@ -85,7 +84,7 @@ def test_dark_led_is_described_in_the_language(qapp: QApplication) -> None:
         (replace(RC, safe_start=True), "Safe-start"),
         (replace(RC, serial_controls=True, override=True), "Channel 5 hands control"),
         (replace(RC, power=False), "does not reply"),
-        (replace(SERIAL, boot_mode=BootStep.UPGRADE_REQUESTED), "Boot loader"),
+        (replace(SERIAL, boot_mode="boot loader: requested"), "Boot loader"),
     ],
 )
 def test_board_state_is_described(snapshot: DemoSnapshot, words: str) -> None:
@@ -105,7 +104,7 @@ def test_board_state_is_described(snapshot: DemoSnapshot, words: str) -> None:
             replace(SERIAL, jumpers=DemoJumpers("serial", True, True)),
             "Power cycle to start the boot loader.",
         ),
-        (replace(RC, jumpers=DemoJumpers("rc", True, True), boot_mode=BootStep.LEARN_DONE), ""),
+        (replace(RC, jumpers=DemoJumpers("rc", True, True), boot_mode="learning: done"), ""),
     ],
 )
 def test_moved_jumper_hints_at_the_power_cycle(snapshot: DemoSnapshot, hint: str) -> None:

@@ -3,11 +3,11 @@
 import json
 import re
 from dataclasses import dataclass, fields
-from enum import Enum
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal, Slot
 
+from trex_gui.core.translation import tr_noop
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
 from trex_gui.ui.devices.simulator import DemoDevice, DemoLine, Simulator, switch
 from trex_gui.ui.runtime import new_timer
@@ -20,17 +20,17 @@ _SIGNAL_UNITS = {InputSource.RC: "US", InputSource.ANALOG: "V"}
 _JUMPERS_OF_MODE = {Mode.RC: "rc", Mode.ANALOG: "analog"}
 
 
-class BootStep(Enum):
-    """Step of a boot mode, as `show` reports it."""
-
-    LEARN_READY = "learning: ready"
-    LEARN_WAITING = "learning: waiting for a signal"
-    LEARN_NEUTRALS = "learning: neutrals"
-    LEARN_NEUTRALS_SHOWN = "learning: neutrals learned"
-    LEARN_EXTREMES = "learning: extremes"
-    LEARN_DONE = "learning: done"
-    UPGRADE_REQUESTED = "boot loader: requested"
-    UPGRADE_READY = "boot loader: ready"
+BOOT_TEXTS = {
+    "learning: ready": tr_noop("Learning: remove the Mix jumper to begin."),
+    "learning: waiting for a signal": tr_noop("Learning: waits for a signal on any input."),
+    "learning: neutrals": tr_noop("Learning: leave the sticks centred for two seconds."),
+    "learning: neutrals learned": tr_noop("Learning: one flash per input; green is learned."),
+    "learning: extremes": tr_noop("Learning: hold each stick at both ends, ten seconds in all."),
+    "learning: done": tr_noop("Learned; green is good. Remove SO–G, then power cycle."),
+    "boot loader: requested": tr_noop("Boot loader: remove Mix, then SO–G."),
+    "boot loader: ready": tr_noop("Boot loader: waits for firmware. Power cycle to leave."),
+}
+"""Steps of the boot modes, as `show` reports them, in words."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,7 +93,7 @@ class DemoSnapshot:
     override: bool
     serial_controls: bool
     required: int  # mask of the channels that RC mode requires
-    boot_mode: BootStep | None  # what the board does; `None` in normal operation
+    boot_mode: str | None  # a key of `BOOT_TEXTS`; `None` in normal operation
     channels: tuple[DemoChannel, ...]
     motors: tuple[DemoMotor, ...]
     line: DemoLine
@@ -111,14 +111,21 @@ class DemoSnapshot:
 
 def read_snapshot(text: str) -> DemoSnapshot:
     shown: dict[str, Any] = json.loads(text)
-    copied = ("power", "safe_start", "override", "serial_controls", "battery", "supply")
+    copied = (
+        "power",
+        "safe_start",
+        "override",
+        "serial_controls",
+        "boot_mode",
+        "battery",
+        "supply",
+    )
     return DemoSnapshot(
         **{name: shown[name] for name in copied},
         mode=Mode(shown["mode"]),
         jumpers=DemoJumpers(**shown["jumpers"]),
         leds=DemoLeds(**shown["leds"]),
         required=shown["parameters"]["required_channels"],
-        boot_mode=BootStep(shown["boot_mode"]) if shown["boot_mode"] else None,
         channels=tuple(DemoChannel(row["signal"], row["raw"]) for row in shown["channels"]),
         motors=tuple(
             DemoMotor(**{field.name: row[field.name] for field in fields(DemoMotor)})

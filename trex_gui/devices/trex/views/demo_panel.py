@@ -12,8 +12,8 @@ from trex_gui.core.translation import Number, tr, tr_noop
 from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, PACKETS
 from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.demo import (
+    BOOT_TEXTS,
     STICK_ENDS,
-    BootStep,
     DemoBoard,
     DemoMotor,
     DemoSnapshot,
@@ -79,7 +79,7 @@ def state_text(snapshot: DemoSnapshot) -> str:
     if not snapshot.power:
         return tr("The power is off: the board does not reply.")
     if snapshot.boot_mode is not None:
-        return _boot_text(snapshot.boot_mode)
+        return tr(BOOT_TEXTS[snapshot.boot_mode])
     mode = {
         Mode.RC: tr("RC mode."),
         Mode.ANALOG: tr("Analog mode."),
@@ -106,19 +106,6 @@ def _safe_start_text(snapshot: DemoSnapshot) -> str:
     if snapshot.override:
         return tr("Safe-start: the motors wait until channel 5 no longer requests override.")
     return tr("Safe-start: the motors wait until the sticks are centred.")
-
-
-def _boot_text(step: BootStep) -> str:
-    return {
-        BootStep.LEARN_READY: tr("Learning: remove the Mix jumper to begin."),
-        BootStep.LEARN_WAITING: tr("Learning: waits for a signal on any input."),
-        BootStep.LEARN_NEUTRALS: tr("Learning: leave the sticks centred for two seconds."),
-        BootStep.LEARN_NEUTRALS_SHOWN: tr("Learning: one flash per input; green is learned."),
-        BootStep.LEARN_EXTREMES: tr("Learning: hold each stick at both ends, ten seconds in all."),
-        BootStep.LEARN_DONE: tr("Learned; green is good. Remove SO–G, then power cycle."),
-        BootStep.UPGRADE_REQUESTED: tr("Boot loader: remove Mix, then SO–G."),
-        BootStep.UPGRADE_READY: tr("Boot loader: waits for firmware. Power cycle to leave."),
-    }[step]
 
 
 def jumper_hint(snapshot: DemoSnapshot) -> str:
