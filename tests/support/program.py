@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 from trex_gui.composition import PLUGINS
 from trex_gui.core.plugin import DevicePlugin
+from trex_gui.core.timing import Timeouts
 from trex_gui.devices.aracna.model.controller import AracnaController
 from trex_gui.devices.aracna.model.library import Library
 from trex_gui.devices.aracna.model.robot import Robot
@@ -15,6 +16,7 @@ from trex_gui.devices.trex.plugin import TREX
 from trex_gui.devices.trex.views.workspace import TrexWorkspace
 from trex_gui.ui.devices.ports import Ports
 from trex_gui.ui.devices.scanner import DeviceScanner
+from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.program import Program
 
 
@@ -55,9 +57,10 @@ def new_ports() -> Ports:
     return Ports(PLUGINS)
 
 
-def new_controller(device: Device, ports: Ports | None = None) -> TrexController:
+def new_controller(ports: Ports | None = None) -> TrexController:
     """Return a controller of a TReX with a scanner of its own, without a window."""
-    return TrexController(TREX, device, ports or new_ports(), DeviceScanner([TREX]))
+    scanner = DeviceScanner([TREX])
+    return TrexController(TREX, Notifier(), ports or new_ports(), scanner, Timeouts())
 
 
 def scanner_of(controller: TrexController) -> DeviceScanner:

@@ -13,7 +13,6 @@ from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.discovery.prober import Prober, ProberInfo
 from trex_gui.core.plugin import Lazy
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.plugin import TREX
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.ui.devices.connection import ConnectionState
@@ -129,8 +128,9 @@ def test_scan_emits_nothing_after_shutdown(
 def test_connecting_to_a_scanned_port_ends_the_scan_first(
     quick_simulator: SimulatedDevice, until: Until
 ) -> None:
-    device, ports = Device(), new_ports()
-    connector = new_controller(device, ports)
+    ports = new_ports()
+    connector = new_controller(ports)
+    device = connector.device
     port = ports.add_typed(quick_simulator.url)
     quick_simulator.do("line mute on")
     scanner_of(connector).start([port])
@@ -144,8 +144,9 @@ def test_connecting_to_a_scanned_port_ends_the_scan_first(
 
 
 def test_simulated_board_can_be_found_and_connected(until: Until) -> None:
-    device, ports = Device(), new_ports()
-    connector = new_controller(device, ports)
+    ports = new_ports()
+    connector = new_controller(ports)
+    device = connector.device
     connector.simulator.start()
     until(lambda: connector.simulator.url != "")
     scanner_of(connector).start([ports.demo_of("trex")])

@@ -12,7 +12,6 @@ from serial.tools.list_ports_common import ListPortInfo
 from tests.support.pages.find_dialog import FindBoardDialog
 from tests.support.program import new_controller, scanner_of
 from trex_gui.devices.trex.discovery import FoundBoard
-from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.plugin import TREX
 from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -45,8 +44,7 @@ def ports(qtbot: QtBot, listed: list[ListPortInfo]) -> Iterator[Ports]:
 
 @pytest.fixture
 def dialog(qtbot: QtBot, ports: Ports) -> Iterator[FindBoardDialog]:
-    device = Device()
-    controller = new_controller(device, ports)
+    controller = new_controller(ports)
     manager = DeviceManager({"trex": lambda: controller}, scanner_of(controller))
     dialog = FindDialog(manager, ports, lambda then: then(), lambda *_: ())
     qtbot.addWidget(dialog)

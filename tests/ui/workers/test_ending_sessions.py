@@ -142,7 +142,7 @@ def test_only_confirmed_stop_clears_may_move_after_shutdown(
 
 @pytest.fixture
 def manager(qtbot: QtBot) -> Iterator[DeviceManager]:
-    controller = new_controller(Device())
+    controller = new_controller()
     manager = DeviceManager({"trex": lambda: controller}, scanner_of(controller))
     yield manager
     qtbot.waitUntil(manager.shut_down)

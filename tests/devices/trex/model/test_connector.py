@@ -11,7 +11,6 @@ from pytestqt.qtbot import QtBot
 from tests.support.program import new_controller, new_ports
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
-from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.power_cycle import PowerCycle
 from trex_gui.devices.trex.plugin import TREX
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -26,9 +25,9 @@ class ConnectorSetup:
     """A device that is not connected, a list of ports, and the controller that connects them."""
 
     def __init__(self, qtbot: QtBot) -> None:
-        self.device = Device()
         self.ports = new_ports()
-        self.connector = new_controller(self.device, self.ports)
+        self.connector = new_controller(self.ports)
+        self.device = self.connector.device
         self.until = qtbot.waitUntil
 
     def until_link(self, link: ConnectionState) -> None:
@@ -65,7 +64,7 @@ def test_line_settings_are_saved(setup: ConnectorSetup, qtbot: QtBot, number: in
         )
     expected = ConnectionSettings("", line, number, 0x91)
     assert setup.connector.settings == expected
-    assert new_controller(setup.device, setup.ports).settings == expected
+    assert new_controller(setup.ports).settings == expected
 
 
 def scanner_is_idle(scanner: DeviceScanner) -> bool:
@@ -82,7 +81,7 @@ def test_search_keeps_to_a_line_that_other_devices_share(
     port = setup.ports.add_typed(quick_simulator.url)
     setup.ports.lead_to(port, "trex", ConnectionSettings("").packed)
     setup.connector.set_settings(shared)
-    for controller in (setup.connector, new_controller(setup.device, setup.ports)):
+    for controller in (setup.connector, new_controller(setup.ports)):
         assert controller.settings == shared
         scanner = controller._scanner
         scanner.start([port], full=True)
@@ -121,14 +120,15 @@ def test_stored_number_of_another_device_opens_no_port(
     quick_simulator.on_write = sent.extend
     shared = ConnectionSettings("", LineSettings(57600), 7, reserved=frozenset({7}))
     setup.connector.set_settings(shared)
-    controller = new_controller(setup.device, setup.ports)
+    controller = new_controller(setup.ports)
     assert controller.settings == shared
     failures: list[str] = []
-    setup.device.notifier.error.connect(failures.append)
+    controller.device.notifier.error.connect(failures.append)
     controller.connect_to(setup.ports.add_typed(quick_simulator.url))
     setup.until(lambda: bool(failures))
     assert failures == ["The board needs a number that no other device has."]
     assert not sent
+    controller.shut_down()
 
 
 @pytest.mark.parametrize(
@@ -147,9 +147,7 @@ def test_invalid_saved_line_settings_fall_back_to_factory(
 ) -> None:
     setup.connector.set_settings(ConnectionSettings("", LineSettings(57600)))
     QSettings().setValue(key, value)
-    assert new_controller(setup.device, setup.ports).settings == ConnectionSettings(
-        "", LineSettings(left)
-    )
+    assert new_controller(setup.ports).settings == ConnectionSettings("", LineSettings(left))
 
 
 # --- Connecting -------------------------------------------------------------------------
@@ -328,7 +326,7 @@ def test_reconnect_at_new_line_settings_is_saved(
     there = ConnectionSettings(quick_simulator.url, NEW, polynomial=0x91)
     assert setup.device.settings == there
     assert setup.connector.settings == ConnectionSettings("", NEW, polynomial=0x91)
-    assert new_controller(setup.device, setup.ports).settings == setup.connector.settings
+    assert new_controller(setup.ports).settings == setup.connector.settings
     assert setup.device.parameters.values.active_of(UART) == NEW.to_wire()
     setup.disconnect()
     setup.connect(setup.ports.add_typed(quick_simulator.url))

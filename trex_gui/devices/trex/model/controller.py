@@ -43,14 +43,15 @@ class TrexController(DeviceController[ConnectionSettings]):
     def __init__(
         self,
         plugin: DevicePlugin,
-        device: Device,
+        notifier: Notifier,
         ports: Ports,
         scanner: DeviceScanner,
-        timeouts: Timeouts | None = None,
+        timeouts: Timeouts,
     ) -> None:
-        self._default = ConnectionSettings("", timeouts=timeouts or Timeouts())
+        self.device = device = Device(notifier)
+        self._default = ConnectionSettings("", timeouts=timeouts)
         super().__init__(plugin, device, ports, scanner, self._default)
-        self.device = device
+        device.setParent(self)
         self.show_searches_in(device.connection.traffic)
         self._store = Preferences()
         self.settings = self._read_settings()
@@ -268,16 +269,3 @@ class TrexController(DeviceController[ConnectionSettings]):
             "{0}. No board is connected that could be stopped, and motors may still turn: cut "
             "their power."
         ).format(reason)
-
-
-def make_controller(
-    plugin: DevicePlugin,
-    notifier: Notifier,
-    ports: Ports,
-    scanner: DeviceScanner,
-    timeouts: Timeouts,
-) -> TrexController:
-    device = Device(notifier)
-    controller = TrexController(plugin, device, ports, scanner, timeouts)
-    device.setParent(controller)
-    return controller

@@ -5,7 +5,9 @@ from collections.abc import Iterator
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.support.program import new_controller
 from tests.support.simulator import SimulatedDevice, StartSimulator
+from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.devices.connection import ConnectionState
@@ -17,6 +19,14 @@ def device(qtbot: QtBot) -> Iterator[Device]:
     device = Device()
     yield device
     qtbot.waitUntil(device.shut_down)
+
+
+@pytest.fixture
+def controller(qtbot: QtBot) -> Iterator[TrexController]:
+    """A controller whose device is not connected."""
+    controller = new_controller()
+    yield controller
+    qtbot.waitUntil(controller.device.shut_down)
 
 
 @pytest.fixture

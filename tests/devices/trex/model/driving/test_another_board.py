@@ -6,11 +6,10 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.pages.motors import is_stopped
-from tests.support.program import new_controller
 from tests.support.simulator import StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
 from trex_gui.core.events import EventKind
-from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.devices.connection import ConnectionState
 
@@ -21,15 +20,19 @@ class DrivenBoard:
     """A device with a board whose motor 1 runs, and what the window reports."""
 
     def __init__(
-        self, device: Device, board: VirtualSimulator, unpowered: VirtualSimulator, qtbot: QtBot
+        self,
+        controller: TrexController,
+        board: VirtualSimulator,
+        unpowered: VirtualSimulator,
+        qtbot: QtBot,
     ) -> None:
-        self.device = device
+        self.controller = controller
+        self.device = device = controller.device
         self.unpowered = unpowered
         unpowered.do("power off")
         self.board = board
         self.qtbot = qtbot
         self.errors: list[str] = []
-        self.controller = new_controller(device)
         for said in (device.notifier.error, device.notifier.danger):
             said.connect(self.errors.append)
         self.connect(board.url)
@@ -78,9 +81,9 @@ class DrivenBoard:
 
 @pytest.fixture
 def driven(
-    device: Device, quick_simulator: VirtualSimulator, start: Start, qtbot: QtBot
+    controller: TrexController, quick_simulator: VirtualSimulator, start: Start, qtbot: QtBot
 ) -> DrivenBoard:
-    return DrivenBoard(device, quick_simulator, start(), qtbot)
+    return DrivenBoard(controller, quick_simulator, start(), qtbot)
 
 
 @pytest.fixture

@@ -5,12 +5,11 @@ from dataclasses import replace
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.support.program import new_controller
 from tests.support.simulator import StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.virtual_time import VirtualQtBot
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop
-from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.drive_status import drive_inputs
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.devices.connection import ConnectionState
@@ -26,10 +25,10 @@ class LostBoard:
     """
 
     def __init__(
-        self, device: Device, board: VirtualSimulator, qtbot: QtBot, *, goes_on: bool
+        self, controller: TrexController, board: VirtualSimulator, qtbot: QtBot, *, goes_on: bool
     ) -> None:
-        self.device, self.board, self.qtbot, self.goes_on = device, board, qtbot, goes_on
-        self.controller = new_controller(device)
+        self.controller, self.board, self.qtbot, self.goes_on = controller, board, qtbot, goes_on
+        self.device = device = controller.device
         self.news: list[str] = []
         self.answers: dict[str, Answer] = {}
         device.notifier.info.connect(self.news.append)
@@ -73,14 +72,14 @@ def goes_on() -> bool:
 
 @pytest.fixture
 def lost(
-    device: Device, start_simulator: StartSimulator, qtbot: QtBot, *, goes_on: bool
+    controller: TrexController, start_simulator: StartSimulator, qtbot: QtBot, *, goes_on: bool
 ) -> LostBoard:
     hypothesis = ("--timeout-needs-shutdown=on", "--error-shutdown=off") if goes_on else ()
     board = start_simulator("--unpaced", *hypothesis)
     assert isinstance(board, VirtualSimulator)
     board.do("eeprom serial_timeout 5")
     board.do("power cycle")
-    return LostBoard(device, board, qtbot, goes_on=goes_on)
+    return LostBoard(controller, board, qtbot, goes_on=goes_on)
 
 
 @pytest.mark.parametrize("goes_on", [False, True])
