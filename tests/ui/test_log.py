@@ -9,7 +9,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.window import WidgetDriver
 from trex_gui.core.errors import NoReply
-from trex_gui.core.events import EventKind
+from trex_gui.core.events import Event, EventKind
 from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.model.board_events import BoardEvents
 from trex_gui.devices.trex.model.motors import Motors
@@ -47,7 +47,7 @@ def test_entries_have_the_time_at_which_they_happened(qtbot: QtBot, clocks: Cloc
     log, events = Log(), EventLog()
     log.follow(events)
     clocks.now = 103
-    events.add(EventKind.STOP, "Stop: Esc", 101.0)
+    events.put(Event(101.0, EventKind.STOP, "Stop: Esc"))
     events.add(EventKind.FAULT, "Motor 1 fault", is_problem=True)
     log.add("Saved\nin  a file.")
     events.clear()
@@ -141,10 +141,10 @@ def test_stops_and_applied_settings_are_events(qtbot: QtBot) -> None:
 def test_events_are_sorted_by_time_and_the_oldest_dropped(qtbot: QtBot) -> None:
     events = EventLog()
     for time in (1.0, 3.0, 2.0):
-        events.add(EventKind.NOTE, str(time), time)
+        events.put(Event(time, EventKind.NOTE, str(time)))
     assert [event.time for event in events.all] == [1, 2, 3]
     for number in range(4, MOST_EVENTS + 6):
-        events.add(EventKind.NOTE, "", float(number))
+        events.put(Event(float(number), EventKind.NOTE, ""))
     assert len(events.all) == MOST_EVENTS
     assert events.all[0].time == 6
     events.clear()

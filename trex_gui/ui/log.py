@@ -29,13 +29,9 @@ class EventLog(QObject):
         super().__init__(parent)
         self.all: list[Event] = []  # in the order of time
 
-    def add(
-        self, kind: EventKind, text: str, at: float | None = None, *, is_problem: bool = False
-    ) -> Event:
-        """Note an event, now or at a time of the session's clock, and return it."""
-        event = Event(now() if at is None else at, kind, text, is_problem)
-        self.put(event)
-        return event
+    def add(self, kind: EventKind, text: str, *, is_problem: bool = False) -> None:
+        """Record an event that happens now."""
+        self.put(Event(now(), kind, text, is_problem))
 
     def put(self, event: Event) -> None:
         self.all.insert(bisect_right(self.all, event.time, key=attrgetter("time")), event)
