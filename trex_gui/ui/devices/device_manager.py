@@ -29,13 +29,12 @@ class DeviceManager(QObject):
         self,
         makers: Mapping[str, Callable[[], Controller]],
         scanner: DeviceScanner,
-        parent: QObject | None = None,
     ) -> None:
         """Use the first kind of device until another one is chosen.
 
         `makers` makes the controller of each kind, by its key, when it is first needed.
         """
-        super().__init__(parent)
+        super().__init__()
         self.scanner = scanner
         self._makers = dict(makers)
         self._controllers: dict[str, Controller] = {}

@@ -67,8 +67,8 @@ class Ports(QObject):
 
     changed = Signal()  # `entries`
 
-    def __init__(self, plugins: Sequence[DevicePlugin], parent: QObject | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, plugins: Sequence[DevicePlugin]) -> None:
+        super().__init__()
         self.plugins = tuple(plugins)
         self._store = Preferences()
         self._typed = tuple(self._store.text(_REMEMBERED).splitlines()[-_MOST_TYPED:])

@@ -90,12 +90,11 @@ class DeviceScanner(QObject):
     def __init__(
         self,
         plugins: Sequence[DevicePlugin] = (),
-        parent: QObject | None = None,
         *,
         timeouts: Timeouts | None = None,
     ) -> None:
         """Look for these kinds of devices; see `core.discovery.scan` for the order."""
-        super().__init__(parent)
+        super().__init__()
         self._plugins = tuple(plugins)
         self._timeouts = timeouts or Timeouts()
         self._simulators: dict[str, Simulator] = {}

@@ -38,8 +38,8 @@ class LineWorker(WorkerThread):
     # A report of the session, emitted in the new thread. The last one is `Closed`.
     reported = Signal(object)
 
-    def __init__(self, make_session: MakeSession, parent: QObject | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, make_session: MakeSession) -> None:
+        super().__init__()
         self.setObjectName("LineWorker")
         self._requests = RequestQueue(runtime().condition())
         self._session = make_session(self._requests, self.reported.emit)

@@ -337,10 +337,13 @@ def test_read_error_is_reported(tmp_path: Path, qtbot: QtBot) -> None:
     playback.close()
 
 
-def test_last_samples_of_a_long_recording_are_drawn(tmp_path: Path, qtbot: QtBot) -> None:
+def test_last_samples_of_a_long_recording_are_drawn(
+    tmp_path: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("trex_gui.devices.trex.model.playback.MAX_ROWS", 1000)
     path = tmp_path / "a.trexrec"
     write(path, list(an_hour(30)))
-    playback = Playback(open_recording(path), max_rows=1000)
+    playback = Playback(open_recording(path))
     with qtbot.waitSignal(playback.loaded):
         playback.start_loading()
     currents = [record for record in an_hour(30) if isinstance(record, Currents)]

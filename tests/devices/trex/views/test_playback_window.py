@@ -233,9 +233,10 @@ def test_reading_shows_progress_and_can_be_cancelled(tmp_path: Path, qtbot: QtBo
 
 
 def test_missing_part_of_a_recording_is_reported(
-    minute: Path, tmp_path: Path, qtbot: QtBot
+    minute: Path, tmp_path: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    playback = Playback(open_recording(minute), max_rows=4100)
+    monkeypatch.setattr("trex_gui.devices.trex.model.playback.MAX_ROWS", 4100)
+    playback = Playback(open_recording(minute))
     playback.start_loading()
     window = RecordingWindow.open(playback, qtbot)
     window.wait(lambda: playback.is_loaded)

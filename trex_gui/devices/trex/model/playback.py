@@ -3,8 +3,6 @@
 from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 
-from PySide6.QtCore import QObject
-
 from trex_gui.core.events import Event
 from trex_gui.core.files import SettingsError
 from trex_gui.core.recording.kinds import Value
@@ -24,17 +22,11 @@ MAX_ROWS = 3_000_000  # rows that are drawn: ten hours at 80 a second, 240 MB
 class Playback(RecordingPlayer[Header, Record, BoardSnapshot]):
     """One recording of a board; a row is drawn for each sample of the currents."""
 
-    def __init__(
-        self,
-        recording: Recording[Header, Record],
-        parent: QObject | None = None,
-        *,
-        max_rows: int = MAX_ROWS,
-    ) -> None:
+    def __init__(self, recording: Recording[Header, Record]) -> None:
         header = recording.header
         rows_of = partial(_rows, unit=header.model.current_unit)
-        curves = Curves(len(Series), rows_of, max_rows, MAX_GAP)
-        super().__init__(recording, BoardSnapshot.at_start(header), curves, parent)
+        curves = Curves(len(Series), rows_of, MAX_ROWS, MAX_GAP)
+        super().__init__(recording, BoardSnapshot.at_start(header), curves)
         self._limits = limits_in(header.settings)
 
     def traces_of(self, history: SampleHistory, events: Sequence[Event]) -> Traces:
