@@ -242,9 +242,8 @@ def test_adding_a_parameter_to_a_file_can_be_undone(file: ParameterModel, undo: 
 def test_leaving_out_a_parameter_of_a_file_can_be_undone(
     file: ParameterModel, undo: QUndoStack, qtbot: QtBot
 ) -> None:
-    with qtbot.waitSignal(file.pending_changed) as changed:
+    with qtbot.waitSignal(file.pending_changed):
         file.leave_out("serial_timeout")
-    assert changed.args == [1]
     assert list(file.values.modified) == ["serial_timeout"]
     assert file.values.is_modified("serial_timeout")
     assert not file.values.pending

@@ -68,7 +68,7 @@ class ParameterModel(QAbstractTableModel):
     either, and a number (`frequency_code`) in the edit role.
     """
 
-    pending_changed = Signal(int)  # the number of edits
+    pending_changed = Signal()  # an edit, or whether it differs from what is stored
     rejected = Signal(str)  # why an edit was rejected, for the user
     rounded = Signal(str)  # which value an edit has become, for the user
 
@@ -138,7 +138,7 @@ class ParameterModel(QAbstractTableModel):
         else:
             self.dataChanged.emit(self.index(0, 0), self.index(len(self.rows) - 1, _COLUMNS - 1))
         if pending != self.values.modified:
-            self._announce_pending()
+            self.pending_changed.emit()
 
     def pin(self, keys: Iterable[str]) -> None:
         self.beginResetModel()
@@ -152,7 +152,7 @@ class ParameterModel(QAbstractTableModel):
             if key in self.values.specs and wire != self.values.stored.get(key):
                 self.values.note_stored(self.values.specs[key], wire)
                 self._announce(key)
-        self._announce_pending()
+        self.pending_changed.emit()
 
     def note_results(self, results: Sequence[WriteResult]) -> None:
         for result in results:
@@ -170,7 +170,7 @@ class ParameterModel(QAbstractTableModel):
         for key in accepted:
             if key in self.rows.places:
                 self._announce(key)
-        self._announce_pending()
+        self.pending_changed.emit()
 
     # --- Values -------------------------------------------------------------------------
 
@@ -285,7 +285,7 @@ class ParameterModel(QAbstractTableModel):
             else:
                 self.values.edit(self.values.specs[key], wire)
             self._announce(key)
-            self._announce_pending()
+            self.pending_changed.emit()
 
     # --- Qt -----------------------------------------------------------------------------
 
@@ -376,9 +376,6 @@ class ParameterModel(QAbstractTableModel):
         return True
 
     # --- Change notification ------------------------------------------------------------
-
-    def _announce_pending(self) -> None:
-        self.pending_changed.emit(len(self.values.modified))
 
     def _announce(self, key: str) -> None:
         """Announce the row of a parameter, and the heading above it."""

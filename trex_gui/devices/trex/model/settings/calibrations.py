@@ -18,7 +18,6 @@ class Calibrations(QObject):
     """A board shows the set of its active input source only. A file may hold both sets."""
 
     changed = Signal()  # a stored or an edited calibration
-    pending_changed = Signal(int)  # the number of edits
 
     def __init__(self, parent: QObject | None = None, undo: QUndoStack | None = None) -> None:
         super().__init__(parent)
@@ -108,7 +107,7 @@ class Calibrations(QObject):
         self._seen.update(self._stored)
         self.edited = {k: e for k, e in self.edited.items() if self._held(k) != e}
         self.left_out &= self._stored.keys()
-        self._announce()
+        self.changed.emit()
 
     def forget_seen(self) -> None:
         """Forget what another board showed, except where it was edited."""
@@ -122,7 +121,7 @@ class Calibrations(QObject):
                 self._stored[key] = self._seen[key] = calibration
                 if self.edited.get(key) == calibration:
                     del self.edited[key]
-        self._announce()
+        self.changed.emit()
 
     # --- Edits --------------------------------------------------------------------------
 
@@ -172,8 +171,4 @@ class Calibrations(QObject):
             self.edited[key] = wanted
         if self._open_ended and wanted is None and key in self._stored:
             self.left_out.add(key)
-        self._announce()
-
-    def _announce(self) -> None:
         self.changed.emit()
-        self.pending_changed.emit(len(self.modified))

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 
-from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
 from trex_gui.core.errors import BadRequest
@@ -28,7 +28,7 @@ class SettingsDraft(QObject):
     """Stored settings, their edits, and the undo stack that parameters and calibrations share."""
 
     loaded = Signal()  # the stored settings were read again
-    pending_changed = Signal(int)  # the number of edits
+    pending_changed = Signal()  # `pending`, or an edit
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -43,8 +43,8 @@ class SettingsDraft(QObject):
         # although it stores something else, and `reset_pending`
         self._set_aside: dict[BoardIdentity, tuple[dict[str, int], dict[str, int], bool]] = {}
 
-        self.parameters.pending_changed.connect(self._on_pending_changed)
-        self.calibrations.pending_changed.connect(self._on_pending_changed)
+        self.parameters.pending_changed.connect(self.pending_changed)
+        self.calibrations.changed.connect(self.pending_changed)
 
     # --- Stored settings ----------------------------------------------------------------
 
@@ -218,10 +218,6 @@ class SettingsDraft(QObject):
             if step.childCount() == 0:  # no value was changed
                 step.setObsolete(True)
                 self.undo.undo()
-
-    @Slot()
-    def _on_pending_changed(self) -> None:
-        self.pending_changed.emit(self.pending)
 
 
 def diff_against_draft(
