@@ -45,11 +45,10 @@ _TIMEOUT = ParameterKey.SERIAL_TIMEOUT
 
 
 class Device(QObject):
-    # `link`, `status`, `settings`, `may_move`, or what `writer` knows
+    # `link`, `status`, `settings`, `may_move`, the judgement of the line, or what `writer` knows
     link_changed = Signal()
     state_changed = Signal()  # `state` was read again, or forgotten
     request_failed = Signal(str)  # why a request or a connection failed; the notifier has it, too
-    quality_changed = Signal()
     errors_changed = Signal()  # a bit was reported, or the errors were cleared or reset
     applied = Signal(object)  # the `WriteResult` of everything that Apply tried
     sampled = Signal(object)  # a `Batch`, after the models have taken it
@@ -86,8 +85,7 @@ class Device(QObject):
         self.motors.arming_changed.connect(self._recommend_crc)
         self.connection.failed.connect(self._on_connection_failed)
         self.connection.interfered.connect(self.notifier.report)
-        for changed in (self.driving.confirmed, self.driving.reach_changed):
-            changed.connect(self.link_changed)
+        self.driving.changed.connect(self.link_changed)
         for kept in (self.edit_backup, self.kept):
             kept.failed.connect(self.notifier.error)
         self.kept.doubted.connect(self.notifier.info)
@@ -255,7 +253,7 @@ class Device(QObject):
                     if self.motors.text:
                         self.motors.stop(reason)
                 case LineJudged():
-                    self.quality_changed.emit()
+                    self.link_changed.emit()
 
     def _on_read(self, read: BoardRead) -> None:
         self._replaced.clear()

@@ -52,8 +52,8 @@ class DriveController(QObject):
     confirms does not count.
     """
 
-    confirmed = Signal()  # a stop was; `may_move` is true if a setpoint was sent meanwhile
-    reach_changed = Signal()  # `reaches_several`
+    # `reaches_several`, or a stop was confirmed; `may_move` if a setpoint was sent meanwhile
+    changed = Signal()
 
     def __init__(
         self,
@@ -118,7 +118,7 @@ class DriveController(QObject):
         if several != self.reaches_several:
             self.reaches_several = several
             self.follow_control()
-            self.reach_changed.emit()
+            self.changed.emit()
 
     def stop(self, then: AfterStop, reason: str = "") -> None:
         """Stop everything and disarm; `then` is called once with the confirmation or its error."""
@@ -245,7 +245,7 @@ class DriveController(QObject):
         self.may_move = self._motors.armed or (self.may_move and not self._is_identified)
         if not self.may_move:
             self.driven.clear()
-        self.confirmed.emit()
+        self.changed.emit()
         self._report_lost()
 
     # --- Boards -------------------------------------------------------------------------
@@ -264,7 +264,7 @@ class DriveController(QObject):
     def note_unconfirmed(self) -> None:
         """Note that a motor may be moving: a stop that somebody else requested is unconfirmed."""
         self.may_move = True
-        self.confirmed.emit()
+        self.changed.emit()
 
     def note_stored(self, state: DeviceState, uncertain: Collection[str]) -> None:
         """Take what the board stores after a write; values with `uncertain` keys are not known."""
