@@ -1,6 +1,9 @@
 """Every message with a code has a section in the help, and every such section a message."""
 
+import ast
+import inspect
 import re
+from collections.abc import Iterator
 
 from PySide6.QtCore import QCoreApplication, QTranslator
 from PySide6.QtWidgets import QApplication
@@ -14,8 +17,7 @@ from trex_gui.devices.aracna.views import help as aracna
 from trex_gui.devices.trex.board.errors import UNSEEN
 from trex_gui.devices.trex.driving.blockers import DriveBlocker, Reason
 from trex_gui.devices.trex.protocol.errors import ErrorCode, Rejected, ResultCode, TrexError
-from trex_gui.devices.trex.settings import reader
-from trex_gui.devices.trex.settings.rules import _MESSAGES
+from trex_gui.devices.trex.settings import reader, rules
 from trex_gui.devices.trex.views import help as trex
 from trex_gui.ui.help.messages import heading_of, texts_of
 from trex_gui.ui.help.pages import MESSAGES, anchor_of, pages
@@ -31,10 +33,19 @@ def explained() -> set[str]:
 
 def coded() -> set[str]:
     texts = [*texts_of(ErrorCode), *texts_of(RobotErrorCode), *texts_of(PortFault)]
-    texts += _MESSAGES.values()
+    texts += _messages_of_rules()
     texts += [blocker.text for blocker in DriveBlocker]
     texts += [entry.name for entry in UNSEEN]
     return {heading for text in texts if (heading := heading_of(text))}
+
+
+def _messages_of_rules() -> Iterator[str]:
+    """Yield the sentences in the source of the rules; shorter texts are parts of them."""
+    for node in ast.walk(ast.parse(inspect.getsource(rules))):
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "tr":
+            text = str(ast.literal_eval(node.args[0]))
+            if len(text.split()) > 8:
+                yield text
 
 
 def test_every_message_is_explained_and_every_explanation_has_a_message() -> None:
