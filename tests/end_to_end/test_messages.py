@@ -8,6 +8,7 @@ from PySide6.QtWidgets import (
     QAbstractSlider,
     QAbstractSpinBox,
     QComboBox,
+    QLabel,
     QLineEdit,
     QScrollBar,
     QTabBar,
@@ -87,6 +88,37 @@ def test_messages_are_in_sight_and_move_no_control(connected_window: WindowDrive
     before = places(review.root)
     review.find(InlinePrompt, "reviewQuestion").ask(_LONG)
     assert moved(review, before) == []
+
+
+def test_short_message_covers_no_control(connected_window: WindowDriver) -> None:
+    window = connected_window
+    window.window.resize(1366, 768)
+    window.device.notifier.error.emit("Short.")
+    message = window.find(QWidget, "banner")
+    for page in ("boardPage", "motorsPage", "channelsPage", "currentsPage", "parametersPage"):
+        window.open_page(page)
+        QTest.qWait(300)
+        top = message.mapTo(window.window, QPoint()).y()
+        area, bar = window.find(QWidget, page), window.find(QWidget, "stopButton").parentWidget()
+        assert bar is not None
+        assert top < bar.mapTo(window.window, QPoint()).y()
+        below = [
+            each.objectName()
+            for each, (_, corner) in places(window.window).items()
+            if area.isAncestorOf(each) and corner.y() >= top
+        ]
+        assert below == [], page
+
+
+def test_bar_leaves_out_what_the_head_of_a_page_says(connected_window: WindowDriver) -> None:
+    window = connected_window
+    state, word = window.find(QLabel, "motorStateLabel"), window.find(QLabel, "armedLabel")
+    for page, is_said in (("motorsPage", True), ("parametersPage", False), ("boardPage", True)):
+        window.open_page(page)
+        assert state.isVisible() is not is_said, page
+    assert not word.isVisible()
+    window.motors.arm()
+    assert word.isVisible()
 
 
 def test_question_takes_no_keys_from_what_is_typed(connected_window: WindowDriver) -> None:

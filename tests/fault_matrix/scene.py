@@ -35,7 +35,16 @@ Stored = dict[str, int | Calibration]
 Target = tuple[str, int]
 """Direction and speed."""
 
-LABELS = ("bannerText", "questionText", "statusLabel", "motorStateLabel", "learnNote", "reviewHead")
+LABELS = (
+    "bannerText",
+    "questionText",
+    "statusLabel",
+    "motorsReason1",
+    "boardLost",
+    "motorStateLabel",
+    "learnNote",
+    "reviewHead",
+)
 """Where messages are shown."""
 
 

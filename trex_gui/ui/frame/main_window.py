@@ -114,7 +114,7 @@ class MainWindow(QMainWindow):
         self._banner = banner = Banner(frame, notifier, self._topic_of)
         banner.chosen.connect(self.apply_remedy)
         banner.help_wanted.connect(self.show_help)
-        messages = MessageRoom(frame, self.question, banner)
+        messages = MessageRoom(frame, self.question, banner, floats=True)
         self._bars = QStackedWidget(frame)
         parts = self._connection, (self.stack, 1), messages, self._bars
         ui.column(*parts, into=frame, margins=0, spacing=0)

@@ -17,7 +17,10 @@ from trex_gui.ui.help.search import Findable, Kind
 from trex_gui.ui.log import Log
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.plotting.page import PlotPage
+from trex_gui.ui.theme.theme import follow_theme
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.labels import PAGE_MARGINS
+from trex_gui.ui.widgets.messages import message_height
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 SEPARATOR = ""
@@ -176,6 +179,7 @@ class Workspace(QWidget):
         holder, index = self._holders[number]
         current, placeholder = holder.currentIndex(), holder.widget(index)
         page = self._infos[number].make()
+        follow_theme(page, "messages", partial(_leave_room, page))
         box = ScrollBox(page, holder.findChild(QStackedWidget) or self)  # where it stays
         with QSignalBlocker(holder):  # the current page stays the same
             holder.insertTab(index, box, holder.tabText(index))
@@ -290,6 +294,11 @@ class Workspace(QWidget):
 
     def edit_line_settings(self) -> None:
         """Let the user edit how this computer talks to the device."""
+
+
+def _leave_room(page: QWidget) -> None:
+    """Keep the bottom of a page free for a message."""
+    page.setContentsMargins(0, 0, 0, message_height(page) - PAGE_MARGINS[3])
 
 
 def entries_of(menus: Menus) -> list[Entry]:

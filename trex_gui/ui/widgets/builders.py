@@ -16,7 +16,6 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QDoubleSpinBox,
-    QFrame,
     QGridLayout,
     QGroupBox,
     QHBoxLayout,
@@ -474,12 +473,6 @@ def column(
 ) -> QVBoxLayout:
     """Lay items out one below the other, as `row` does side by side."""
     return _filled(QVBoxLayout(into) if into else QVBoxLayout(), items, margins, spacing)
-
-
-def action_row(frame: QFrame, *items: Item) -> None:
-    """Fill the row at the bottom of a window, which has the stop button at its left."""
-    set_look(frame, "actions")
-    row(*items, into=frame, margins=(12, 6, 12, 6))
 
 
 def grid(

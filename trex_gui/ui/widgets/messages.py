@@ -1,11 +1,18 @@
-"""Rows across a window: a message that stays until it is read, and a question."""
+"""Rows across a window: a message that stays until it is read, a question, and actions."""
 
 from collections.abc import Callable
 from functools import partial
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal, Slot
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QMoveEvent, QResizeEvent
-from PySide6.QtWidgets import QAbstractItemView, QApplication, QFrame, QPushButton, QWidget
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QApplication,
+    QFrame,
+    QHBoxLayout,
+    QPushButton,
+    QWidget,
+)
 
 from trex_gui.core.translation import tr, tr_noop
 from trex_gui.ui.notifier import (
@@ -36,6 +43,19 @@ _BUTTONS: dict[Remedy | type[ConnectWith | CopyCommand], tuple[str, str]] = {
 """Object names and texts of the buttons for remedies."""
 
 
+class ActionBar(QFrame):
+    """The row at the bottom of a window, which has the stop button at its left."""
+
+    def __init__(self, stop: QPushButton, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.stop = stop
+        stop.setParent(self)  # now, for the order of Tab
+        set_look(self, "actions")
+
+    def fill(self, *items: ui.Item) -> QHBoxLayout:
+        return ui.row(self.stop, *items, into=self, margins=(12, 6, 12, 6))
+
+
 class _MessageRow(QFrame):
     """A sign, a text, buttons that belong to the text, and a button that is always there."""
 
@@ -49,7 +69,7 @@ class _MessageRow(QFrame):
             (self._sign, 0, Qt.AlignmentFlag.AlignTop),
             (self._text, 1),
             into=self,
-            margins=(10, 6, 6, 6),
+            margins=(10, 4, 6, 4),
             spacing=10,
         )
         self._buttons: list[QPushButton] = []
@@ -193,20 +213,28 @@ class Banner(_MessageRow):
         self.setVisible(bool(text))
 
 
+def message_height(widget: QWidget) -> int:
+    """Return the pixels that a message of one line takes."""
+    return widget.fontMetrics().height() + 26
+
+
 class MessageRoom(QWidget):
     """Space for messages in a layout, with the height of one line.
 
     Messages that need more cover what is above, or below at the top of a window: nothing moves.
     """
 
-    def __init__(self, parent: QWidget, *messages: QWidget) -> None:
+    def __init__(self, parent: QWidget, *messages: QWidget, floats: bool = False) -> None:
+        """`floats`: what is above leaves the space at its bottom."""
         super().__init__(parent)
         self._cover = QWidget(parent)  # not in the layout
         self._cover.setAutoFillBackground(True)
         self._rows = ui.column(*messages, into=self._cover, margins=0)
         for each in (self._cover, *messages):
             each.installEventFilter(self)
-        follow_theme(self, "height", lambda: self.setFixedHeight(self.fontMetrics().height() + 24))
+        follow_theme(
+            self, "height", lambda: self.setFixedHeight(0 if floats else message_height(self))
+        )
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         del watched

@@ -1,7 +1,7 @@
 """The stop button and the row below the pages: what the robot is doing, and for how long."""
 
 from PySide6.QtCore import Slot
-from PySide6.QtWidgets import QFrame, QWidget
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.robot import Robot
@@ -11,6 +11,7 @@ from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import RedButton
 from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.messages import ActionBar
 
 _REFRESH_MS = 100
 
@@ -33,17 +34,16 @@ class StopSequenceButton(RedButton):
         self.setEnabled(self._robot.link not in unavailable)
 
 
-class MotionBar(QFrame):
+class MotionBar(ActionBar):
     """Says what the button can do: end what is sent, not what moves."""
 
     def __init__(self, robot: Robot, recording: QWidget, parent: QWidget) -> None:
         """`recording` is shown beside the texts."""
-        super().__init__(parent)
+        super().__init__(StopSequenceButton(robot, "aracnaStopButton"), parent)
         self._robot = robot
         self._timer = new_timer(self, _REFRESH_MS, self._update)
 
-        stop = StopSequenceButton(robot, "aracnaStopButton", self)
-        ui.set_large(stop)
+        ui.set_large(self.stop)
         self._end = ui.button(
             self,
             "aracnaEndButton",
@@ -51,7 +51,7 @@ class MotionBar(QFrame):
             tip=tr("Let the step finish, then blend out"),
             on_click=robot.end_play,
         )
-        self._end.setMinimumHeight(stop.minimumHeight())
+        self._end.setMinimumHeight(self.stop.minimumHeight())
         self._activity = ui.named(Note(1, self), "aracnaMotionLabel")
         hint = tr(
             "This link has no stop: a running motion ends only by itself, or by cutting the servo "
@@ -59,7 +59,7 @@ class MotionBar(QFrame):
         )
         hint_label = ui.label(self, "aracnaHonestLabel", hint, wrap=True)
         texts = ui.column(self._activity, hint_label, spacing=2)
-        ui.action_row(self, stop, (texts, 1), recording, self._end)
+        self.fill((texts, 1), recording, self._end)
 
         robot.changed.connect(self._update)
         self._update()

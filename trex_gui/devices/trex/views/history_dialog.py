@@ -13,7 +13,7 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.snapshots import Listing, SnapshotColumn, SnapshotTable
 from trex_gui.devices.trex.settings.history import KEPT, SettingsHistory, Snapshot
-from trex_gui.devices.trex.views.motor_controls import ActionBar
+from trex_gui.devices.trex.views.motor_controls import MotorBar
 from trex_gui.devices.trex.views.snapshot_pane import SnapshotPane
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Answer, Notifier
@@ -63,7 +63,7 @@ class HistoryDialog(ReusedDialog):
         self._save = button("saveSnapshotButton", tr("Save &as…"), icon="save", tip=tip)
         self._delete = button("deleteSnapshotButton", tr("&Delete…"), icon="clear")
         self._pane = SnapshotPane(device, self._table, notifier, self)
-        bar = ActionBar(device, "historyStopButton", self)
+        bar = MotorBar(device, "historyStopButton", self)
         self._bound = _BoundField(self._history, self._question, notifier, self)
         self._folder = button("openFolderButton", tr("&Open folder"), icon="folder")
         self._close = button("closeHistoryButton", tr("&Close"), on_click=self.close)
@@ -85,7 +85,7 @@ class HistoryDialog(ReusedDialog):
         self._pages = QStackedWidget(self)
         self._pages.addWidget(halves)
         self._pages.addWidget(nothing)
-        ui.row(bar.stop, self._bound, 1, self._folder, self._close, into=bar, margins=8)
+        bar.fill(self._bound, bar.armed, 1, self._folder, self._close)
         messages = MessageRoom(self, self._banner, self._question)  # over the heading
         head = ui.label(self, text=tr("History"), size="title")
         parts = ui.column(head, messages, (self._pages, 1), margins=(8, 8, 8, 0))

@@ -15,6 +15,7 @@ from trex_gui.ui.theme.theme import set_look, set_style_property
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ConfirmButton, RedButton, keep_room
 from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.messages import ActionBar
 
 _ARM_DIALOG_WIDTH = 480  # pixels
 _ARROWS = {Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Up, Qt.Key.Key_Down}
@@ -188,19 +189,20 @@ class StopButton(RedButton):
         self.setEnabled(self._device.link not in inactive or self._device.may_stop_matter)
 
 
-class ActionBar(QFrame):
-    """The row with the stop button at the bottom of a window, amber while motors are armed."""
+class MotorBar(ActionBar):
+    """Stops the motors. It is amber and says so while they are armed."""
 
     def __init__(self, device: Device, stop_name: str, parent: QWidget) -> None:
-        super().__init__(parent)
+        super().__init__(StopButton(device, stop_name), parent)
         self._motors = device.motors
-        self.stop = StopButton(device, stop_name, self)
+        self.armed = ui.label(self, "armedLabel", tr("Armed"), bold=True)
         self._motors.arming_changed.connect(self._show_armed)
         self._show_armed()
 
     @Slot()
     def _show_armed(self) -> None:
         set_style_property(self, "armed", self._motors.armed)
+        self.armed.setVisible(self._motors.armed)
 
 
 class ArmButton(ConfirmButton):
@@ -255,10 +257,12 @@ def _apply_text(pending: int) -> str:
     return tr("Review %n ch&ange(s)…", "", pending) if pending else tr("No ch&anges")
 
 
-class ControlBar(ActionBar):
+class ControlBar(MotorBar):
     """Stop, *Arm motors*, the state of the motors, and the changes to review."""
 
     apply_requested = Signal()
+
+    _is_said_above = True  # the first page is the board's
 
     def __init__(self, device: Device, recording: QWidget, parent: QWidget) -> None:
         super().__init__(device, "stopButton", parent)
@@ -267,12 +271,13 @@ class ControlBar(ActionBar):
         stop, run = self.stop, ArmButton(device, "runButton", self)
         self._state = ui.named(Note(1, self), "motorStateLabel")
         self._state.setAlignment(Qt.AlignmentFlag.AlignVCenter)
+        keep_room(self._state)
         tip = tr("Write the changed parameters into the board (Ctrl+Enter)")
         self._apply = ui.button(self, "applyButton", _apply_text(_MANY), tip=tip, default=False)
         ui.set_large(stop, run, self._apply)
         self._apply.setMinimumWidth(self._apply.sizeHint().width())  # nothing moves as it changes
 
-        ui.action_row(self, stop, run, (self._state, 1), recording, self._apply)
+        self.fill(run, self.armed, (self._state, 1), recording, self._apply)
 
         self._apply.clicked.connect(self.apply_requested)
         motors = device.motors
@@ -287,6 +292,12 @@ class ControlBar(ActionBar):
             signal.connect(self._on_changed)
         self._on_changed()
 
+    @Slot(str)
+    def set_page(self, key: str) -> None:
+        """Leave out what the head of this page says."""
+        self._is_said_above = key in {"board", "motors"}
+        self._on_changed()
+
     @Slot()
     def _on_changed(self) -> None:
         motors, pending = self._device.motors, self._device.draft.pending
@@ -298,6 +309,8 @@ class ControlBar(ActionBar):
             alarming=alarming,
             color="danger" if self._is_out_of_reach else "warning",
         )
+        is_news = motors.armed or self._is_beyond_reach
+        self._state.setVisible(is_news or not self._is_said_above)
         self._apply.setText(_apply_text(pending))
         set_look(self._apply, "primary" if pending else "")
         self._apply.setEnabled(pending > 0 and self._device.writer.can_apply)
@@ -319,8 +332,7 @@ class ControlBar(ActionBar):
         """Return what is sent, or the first reason why nothing is. Faults are in another text."""
         device, motors = self._device, self._device.motors
         if motors.armed:
-            sent = tr("Armed. Sent: {0}").format(motors.text)
-            return sent if motors.text else tr("Armed. Drive them on the Motors page.")
+            return motors.text
         if self._is_out_of_reach and device.may_move:
             return device.loss_text
         if device.driving.lost_board:

@@ -13,7 +13,7 @@ from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.recording import BoardSnapshot
-from trex_gui.devices.trex.views.motor_controls import ActionBar
+from trex_gui.devices.trex.views.motor_controls import MotorBar
 from trex_gui.ui.playback.transport import time_text
 from trex_gui.ui.playback.window import RecordingWindow
 from trex_gui.ui.plotting.figures import TraceColumn, TraceTable, TraceTableView
@@ -41,8 +41,8 @@ class PlaybackWindow(RecordingWindow):
         # The plot needs the room: a long table scrolls.
         table.setMaximumHeight(max(table.minimumHeight(), 8 * self.fontMetrics().height()))
 
-        bar, values = ActionBar(device, "playbackStopButton", self), ValuesPanel(playback, self)
-        builders.row(bar.stop, into=bar)
+        bar, values = MotorBar(device, "playbackStopButton", self), ValuesPanel(playback, self)
+        bar.fill(bar.armed)
         self.arrange(bar, [self._settings], below_plot=table, above_events=values)
 
     def device_text(self) -> str:

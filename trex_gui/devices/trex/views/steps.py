@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QAbstractButton, QBoxLayout, QPushButton, QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.views.motor_controls import ActionBar
+from trex_gui.devices.trex.views.motor_controls import MotorBar
 from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ConfirmButton, ReusedDialog, keep_room
@@ -148,7 +148,7 @@ class Steps(ReusedDialog):
         self._strip = StepStrip(self)
         self._body = _Body(name, self)
         self._scrolls = ScrollBox(self._body, self)
-        bar = self._bar = ActionBar(device, f"{name}StopButton", self)
+        bar = self._bar = MotorBar(device, f"{name}StopButton", self)
         extras = flow.add_buttons(bar)
         self._close = ui.button(
             bar, f"{name}CloseButton", tr("Close"), default=False, on_click=self.close
@@ -164,7 +164,7 @@ class Steps(ReusedDialog):
         for each in (self._back, self._skip, self._next):  # a second click must not hit another
             keep_room(each)
         ui.row(self._back, self._skip, self._next, into=self._moves, margins=0)
-        ui.row(bar.stop, *extras, 1, self._close, self._moves, into=bar)
+        bar.fill(*extras, bar.armed, 1, self._close, self._moves)
         margins = (_GAP, _GAP, _GAP, 8)
         items = self._title, self._strip, (self._scrolls, 1), bar
         ui.column(*items, into=self, margins=margins, spacing=12)

@@ -98,6 +98,7 @@ class TrexWorkspace(Workspace):
 
         self.recordings = Recordings(device, frame)
         self.bar = bar = ControlBar(device, self.recordings.indicator, self)
+        self.page_changed.connect(bar.set_page)
         ui.row(panel, (tabs, 1), into=self, margins=0)
         self._learning = learning = Learning(device, self)
         self._demo = DemoPanel(controller, learning, frame)

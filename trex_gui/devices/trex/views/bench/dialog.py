@@ -20,7 +20,7 @@ from trex_gui.devices.trex.model.bench import Bench, Phase
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.views.bench.forms import PlanForm, TuningForm
 from trex_gui.devices.trex.views.bench.results import FiguresTable
-from trex_gui.devices.trex.views.motor_controls import ActionBar, ArmButton
+from trex_gui.devices.trex.views.motor_controls import ArmButton, MotorBar
 from trex_gui.ui.files import ResultT, in_background, save_picture
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import set_look
@@ -80,7 +80,7 @@ class BenchDialog(ReusedDialog):
         left = ui.named(QWidget(self), "benchLeft")
         ui.column((ScrollBox(forms, left), 1), self._hold, into=left, margins=0)
         button = partial(ui.button, self, default=False)
-        bar = ActionBar(device, "benchStopButton", self)
+        bar = MotorBar(device, "benchStopButton", self)
         self._stop = bar.stop
         run = ArmButton(device, "benchRunButton", self)
         run.setAutoDefault(False)
@@ -99,7 +99,7 @@ class BenchDialog(ReusedDialog):
         compare = ui.row(compare_title, (self._compare, 1), band_title, self._band)
         self._right = ui.column(compare, self._figures)
         middle = ui.row(left, (self._right, 1))
-        ui.row(bar.stop, run, 1, self._open, self._save, close, into=bar)
+        bar.fill(run, bar.armed, 1, self._open, self._save, close)
         ui.column(self._note, (middle, 1), bar, into=self)
         ui.tab_order(left, self._compare, self._band, self._figures, bar.stop)
 

@@ -13,11 +13,11 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.findings_list import FindingsList, Remark
-from trex_gui.devices.trex.views.motor_controls import ActionBar
+from trex_gui.devices.trex.views.motor_controls import MotorBar
 from trex_gui.ui.notifier import Answer
 from trex_gui.ui.theme.theme import set_look, set_style_property
 from trex_gui.ui.widgets.behaviour import ReusedDialog
-from trex_gui.ui.widgets.builders import button, column, label, named, row, tab_order
+from trex_gui.ui.widgets.builders import button, column, label, named, tab_order
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.messages import InlinePrompt, MessageRoom
 from trex_gui.ui.widgets.placement import fitted, resize_with_font
@@ -25,7 +25,7 @@ from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 _WIDTH = 760  # pixels
 _MARGIN = 24  # pixels
-_AROUND_BUTTONS = 8  # pixels that are amber while motors are armed
+_AROUND_BUTTONS = 12  # pixels that are amber while motors are armed
 Rows = tuple[ComparisonRow, ...]
 TickedOf = Callable[[Comparison], Rows]
 """Returns the rows of a comparison whose check boxes are not cleared."""
@@ -121,11 +121,10 @@ class ChangesDialog(ReusedDialog):
         self._findings_area.setSizePolicy(policy.Preferred, policy.Maximum)
         self.question = named(Question(self), f"{prefix}Question")
         room = MessageRoom(self, self.question)
-        bar = ActionBar(device, f"{prefix}StopButton", self)
+        bar = MotorBar(device, f"{prefix}StopButton", self)
         self._close = button(self, names.close, on_click=self.close)
         self.action = button(self, names.action, confirms=True, on_click=self._on_action_clicked)
-        buttons = bar.stop, 1, self._close, self.action
-        self._bar = row(*buttons, into=bar, margins=_AROUND_BUTTONS)
+        self._bar = bar.fill(bar.armed, 1, self._close, self.action)
         if (inset := self.findings.layout()) is not None:
             inset.setContentsMargins(14, 10, 14, 10)
         self._parts = column(

@@ -8,13 +8,13 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.telemetry import board_traces
 from trex_gui.devices.trex.protocol.descriptions import CURRENT_ACCURACY
-from trex_gui.devices.trex.views.motor_controls import ActionBar
+from trex_gui.devices.trex.views.motor_controls import MotorBar
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.plotting.panel import TracePanel
 from trex_gui.ui.plotting.traces import Traces
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.widgets.behaviour import only_when_visible
-from trex_gui.ui.widgets.builders import column, row
+from trex_gui.ui.widgets.builders import column
 from trex_gui.ui.widgets.placement import keep_on_screen, restore_geometry, save_geometry
 
 
@@ -90,8 +90,8 @@ class PlotWindow(QMainWindow):
         self.setWindowIcon(application_icon())
         self.setWindowTitle(tr("Motor currents"))
         self.panel = CurrentsPanel(device, self, key=self._KEY)
-        bar = ActionBar(device, "plotStopButton", self)
-        row(bar.stop, 1, into=bar)
+        bar = MotorBar(device, "plotStopButton", self)
+        bar.fill(bar.armed, 1)
         frame = QWidget(self)
         column((self.panel, 1), bar, into=frame)
         self.setCentralWidget(frame)

@@ -20,7 +20,7 @@ from trex_gui.devices.trex.views.changes.files import (
     show_comparison,
     show_conversion,
 )
-from trex_gui.devices.trex.views.motor_controls import ActionBar
+from trex_gui.devices.trex.views.motor_controls import MotorBar
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
 from trex_gui.devices.trex.views.settings_editor.channels_page import DocumentChannels
 from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
@@ -30,7 +30,7 @@ from trex_gui.ui.files import in_background
 from trex_gui.ui.frame.workspace import SEPARATOR, Entry, fill_menu_bar
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.widgets import file_questions
-from trex_gui.ui.widgets.builders import action_row, column, named
+from trex_gui.ui.widgets.builders import column, named
 from trex_gui.ui.widgets.document_saver import DocumentSaver
 from trex_gui.ui.widgets.file_questions import SaveAnswer
 from trex_gui.ui.widgets.messages import Banner, MessageRoom
@@ -75,8 +75,8 @@ class SettingsEditor(QMainWindow):
         channels = DocumentChannels(document.draft, self._linter, self)
         self.tabs.addTab(ScrollBox(channels, self), tr("Channels"))
         self._text_index = self.tabs.addTab(self._text, tr("Text"))
-        bar = ActionBar(device, "editorStopButton", self)
-        action_row(bar, bar.stop, 1)
+        bar = MotorBar(device, "editorStopButton", self)
+        bar.fill(bar.armed, 1)
         frame = QWidget(self)
         messages = MessageRoom(frame, self._banner)
         column((self.tabs, 1), messages, bar, into=frame, margins=0, spacing=0)
