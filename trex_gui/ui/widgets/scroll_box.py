@@ -40,7 +40,7 @@ class ScrollBox(QScrollArea):
         if layout is not None and layout.hasHeightForWidth() and self.isVisible():
             room = self.maximumViewportSize()
             around = self.height() - room.height()
-            hint.setHeight(layout.heightForWidth(room.width()) + around)
+            hint.setHeight(layout.totalHeightForWidth(room.width()) + around)
         return hint
 
     def minimumSizeHint(self) -> QSize:
@@ -79,5 +79,5 @@ class ScrollBox(QScrollArea):
         layout = self._content.layout()
         needed = self._content.minimumSizeHint().height()
         if layout is not None and layout.hasHeightForWidth():
-            needed = max(needed, layout.minimumHeightForWidth(width))
+            needed = max(needed, layout.totalMinimumHeightForWidth(width))
         return needed
