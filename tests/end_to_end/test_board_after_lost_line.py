@@ -39,6 +39,7 @@ def test_pages_warn_of_motors_behind_a_lost_line(
         assert f"{grave} {remedy}" in page.find(QLabel, "motorsReason").accessibleName()
         assert page.text("motorsLost").startswith(f"{grave} {remedy}")
         assert page.is_enabled("reconnectAndStop")
+        assert page.button("reconnectAndStop") is window.window.focusWidget()
         assert f"{grave} {remedy}" in window.text("motorStateLabel")
         page = window.open_page("boardPage")
         assert page.text("boardLost").startswith(f"{grave} {remedy}")

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QRect
-from PySide6.QtWidgets import QApplication, QPushButton, QSpinBox, QWidget
+from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QSpinBox, QWidget
 from pytestqt.qtbot import QtBot
 from serial.tools.list_ports_common import ListPortInfo
 
@@ -196,3 +196,32 @@ def test_device_and_pages_return(
     with start() as window:
         assert window.has("motorsPage")
         assert window.device.link is ConnectionState.DISCONNECTED
+
+
+def test_focus_goes_where_the_next_key_is_wanted(window: WindowDriver) -> None:
+    def focused() -> QWidget | None:
+        return window.window.focusWidget()
+
+    connect, places = window.button("connectButton"), window.window.pages.tabBar()
+    assert focused() is connect
+    window.open_page("boardPage")
+    window.button("startDemo").setFocus()
+    window.click("startDemo")
+    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
+    assert focused() is places
+    connect.setFocus()
+    window.click("connectButton")
+    window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
+    assert focused() is connect
+
+
+def test_name_of_the_board_is_whole_beside_the_demo_panel(window: WindowDriver) -> None:
+    window.click("startDemo")
+    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
+    window.window.resize(1024, 600)
+    name = window.find(QLabel, "statusLabel")
+    window.wait(lambda: name.text().startswith("TReX 1.2"))
+    window.wait(lambda: not window.find(QWidget, "lineButton").isVisible())
+    assert name.width() >= name.sizeHint().width()
+    window.window.resize(1600, 900)
+    window.wait(lambda: window.find(QWidget, "lineButton").isVisible())

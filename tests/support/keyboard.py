@@ -338,7 +338,11 @@ def _out_of_order(window: QWidget) -> Iterator[str]:
 
 
 def _place(widget: QWidget, window: QWidget) -> QRect:
-    return QRect(widget.mapTo(window, QPoint()), widget.size())
+    """Return the place of a widget. A page that scrolls leaves some of it to messages."""
+    place = QRect(widget.mapTo(window, QPoint()), widget.size())
+    if isinstance(widget, QScrollArea) and (content := widget.widget()) is not None:
+        place.adjust(0, 0, 0, -content.contentsMargins().bottom())
+    return place
 
 
 def _follows(before: QRect, after: QRect, *, in_columns: bool) -> bool:

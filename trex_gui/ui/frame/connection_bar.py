@@ -2,9 +2,9 @@
 
 from collections.abc import Callable, Sequence
 
-from PySide6.QtCore import QSignalBlocker, Signal, Slot
+from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Signal, Slot
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QComboBox, QFrame, QInputDialog, QSizePolicy
+from PySide6.QtWidgets import QComboBox, QFrame, QInputDialog, QSizePolicy, QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.ui.devices.connection import ConnectionState
@@ -21,8 +21,10 @@ from trex_gui.ui.widgets.leds import Lamp
 
 _NOT_CONNECTED, _OTHER = "not connected", "other"
 
-_PORT = 18  # characters
-_LEAST, _STATE, _QUALITY, _CONNECT, _WIDEST = 10, 6, 11, 14, 116  # widths, average characters
+# Widths in average characters
+_PORT, _LEAST_PORT = 18, 10
+_STATE, _LEAST_STATE = 26, 6  # of which the baud rate and the quality give up
+_QUALITY, _CONNECT, _WIDEST = 11, 14, 116
 
 
 class ConnectionBar(QFrame):
@@ -59,6 +61,7 @@ class ConnectionBar(QFrame):
         self._chosen: Port | None = None
         self._last: Port | None = None  # connected, or tried, last
         self._wants_none = False
+        self._next: QWidget | None = None  # has the focus of the button while that is disabled
         self._create_widgets()
 
         self._combo.activated.connect(self._on_activated)
@@ -77,8 +80,8 @@ class ConnectionBar(QFrame):
         )
         QShortcut(QKeySequence.mnemonic(tr("&Port:")), self, self._offer_ports)
         # A double click on Connect does not disconnect.
-        self._connect = ui.named(ConfirmButton(parent=self), "connectButton")
-        self._connect.clicked.connect(self.toggle)
+        self.button = ui.named(ConfirmButton(parent=self), "connectButton")
+        self.button.clicked.connect(self.toggle)
         self._line = ui.tool_button(
             self,
             "lineButton",
@@ -114,8 +117,8 @@ class ConnectionBar(QFrame):
         self._progress = ui.progress_bar(self, "progressBar", tr("Progress"))
         self._progress.setFixedWidth(40)
         self._progress.hide()
-        # Only the state gives up room for what comes and goes.
-        ui.row(
+        # The state gives up room for what comes and goes, after baud rate and quality.
+        self._parts = ui.row(
             self._lamp,
             (self._status, 1),
             self._progress,
@@ -128,17 +131,35 @@ class ConnectionBar(QFrame):
             margins=(10, 1, 6, 1),
         )
         # The window adds to it.
-        self.row = ui.row((pill, 9), self._connect, 0, into=self, margins=(12, 6, 12, 6))
-        ui.tab_order(pill, self._connect)
+        self.row = ui.row((pill, 9), self.button, 0, into=self, margins=(12, 6, 12, 6))
+        ui.tab_order(pill, self.button)
+        pill.installEventFilter(self)
         follow_theme(self, "room", self._take_room)
 
     def _take_room(self) -> None:
         character = self.fontMetrics().averageCharWidth()
         self._pill.setMaximumWidth(_WIDEST * character)
-        self._status.setMinimumWidth(_STATE * character)
+        self._status.setMinimumWidth(_LEAST_STATE * character)
         self._quality.setFixedWidth(_QUALITY * character)
-        self._combo.setMinimumWidth(_LEAST * character)
-        self._connect.setMinimumWidth(_CONNECT * character)
+        self._combo.setMinimumWidth(_LEAST_PORT * character)
+        self.button.setMinimumWidth(_CONNECT * character)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        del watched
+        if event.type() in {QEvent.Type.Resize, QEvent.Type.LayoutRequest}:
+            more = (_STATE - _LEAST_STATE) * self.fontMetrics().averageCharWidth()
+            left = self._pill.width() - more - self._parts.minimumSize().width()
+            widths = {
+                each: each.minimumSizeHint().expandedTo(each.minimumSize()).width()
+                + self._parts.spacing()
+                for each in (self._quality, self._line)
+            }
+            left += sum(width for each, width in widths.items() if not each.isHidden())
+            for each, width in widths.items():
+                each.setVisible(width <= left)
+                left -= width if width <= left else 0
+            self._combo.setMaximumWidth(self._combo.minimumWidth() + max(left, 0))
+        return False
 
     @Slot()
     def toggle(self) -> None:
@@ -310,12 +331,19 @@ class ConnectionBar(QFrame):
     def _show_button(self) -> None:
         connects = self.would_connect
         text = tr("&Connect") if connects else tr("Dis&connect")
-        if text != self._connect.text():
-            self._connect.hold_off()
-            self._connect.setText(text)
-        set_look(self._connect, "primary" if connects else "")
-        is_disconnecting = self._manager.current.link is ConnectionState.DISCONNECTING
-        self._connect.setEnabled(not is_disconnecting)
+        if text != self.button.text():
+            self.button.hold_off()
+            self.button.setText(text)
+        set_look(self.button, "primary" if connects else "")
+        had_focus = self.button.hasFocus()
+        self.button.setEnabled(self._manager.current.link is not ConnectionState.DISCONNECTING)
+        focused = self.window().focusWidget()
+        if had_focus and not self.button.isEnabled():
+            self._next = focused
+        elif self.button.isEnabled() and self._next is not None:
+            if focused is self._next:
+                self.button.setFocus()
+            self._next = None
 
     @Slot(int, int, str)
     def _on_progressed(self, done: int, total: int, what: str) -> None:

@@ -119,6 +119,7 @@ class MainWindow(QMainWindow):
         parts = self._connection, (self.stack, 1), messages, self._bars
         ui.column(*parts, into=frame, margins=0, spacing=0)
         self.setCentralWidget(frame)
+        bar.button.setFocus()
         self._workspaces: tuple[Workspace, ...] = ()
         self._actions: dict[str, QAction] = {}
         self._menus_shown: list[QMenu] = []

@@ -6,6 +6,7 @@ from functools import partial
 from itertools import zip_longest
 
 from PySide6.QtCore import Qt, Slot
+from PySide6.QtGui import QHideEvent
 from PySide6.QtWidgets import QLabel, QPushButton, QStackedWidget, QWidget
 
 from trex_gui.core.translation import tr
@@ -164,6 +165,12 @@ class StartPanel(QWidget):
             if file is not None:
                 button.setText(ui.no_mnemonic(metrics.elidedText(file.path.name, end, room)))
                 button.setToolTip(ui.plain(str(file.path)))
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Lead to the places: Qt gives the focus to anything that comes next."""
+        if (focused := self._frame.focusWidget()) and self.isAncestorOf(focused):
+            self._frame.pages.tabBar().setFocus()
+        super().hideEvent(event)
 
     def _on_port_clicked(self, at: int) -> None:
         """Connect to this kind of device, unless another one was found on the port."""

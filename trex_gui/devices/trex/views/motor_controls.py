@@ -147,7 +147,6 @@ class LostPanel(QFrame):
     def __init__(self, device: Device, name: str, parent: QWidget) -> None:
         super().__init__(parent)
         self._device = device
-        self.hide()
         set_look(self, "message")
         set_style_property(self, "danger", True)
         center = Qt.AlignmentFlag.AlignCenter
@@ -156,6 +155,7 @@ class LostPanel(QFrame):
         text, press = tr("Reconnect and stop"), device.press_stop
         self._button = ui.button(self, "reconnectAndStop", text, default=False, on_click=press)
         ui.column(1, self._text, (self._button, 0, center), 1, into=self, spacing=16)
+        self.hide()
 
     def show_loss(self, text: str) -> bool:
         """Show a text while motors are lost; return whether they are."""
@@ -163,8 +163,14 @@ class LostPanel(QFrame):
         is_lost = device.may_stop_matter and not device.is_connected
         if is_lost:
             self._text.setText(text)
-            self._button.setEnabled(device.link is ConnectionState.DISCONNECTED)
+        can_reconnect = is_lost and device.link is ConnectionState.DISCONNECTED
+        changes = can_reconnect != self._button.isEnabled()
+        if changes and self._button.hasFocus():
+            _focus_stop(self)
+        self._button.setEnabled(can_reconnect)
         self.setVisible(is_lost)
+        if changes and can_reconnect and self.isVisible():
+            self._button.setFocus()
         return is_lost
 
 
@@ -187,6 +193,14 @@ class StopButton(RedButton):
     def _on_link_changed(self) -> None:
         inactive = {ConnectionState.DISCONNECTED, ConnectionState.DISCONNECTING}
         self.setEnabled(self._device.link not in inactive or self._device.may_stop_matter)
+
+
+def _focus_stop(widget: QWidget) -> None:
+    """Focus the stop button of a window: arrow keys may change what comes next by itself."""
+    window = widget.window()
+    for stop in window.findChildren(StopButton):
+        if stop.window() is window:
+            stop.setFocus()
 
 
 class MotorBar(ActionBar):
@@ -221,7 +235,7 @@ class ArmButton(ConfirmButton):
     def _on_clicked(self) -> None:
         if self._motors.armed:
             self._motors.stop()
-            self._focus_stop()
+            _focus_stop(self)
         elif self.takes_clicks:  # neither the second press of a key that disarmed
             arm(self._device, self.window())
 
@@ -229,7 +243,7 @@ class ArmButton(ConfirmButton):
     def _on_changed(self) -> None:
         armed = self._motors.armed
         if armed and self.window().focusWidget() is self:  # also behind a dialog
-            self._focus_stop()
+            _focus_stop(self)
         text = tr("Disa&rm") if armed else tr("A&rm motors")
         if text != self.text():
             self.setText(text)
@@ -241,13 +255,6 @@ class ArmButton(ConfirmButton):
         self.setToolTip(tip)
         self.setAccessibleDescription(tip)
         self.setEnabled(armed or self._motors.can_arm)
-
-    def _focus_stop(self) -> None:
-        """Give the focus to the stop button: arrow keys may change the next widget."""
-        window = self.window()
-        for stop in window.findChildren(StopButton):
-            if stop.window() is window:
-                stop.setFocus()
 
 
 _MANY = 88  # changes, in a text that is as long as any
