@@ -35,6 +35,7 @@ from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
 from trex_gui.devices.trex.views.pages.motors.gamepad_dialog import GamepadDialog
 from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
 from trex_gui.ui.theme.theme import SCHEMES, Scheme, theme
+from trex_gui.ui.widgets.messages import ActionBar
 
 each_scheme = pytest.mark.parametrize(
     "scheme", sampled(("dark", "light", "high_contrast"), every=3)
@@ -177,6 +178,9 @@ def test_controls_have_a_visible_outline_in_every_theme(window: WindowDriver) ->
         window.trigger(key)
     GamepadDialog(window.find(GamepadPanel, "gamepadPanel").gamepad, window.window)
     LineSettingsDialog(trex(window.program).controller.settings, window.window)
+    for bar in window.find_all(ActionBar):
+        buttons = (each for each in bar.findChildren(QPushButton) if each is not bar.stop)
+        assert [each.text() for each in buttons if not each.icon().isNull()] == [], "on amber"
     controls = controls_of(window.window)
     assert all(any(isinstance(control, kind) for control in controls) for kind in KINDS)
     assert len(window.find_all(QDialog)) > 8

@@ -139,6 +139,7 @@ class FindDialog(ReusedDialog):
         )
         close = ui.button(self, "findCloseButton", tr("Close"), default=False, on_click=self.close)
         ui.column(
+            ui.label(self, text=tr("Find a board"), size="title"),
             intro,
             ui.label(self, text=tr("Search &on:"), buddy=self._list),
             self._list,

@@ -121,6 +121,7 @@ class PreferencesDialog(ReusedDialog):
         buttons = self.close_box("preferencesClose")
         buttons.button(QDialogButtonBox.StandardButton.Close).setDefault(True)
         self._rows = ui.column(
+            ui.label(self, text=tr("Preferences"), size="title"),
             form,
             self._own_folder,
             ui.row((self._folder, 1), self._choose, margins=(22, 0, 0, 0)),

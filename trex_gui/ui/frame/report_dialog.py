@@ -25,6 +25,7 @@ from trex_gui.ui.widgets.labels import Muted
 from trex_gui.ui.widgets.placement import resize_with_font
 
 _FILE = Qt.ItemDataRole.UserRole
+_AROUND_ROW = 4  # pixels, in the style sheet
 
 
 class ReportDialog(ReusedDialog):
@@ -34,7 +35,8 @@ class ReportDialog(ReusedDialog):
         super().__init__(parent)
         self._notifier = notifier
         self.setObjectName("reportDialog")
-        self.setWindowTitle(tr("Save report for support"))
+        title = tr("Save report for support")
+        self.setWindowTitle(title)
         resize_with_font(self, 860, 520)
         about = Muted(
             tr(
@@ -63,7 +65,8 @@ class ReportDialog(ReusedDialog):
         self._save.setDefault(True)
         buttons.addButton(self._save, QDialogButtonBox.ButtonRole.ActionRole)
         left, right = ui.column(files, (self._list, 1)), ui.column(content, (self._text, 1))
-        ui.column(about, (ui.row((left, 1), (right, 3)), 1), buttons, into=self)
+        head = ui.label(self, text=title, size="title")
+        ui.column(head, about, (ui.row((left, 1), (right, 3)), 1), buttons, into=self)
         follow_theme(self, "font", lambda: self._text.setFont(fixed_font()))
         self._list.currentItemChanged.connect(self._show_current)
         self._list.itemChanged.connect(self._enable)
@@ -85,7 +88,7 @@ class ReportDialog(ReusedDialog):
             item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             item.setCheckState(Qt.CheckState.Checked)
             self._list.addItem(item)
-        room = 2 * (self._list.frameWidth() + self._list.spacing())
+        room = 2 * (self._list.frameWidth() + _AROUND_ROW)
         self._list.setMinimumWidth(self._list.sizeHintForColumn(0) + room)
         self._list.setCurrentRow(0)
         self._enable()

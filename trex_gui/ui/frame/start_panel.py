@@ -168,7 +168,8 @@ class StartPanel(QWidget):
 
     def hideEvent(self, event: QHideEvent) -> None:
         """Lead to the places: Qt gives the focus to anything that comes next."""
-        if (focused := self._frame.focusWidget()) and self.isAncestorOf(focused):
+        focused = self._frame.focusWidget()
+        if focused is not None and self.isAncestorOf(focused):
             self._frame.pages.tabBar().setFocus()
         super().hideEvent(event)
 

@@ -77,7 +77,8 @@ class HelpDialog(ReusedDialog):
         buttons = self.close_box("helpClose")
         splitter = ui.splitter(self, "", Qt.Orientation.Horizontal, (self._list, 0), (text, 1))
         splitter.setSizes([230, 950])
-        ui.column((splitter, 1), ui.row(*steps, 1, buttons, margins=0), into=self)
+        head = ui.label(self, text=tr("Help"), size="title")
+        ui.column(head, (splitter, 1), ui.row(*steps, 1, buttons, margins=0), into=self)
         self._list.currentRowChanged.connect(self._on_chosen)
         text.sourceChanged.connect(self._select)
 

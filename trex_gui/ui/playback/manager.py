@@ -19,7 +19,6 @@ from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.playback.transport import size_text, time_text
 from trex_gui.ui.runtime import new_timer
-from trex_gui.ui.theme.icons import set_sign
 from trex_gui.ui.widgets import builders
 from trex_gui.ui.widgets.file_drop import FileDrop
 from trex_gui.ui.widgets.file_questions import ask_to_save, last_folder, remember_folder
@@ -38,7 +37,7 @@ WindowT = TypeVar("WindowT", bound="RecordingWindow")
 
 
 class RecordIndicator(QWidget):
-    """Shows a red dot, duration, size and file while recording, and a button to stop it."""
+    """Shows duration, size and file while recording, and a button to stop it."""
 
     def __init__(
         self, recorder: RecordThread[Any], parent: QWidget | None = None, *, prefix: str = ""
@@ -47,8 +46,6 @@ class RecordIndicator(QWidget):
         builders.named(self, f"{prefix}recordIndicator", accessible=tr("Recording"))
         self._recorder = recorder
 
-        dot = builders.label(self)
-        set_sign(dot, "record", "led_red")
         self._text = builders.label(self, f"{prefix}recordText", bold=True)
         self._file = builders.named(ElidedLabel("", self), f"{prefix}recordFile")
         self._file.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
@@ -56,12 +53,11 @@ class RecordIndicator(QWidget):
             self,
             f"{prefix}stopRecordingButton",
             tr("Stop recording"),
-            icon="ok",
             tip=tr("End the recording; motors and connection are not affected"),
             on_click=recorder.stop,
         )
         self._timer = new_timer(self, _UPDATE_INTERVAL_MS, self._update_text)
-        builders.row(dot, self._text, (self._file, 1), stop, into=self, margins=0)
+        builders.row(self._text, (self._file, 1), stop, into=self, margins=0)
 
         recorder.changed.connect(self._on_changed)
         self._on_changed()

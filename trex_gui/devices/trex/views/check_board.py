@@ -209,7 +209,7 @@ class CheckBoardFlow(Flow):
 
     def add_buttons(self, parent: QWidget) -> Sequence[QPushButton]:
         button = partial(ui.button, parent, default=False)
-        self._find = button("checkFindButton", tr("&Find now"), icon="find")
+        self._find = button("checkFindButton", tr("&Find now"))
         tip = tr("19200 baud, without parity and CRC, whatever the device number")
         text = tr("&Connect at factory settings")
         self._connect = button("checkConnectButton", text, tip=tip, on_click=self._connect_now)

@@ -65,7 +65,7 @@ class HistoryDialog(ReusedDialog):
         self._pane = SnapshotPane(device, self._table, notifier, self)
         bar = MotorBar(device, "historyStopButton", self)
         self._bound = _BoundField(self._history, self._question, notifier, self)
-        self._folder = button("openFolderButton", tr("&Open folder"), icon="folder")
+        self._folder = button("openFolderButton", tr("&Open folder"))
         self._close = button("closeHistoryButton", tr("&Close"), on_click=self.close)
         text = tr(
             "There are no snapshots yet.\n\nBefore settings are applied or defaults restored, "

@@ -88,10 +88,10 @@ class BenchDialog(ReusedDialog):
         set_look(self._hold, "primary")
         tip = tr("Open a saved test")
         ask = self._ask_and_open
-        self._open = button("benchOpenButton", tr("&Open…"), icon="open", tip=tip, on_click=ask)
+        self._open = button("benchOpenButton", tr("&Open…"), tip=tip, on_click=ask)
         tip = tr("Save this test to compare with later, or a picture of it")
         ask = self._ask_and_save
-        self._save = button("benchSaveButton", tr("Sa&ve…"), icon="save", tip=tip, on_click=ask)
+        self._save = button("benchSaveButton", tr("Sa&ve…"), tip=tip, on_click=ask)
         close = button("benchCloseButton", tr("&Close"), on_click=self.close)
 
         compare_title = ui.label(self, text=tr("Compar&e with"), buddy=self._compare)

@@ -69,11 +69,10 @@ class LearnFlow(Flow):
 
     def add_buttons(self, parent: QWidget) -> Sequence[QPushButton]:
         button = partial(ui.button, parent, default=False)
-        self._again = button(f"{self.name}AgainButton", icon="reload", on_click=self.learning.again)
+        self._again = button(f"{self.name}AgainButton", on_click=self.learning.again)
         tip = tr("If a channel does not get a good result, learn its values again.")
         self._learn_again = button(
             f"{self.name}ChannelAgainButton",
-            icon="calibrate",
             tip=tip,
             on_click=self._on_learn_again,
         )
