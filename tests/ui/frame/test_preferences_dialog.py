@@ -20,7 +20,7 @@ from trex_gui.ui.widgets.file_questions import default_folder, last_folder, reme
 @pytest.fixture
 def dialog(qtbot: QtBot, qapp: QApplication) -> Iterator[WidgetDriver]:
     theme().install(qapp)
-    made = PreferencesDialog()
+    made = PreferencesDialog(lambda: None)
     made.open_preferences()
     yield WidgetDriver(made, qtbot)
     made.close()

@@ -4,11 +4,14 @@ import pytest
 from PySide6.QtCore import QPoint
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLineEdit, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import LEFT, WidgetDriver
 from trex_gui.core.errors import BadReply, InternalError, PortUnavailable, StudioError
-from trex_gui.ui.notifier import CopyCommand, Notifier, Remedies, Remedy, remedies_of
+from trex_gui.ui.notifier import Answer, CopyCommand, Notifier, Remedies, Remedy, remedies_of
+from trex_gui.ui.runtime import runtime
+from trex_gui.ui.widgets.builders import column
 from trex_gui.ui.widgets.messages import Banner
 
 FIND, AGAIN = Remedy.FIND, Remedy.RECONNECT
@@ -52,6 +55,24 @@ def test_message_that_offers_a_report_outlives_a_connection(qtbot: QtBot) -> Non
     driver.click("bannerDismiss")
     assert not banner.text
     assert not driver.has("bannerReport")
+
+
+def test_news_leave_by_themselves_and_problems_and_questions_stay(qtbot: QtBot) -> None:
+    window, notifier = QWidget(), Notifier()
+    qtbot.addWidget(window)
+    banner, editor = Banner(window, notifier), QLineEdit(window)
+    column((editor, 1), banner, into=window)
+    window.resize(400, 400)
+    window.show()
+    editor.setFocus()
+    notifier.info.emit("Written.")
+    qtbot.waitUntil(lambda: not banner.text)
+    notifier.error.emit("Not written.")
+    runtime().sleep(60)
+    assert banner.text == "Not written."
+    notifier.ask("Write?", Answer("yes", "Yes", lambda: None))
+    runtime().sleep(60)
+    assert banner.text == "Write?"
 
 
 @pytest.mark.parametrize(

@@ -12,12 +12,13 @@ from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, Ports
 from trex_gui.ui.frame.find_dialog import FindDialog
 from trex_gui.ui.frame.workspace import LineChoice
-from trex_gui.ui.notifier import ConnectWith, Remedy
+from trex_gui.ui.notifier import Answer, ConnectWith, Remedy
 from trex_gui.ui.theme.theme import follow_theme, set_look, set_text_color
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ConfirmButton
 from trex_gui.ui.widgets.labels import ElidedLabel
 from trex_gui.ui.widgets.leds import Lamp
+from trex_gui.ui.widgets.messages import InlinePrompt
 
 _NOT_CONNECTED, _OTHER = "not connected", "other"
 
@@ -38,9 +39,6 @@ class ConnectionBar(QFrame):
     choice_changed = Signal()  # `would_connect` may be another
     line_settings_requested = Signal()
     remedy_chosen = Signal(object)  # a `Remedy`
-    # The user's choice would interrupt the writing of settings; carries the function that does it
-    # anyway.
-    interruption_wanted = Signal(object)
 
     def __init__(
         self,
@@ -48,12 +46,14 @@ class ConnectionBar(QFrame):
         ports: Ports,
         line_choices: Callable[[str, object], Sequence[LineChoice]],
         board_name: Callable[[], str],
+        question: InlinePrompt,
     ) -> None:
         """`board_name` returns that of the connected board, or an empty text."""
         super().__init__()
         self.setObjectName("connectionBar")
         self._line_choices = line_choices
         self._board_name = board_name
+        self._question = question
         self._manager = device_manager
         self._ports = ports
         self._dialog: FindDialog | None = None
@@ -182,7 +182,14 @@ class ConnectionBar(QFrame):
     def _unless_busy(self, then: Callable[[], object]) -> None:
         if self._manager.current.is_busy:
             self.window().activateWindow()  # the question is there
-            self.interruption_wanted.emit(then)
+            self._question.ask(
+                tr(
+                    "Settings are still being written. Disconnect anyway? Unwritten settings stay "
+                    "pending."
+                ),
+                Answer("disconnectYes", tr("Disconnect"), then),
+                still=lambda: self._manager.current.is_busy,
+            )
         else:
             then()
 

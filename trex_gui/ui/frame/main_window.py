@@ -49,7 +49,7 @@ from trex_gui.ui.help.messages import topic_in_front
 from trex_gui.ui.help.pages import INDEX, help_findables
 from trex_gui.ui.help.search import Findable
 from trex_gui.ui.last_run import stop_left_running
-from trex_gui.ui.notifier import Answer, ConnectWith, Notifier, Remedy
+from trex_gui.ui.notifier import ConnectWith, Notifier, Remedy
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.icons import DialogIcons, application_icon
 from trex_gui.ui.theme.theme import restore_choices
@@ -100,8 +100,13 @@ class MainWindow(QMainWindow):
         self._notifier = notifier
         self._store = Preferences()
         frame = QWidget(self)
-        self._connection = bar = ConnectionBar(
-            device_manager, ports, self._line_choices, lambda: self._workspace.device_name
+        self.question = InlinePrompt(frame)  # for questions of the window and of the workspaces
+        self.connection = bar = ConnectionBar(
+            device_manager,
+            ports,
+            self._line_choices,
+            lambda: self._workspace.device_name,
+            self.question,
         )
         self._search = SearchField(self.findables, bar)
         tip = tr("Help")
@@ -109,14 +114,13 @@ class MainWindow(QMainWindow):
         button.clicked.connect(self._show_help)
         bar.row.addWidget(self._search, 3)
         bar.row.addWidget(button)
-        self.question = InlinePrompt(frame)  # for questions of the window and of the workspaces
         self.stack = QStackedWidget(frame)
         self._banner = banner = Banner(frame, notifier, self._topic_of)
         banner.chosen.connect(self.apply_remedy)
         banner.help_wanted.connect(self.show_help)
         messages = MessageRoom(frame, self.question, banner, floats=True)
         self._bars = QStackedWidget(frame)
-        parts = self._connection, (self.stack, 1), messages, self._bars
+        parts = self.connection, (self.stack, 1), messages, self._bars
         ui.column(*parts, into=frame, margins=0, spacing=0)
         self.setCentralWidget(frame)
         bar.button.setFocus()
@@ -176,11 +180,11 @@ class MainWindow(QMainWindow):
         self._actions["stop"].setAutoRepeat(False)  # Esc that closed a menu may still be held
 
     def _connect(self) -> None:
-        self._connection.connecting.connect(self._notifier.cleared)
-        self._connection.choice_changed.connect(self._on_actions_changed)
-        self._connection.line_settings_requested.connect(self._edit_line_settings)
-        self._connection.remedy_chosen.connect(self.apply_remedy)
-        self._connection.interruption_wanted.connect(self._on_interruption_wanted)
+        for signal in (self.connection.connecting, self.connection.choice_changed):
+            signal.connect(self._notifier.cleared)
+        self.connection.choice_changed.connect(self._on_actions_changed)
+        self.connection.line_settings_requested.connect(self._edit_line_settings)
+        self.connection.remedy_chosen.connect(self.apply_remedy)
         self._manager.changed.connect(self._on_link_changed)
         self._manager.current_changed.connect(self._on_device_changed)
         self._manager.stop_reported.connect(self._on_stop_reported)
@@ -195,9 +199,6 @@ class MainWindow(QMainWindow):
         made = [workspace for workspace in self._workspaces if workspace.key == device]
         return made[0].line_choices(line) if made else ()
 
-    def connect_to(self, port: Port) -> None:
-        self._connection.connect_to(port)
-
     @property
     def pages(self) -> QTabWidget:
         return self._workspace.pages
@@ -209,54 +210,45 @@ class MainWindow(QMainWindow):
 
     def _menus(self, workspaces: Sequence[Menus]) -> Iterator[tuple[str, Entries]]:
         """Yield titles and entries. Menus that only one workspace has come before Window."""
-        connection, stop = self._connection, partial(stop_or_close_dialog, self._manager)
-        open_log, about = partial(open_log_folder, self, self._notifier), f"{INDEX}#about"
+        bar, stop = self.connection, partial(stop_or_close_dialog, self._manager)
+        preferences, open_log = (
+            self._show_preferences,
+            partial(open_log_folder, self, self._notifier),
+        )
 
         def shared(menu: Menu) -> Entries:
             return [entry for menus in workspaces for entry in (SEPARATOR, *menus.get(menu, ()))]
 
-        yield (
-            tr("&File"),
-            (
-                *shared(Menu.FILE),
-                SEPARATOR,
-                Entry(
-                    "preferences", tr("&Preferences…"), self._show_preferences, "Ctrl+,", "settings"
-                ),
-                SEPARATOR,
-                Entry("quit", tr("E&xit"), self.close, QKeySequence.StandardKey.Quit),
-            ),
+        file = (
+            *shared(Menu.FILE),
+            SEPARATOR,
+            Entry("preferences", tr("&Preferences…"), preferences, "Ctrl+,", "settings"),
+            SEPARATOR,
+            Entry("quit", tr("E&xit"), self.close, QKeySequence.StandardKey.Quit),
         )
-        yield tr("&Edit"), shared(Menu.EDIT)
-        yield (
-            tr("&Device"),
-            (
-                Entry(
-                    "connect", tr("&Connect"), connection.connect_shown, "Ctrl+Shift+K", "connect"
-                ),
-                Entry("disconnect", tr("&Disconnect"), connection.leave, "Ctrl+D", "disconnect"),
-                Entry("line", tr("&Line settings…"), self._edit_line_settings, "", "settings"),
-                Entry("find", tr("&Find a board…"), connection.find_board, "Ctrl+Shift+F", "find"),
-                SEPARATOR,
-                Entry("stop", tr("&Stop motors"), stop, "Esc", "stop"),
-                *shared(Menu.DEVICE),
-            ),
+        device = (
+            Entry("connect", tr("&Connect"), bar.connect_shown, "Ctrl+Shift+K", "connect"),
+            Entry("disconnect", tr("&Disconnect"), bar.leave, "Ctrl+D", "disconnect"),
+            Entry("line", tr("&Line settings…"), self._edit_line_settings, "", "settings"),
+            Entry("find", tr("&Find a board…"), bar.find_board, "Ctrl+Shift+F", "find"),
+            SEPARATOR,
+            Entry("stop", tr("&Stop motors"), stop, "Esc", "stop"),
+            *shared(Menu.DEVICE),
         )
+        about = partial(self.show_help, f"{INDEX}#about")
+        help_ = (
+            Entry("search", tr("Search every&thing"), self._search.begin, "Ctrl+K", "find"),
+            Entry("help", tr("&Help"), self._show_help, "F1", "help"),
+            SEPARATOR,
+            *shared(Menu.HELP),
+            Entry("report", tr("&Save report for support…"), self._show_report, "", "save"),
+            Entry("log_folder", tr("Open &log folder"), open_log, "", "open"),
+            Entry("about", tr("&About"), about, "", "info"),
+        )
+        yield from ((tr("&File"), file), (tr("&Edit"), shared(Menu.EDIT)), (tr("&Device"), device))
         for menus in workspaces:
             yield from ((own, menus[own]) for own in menus if isinstance(own, str))
-        yield tr("&Window"), shared(Menu.WINDOW)
-        yield (
-            tr("&Help"),
-            (
-                Entry("search", tr("Search every&thing"), self._search.begin, "Ctrl+K", "find"),
-                Entry("help", tr("&Help"), self._show_help, "F1", "help"),
-                SEPARATOR,
-                *shared(Menu.HELP),
-                Entry("report", tr("&Save report for support…"), self._show_report, "", "save"),
-                Entry("log_folder", tr("Open &log folder"), open_log, "", "open"),
-                Entry("about", tr("&About"), partial(self.show_help, about), "", "info"),
-            ),
-        )
+        yield from ((tr("&Window"), shared(Menu.WINDOW)), (tr("&Help"), help_))
 
     @Slot()
     def _edit_line_settings(self) -> None:
@@ -301,7 +293,7 @@ class MainWindow(QMainWindow):
         link = device.link
         is_open = link not in {ConnectionState.DISCONNECTED, ConnectionState.DISCONNECTING}
         enabled_actions = {
-            "connect": self._connection.would_connect and link is not ConnectionState.DISCONNECTING,
+            "connect": self.connection.would_connect and link is not ConnectionState.DISCONNECTING,
             "line": link is ConnectionState.DISCONNECTED and device.has_line_settings,
             "disconnect": is_open,
             "stop": is_open or bool(device.unconfirmed_stop),
@@ -321,17 +313,6 @@ class MainWindow(QMainWindow):
         self.setWindowTitle(title)
         self.setWindowModified(self._workspace.has_edits)
 
-    @Slot(object)
-    def _on_interruption_wanted(self, then: Callable[[], object]) -> None:
-        self.question.ask(
-            tr(
-                "Settings are still being written. Disconnect anyway? Unwritten settings stay "
-                "pending."
-            ),
-            Answer("disconnectYes", tr("Disconnect"), then),
-            still=lambda: self._manager.current.is_busy,
-        )
-
     @Slot(str)
     def _on_stop_reported(self, text: str) -> None:
         self._notifier.delayed_report.emit(text, self._manager.stop_remedies)
@@ -344,11 +325,11 @@ class MainWindow(QMainWindow):
     def apply_remedy(self, remedy: Remedy | ConnectWith) -> None:
         match remedy:
             case ConnectWith():
-                self._connection.connect_with(remedy)
+                self.connection.connect_with(remedy)
             case Remedy.FIND:
-                self._connection.find_board(at_once=True)
+                self.connection.find_board(at_once=True)
             case Remedy.RECONNECT | Remedy.PLUG_IN:
-                self._connection.reconnect()
+                self.connection.reconnect()
             case Remedy.CHECK_BOARD:
                 self._workspace.trigger("check_board")
             case Remedy.STOP_THEM:
@@ -363,10 +344,7 @@ class MainWindow(QMainWindow):
     def _show_preferences(self) -> None:
         from trex_gui.ui.frame.preferences_dialog import PreferencesDialog  # noqa: PLC0415
 
-        dialog = self.findChild(PreferencesDialog)
-        if dialog is None:
-            dialog = PreferencesDialog(self)
-            dialog.language_chosen.connect(self.reopen, Qt.ConnectionType.QueuedConnection)
+        dialog = self.findChild(PreferencesDialog) or PreferencesDialog(self.reopen, self)
         dialog.open_preferences()
 
     @Slot()
@@ -380,9 +358,8 @@ class MainWindow(QMainWindow):
         self._is_reopening = False
 
     def _show_help(self) -> None:
-        topics = dict(HELP_TOPICS)
-        for workspace in self._workspaces:
-            topics |= workspace.help_topics
+        own = (topic for space in self._workspaces for topic in space.help_topics.items())
+        topics = HELP_TOPICS | dict(own)
         page = self._workspace.page_at(self._workspace.current)
         self.show_help(topic_in_front(topics, page))
 
@@ -441,7 +418,7 @@ class MainWindow(QMainWindow):
         self._store.set("window/state", state)
         for workspace in self._workspaces:
             workspace.prepare_to_close()
-        self._connection.close_dialogs()
+        self.connection.close_dialogs()
         if self.help_dialog is not None:
             self.help_dialog.close()
         save_geometry(self, "window")

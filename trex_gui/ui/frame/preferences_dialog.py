@@ -1,8 +1,9 @@
 """Preferences of the user for the whole program. Each choice takes effect at once."""
 
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from PySide6.QtCore import QSignalBlocker, Signal, Slot
+from PySide6.QtCore import QSignalBlocker, QTimer, Slot
 from PySide6.QtWidgets import QDialogButtonBox, QFileDialog, QFormLayout, QWidget
 
 from trex_gui.core.translation import tr
@@ -28,10 +29,10 @@ _LEAST_PATH = "/home/someone/robots"
 
 
 class PreferencesDialog(ReusedDialog):
-    language_chosen = Signal()  # another one than before
-
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, reopen: Callable[[], object], parent: QWidget | None = None) -> None:
+        """`reopen` opens the window again, in another language."""
         super().__init__(parent)
+        self._reopen = reopen
         self.setObjectName("preferencesDialog")
         self.setWindowTitle(tr("Preferences"))
         names: dict[Scheme, str] = {
@@ -40,39 +41,42 @@ class PreferencesDialog(ReusedDialog):
             "dark": tr("Dark"),
             "high_contrast": tr("High contrast"),
         }
-        self._scheme = ui.combo_box(
-            self,
-            "schemeBox",
-            tr("Theme"),
-            items=[(names[scheme], scheme) for scheme in SCHEMES],
-            on_activate=lambda index: choose_scheme(SCHEMES[index]),
+        schemes = [(names[scheme], scheme) for scheme in SCHEMES]
+        sizes = [(tr("{0} %").format(percent), percent) for percent in FONT_SIZES]
+        languages = [(name, code) for code, name in LANGUAGES.items()]
+        own = tr("Physical units (µs, V, %, s)"), tr("Values of the board (counts, 0 to 127)")
+        form = QFormLayout()
+
+        def choice(
+            name: str,
+            title: str,
+            items: Sequence[tuple[str, object]],
+            choose: ui.Handler,
+            tip: str = "",
+        ) -> ui.ComboBox:
+            box = ui.combo_box(self, name, "", items=items, tip=tip, on_activate=choose)
+            form.addRow(title, box)
+            return box
+
+        self._scheme = choice(
+            "schemeBox", tr("&Theme:"), schemes, lambda at: choose_scheme(SCHEMES[at])
         )
-        self._font_size = ui.combo_box(
-            self,
-            "fontSizeBox",
-            tr("Font size"),
-            items=[(tr("{0} %").format(percent), percent) for percent in FONT_SIZES],
-            on_activate=lambda index: choose_font_size(FONT_SIZES[index]),
+        self._font_size = choice(
+            "fontSizeBox", tr("&Font size:"), sizes, lambda at: choose_font_size(FONT_SIZES[at])
         )
-        self._language = ui.combo_box(
-            self,
+        self._language = choice(
             "languageBox",
-            tr("Language"),
-            items=[(tr("As the system"), AS_THE_SYSTEM)]
-            + [(name, code) for code, name in LANGUAGES.items()],
-            tip=tr("The window opens again; motors stop, and the board is connected again"),
-            on_activate=self._on_language_chosen,
+            tr("&Language:"),
+            [(tr("As the system"), AS_THE_SYSTEM), *languages],
+            self._on_language_chosen,
+            tr("The window opens again; motors stop, and the board is connected again"),
         )
-        self._units = ui.combo_box(
-            self,
+        self._units = choice(
             "unitsBox",
-            tr("Units"),
-            items=[
-                (tr("Physical units (µs, V, %, s)"), False),
-                (tr("Values of the board (counts, 0 to 127)"), True),
-            ],
-            tip=tr("What is shown first, and what a number typed without a unit means"),
-            on_activate=lambda index: units().choose(own_first=bool(index)),
+            tr("&Units:"),
+            list(zip(own, (False, True), strict=True)),
+            lambda at: units().choose(own_first=bool(at)),
+            tr("What is shown first, and what a number typed without a unit means"),
         )
         self._own_folder = ui.check_box(
             self,
@@ -105,11 +109,6 @@ class PreferencesDialog(ReusedDialog):
             self,
         )
 
-        form = QFormLayout()
-        form.addRow(tr("&Theme:"), self._scheme)
-        form.addRow(tr("&Font size:"), self._font_size)
-        form.addRow(tr("&Language:"), self._language)
-        form.addRow(tr("&Units:"), self._units)
         reset = ui.button(
             self,
             "preferencesReset",
@@ -165,7 +164,7 @@ class PreferencesDialog(ReusedDialog):
         code = self._language.itemData(index)
         if code != chosen_language():
             choose_language(code)
-            self.language_chosen.emit()
+            QTimer.singleShot(0, self._reopen)
 
     @Slot(bool)
     def _on_own_folder_clicked(self, wanted: bool) -> None:

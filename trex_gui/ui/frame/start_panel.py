@@ -6,7 +6,6 @@ from functools import partial
 from itertools import zip_longest
 
 from PySide6.QtCore import Qt, Slot
-from PySide6.QtGui import QHideEvent
 from PySide6.QtWidgets import QLabel, QPushButton, QStackedWidget, QWidget
 
 from trex_gui.core.translation import tr
@@ -92,7 +91,7 @@ class StartPanel(QWidget):
         find.clicked.connect(partial(workspace.trigger, "find"))
         other = ui.Card(texts.none, self)
         demo = ui.button(other, f"{prefix}startDemo", texts.demo)
-        demo.clicked.connect(lambda: frame.connect_to(frame.ports.demo_of(self._device)))
+        demo.clicked.connect(lambda: frame.connection.connect_to(frame.ports.demo_of(self._device)))
         about = tr("A simulated board: nothing can be damaged")
         for card, text, button in ((silent, tip, find), (other, about, demo)):
             button.setToolTip(ui.plain(text))
@@ -114,6 +113,7 @@ class StartPanel(QWidget):
         right = ui.column((plugged, 1), silent, other, margins=0, spacing=12)
         top = ui.row((wirings, 2), (right, 1), margins=0, spacing=16)
         ui.column(head, (top, 1), recent, into=self, margins=0, spacing=12)
+        frame.connection.connecting.connect(self._on_connecting)
         frame.ports.changed.connect(self._on_ports_changed)
         frame.files.recent.changed.connect(self._on_recent_changed)
         self._on_ports_changed()
@@ -166,18 +166,18 @@ class StartPanel(QWidget):
                 button.setText(ui.no_mnemonic(metrics.elidedText(file.path.name, end, room)))
                 button.setToolTip(ui.plain(str(file.path)))
 
-    def hideEvent(self, event: QHideEvent) -> None:
-        """Lead to the places: Qt gives the focus to anything that comes next."""
+    @Slot()
+    def _on_connecting(self) -> None:
+        """Lead to the places: Qt gives the focus to anything behind a page that is hidden."""
         focused = self._frame.focusWidget()
         if focused is not None and self.isAncestorOf(focused):
             self._frame.pages.tabBar().setFocus()
-        super().hideEvent(event)
 
     def _on_port_clicked(self, at: int) -> None:
         """Connect to this kind of device, unless another one was found on the port."""
         port, ports = self._real_ports[at], self._frame.ports
         is_known = port.device != ports.plugins[0].key
-        self._frame.connect_to(port if is_known else ports.lead_to(port, self._device))
+        self._frame.connection.connect_to(port if is_known else ports.lead_to(port, self._device))
 
     def _on_file_clicked(self, at: int) -> None:
         self._frame.files.open_recent(self._frame.files.recent.entries[at])

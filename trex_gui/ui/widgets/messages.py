@@ -25,6 +25,7 @@ from trex_gui.ui.notifier import (
     Remedy,
     never,
 )
+from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.icons import set_sign
 from trex_gui.ui.theme.theme import follow_theme, set_look, set_style_property
 from trex_gui.ui.widgets import builders as ui
@@ -41,6 +42,8 @@ _BUTTONS: dict[Remedy | type[ConnectWith | CopyCommand], tuple[str, str]] = {
     CopyCommand: ("bannerCopy", tr_noop("Copy command")),
 }
 """Object names and texts of the buttons for remedies."""
+
+_NEWS_MS = 20_000  # for which news are shown; the log has them
 
 
 class ActionBar(QFrame):
@@ -115,6 +118,7 @@ class Banner(_MessageRow):
         self._notifier = notifier
         self._offered: Remedies = ()
         self._is_left_out = False  # the newest message, because a danger lasts
+        self._old = new_timer(self, _NEWS_MS, self._on_old, single_shot=True)
         self._help = ui.button(
             self, "bannerHelp", tr("Help"), default=False, on_click=self._on_help_clicked
         )
@@ -167,6 +171,16 @@ class Banner(_MessageRow):
             self._notifier.danger_lasts = never
         self._show("")
 
+    @Slot()
+    def _on_old(self) -> None:
+        """Remove news, which may be true no longer, unless they ask something or are in use."""
+        focused = self.window().focusWidget()
+        is_used = self.underMouse() or (focused is not None and self.isAncestorOf(focused))
+        if is_used:
+            self._old.start()
+        elif not self._offered:
+            self.clear()
+
     @Slot(object)
     def show_remedies(self, remedies: Remedies) -> None:
         if self._is_left_out:
@@ -207,6 +221,10 @@ class Banner(_MessageRow):
         set_style_property(self, "danger", is_danger)
         ui.set_bold(self._text, is_danger)
         self._text.setText(text)
+        if text and sign == "info":
+            self._old.start()
+        else:
+            self._old.stop()
         self._help.setVisible(bool(text and self._help_topic(text)))
         # Screen readers need a name while there is no message.
         self._text.setAccessibleName("" if text else tr("No message"))
