@@ -593,12 +593,14 @@
         <translation>bewegt sich nach {0}</translation></message>
     <message><source>This link has no stop: a running motion ends only by itself, or by cutting the servo power.</source>
         <translation>Diese Verbindung kennt keinen Stopp: Eine laufende Bewegung endet nur von selbst oder durch Trennen der Servoversorgung.</translation></message>
-    <message><source>Stop sequence</source>
-        <translation>Sequenz stoppen</translation></message>
     <message><source>End the sequence, send nothing more, stay where the robot is (Esc, anywhere)</source>
         <translation>Die Sequenz beenden, nichts mehr senden, den Roboter dort lassen, wo er ist (Esc, überall)</translation></message>
     <message><source>End afte&amp;r this step</source>
         <translation>Nach diesem Schritt &amp;beenden</translation></message>
+    <message><source>The motion continues by itself for about {0:.0f} s.</source>
+        <translation>Die Bewegung geht noch etwa {0:.0f} s von selbst weiter.</translation></message>
+    <message><source>&amp;Stop sequence</source>
+        <translation>&amp;Sequenz stoppen</translation></message>
     <message><source>Let the step finish, then blend out</source>
         <translation>Den Schritt zu Ende führen, dann ausblenden</translation></message>
     <message><source>Plot of the motors' positions against time</source>
@@ -621,8 +623,14 @@
         <translation>Posendatei speichern</translation></message>
     <message><source>Open pose file</source>
         <translation>Posendatei öffnen</translation></message>
+    <message><source>{0}: draw its curve</source>
+        <translation>{0}: Kurve zeichnen</translation></message>
+    <message><source>&amp;Save pose file</source>
+        <translation>Posendatei &amp;speichern</translation></message>
     <message><source>Not saved. {0}.</source>
         <translation>Nicht gespeichert. {0}.</translation></message>
+    <message><source>&amp;Open pose file…</source>
+        <translation>&amp;Posendatei öffnen…</translation></message>
     <message><source>Pose files (*{0});;All files (*)</source>
         <translation>Posendateien (*{0});;Alle Dateien (*)</translation></message>
     <message><source>Not opened. {0}.</source>
@@ -681,8 +689,14 @@
         <translation>Umbenennen</translation></message>
     <message><source>Duplicate</source>
         <translation>Duplizieren</translation></message>
+    <message><source>Move up</source>
+        <translation>Nach oben</translation></message>
+    <message><source>Move down</source>
+        <translation>Nach unten</translation></message>
     <message><source>Uses the authors' poses, but was not made by them.</source>
         <translation>Nutzt die Posen der Autoren, stammt aber nicht von ihnen.</translation></message>
+    <message><source>&amp;Delete…</source>
+        <translation>&amp;Löschen…</translation></message>
     <message numerus="yes"><source>%n step(s), {0:g} s</source>
         <translation><numerusform>%n Schritt, {0:g} s</numerusform><numerusform>%n Schritte, {0:g} s</numerusform></translation></message>
     <message><source>Undefined poses: {0}</source>
@@ -691,8 +705,8 @@
         <translation>{0} (eingebaut)</translation></message>
     <message><source>Not renamed: {0}.</source>
         <translation>Nicht umbenannt: {0}.</translation></message>
-    <message><source>Poses</source>
-        <translation>Posen</translation></message>
+    <message><source>Pos&amp;es</source>
+        <translation>Pos&amp;en</translation></message>
     <message><source>{0}, changed</source>
         <translation>{0}, geändert</translation></message>
     <message><source>needs {0:.2f} s: motor {1}</source>
@@ -881,8 +895,6 @@
         <translation>verschieden</translation></message>
     <message><source>Set sliders to:</source>
         <translation>Schieberegler setzen auf:</translation></message>
-    <message><source>&amp;Stop sequence</source>
-        <translation>&amp;Sequenz stoppen</translation></message>
     <message><source>Pages</source>
         <translation>Seiten</translation></message>
     <message><source>a robot</source>
@@ -893,8 +905,6 @@
         <translation>eine Posendatei eines Aracna</translation></message>
     <message><source>&amp;Aracna</source>
         <translation>&amp;Aracna</translation></message>
-    <message><source>Pos&amp;es</source>
-        <translation>Pos&amp;en</translation></message>
     <message><source>Stop &amp;recording</source>
         <translation>&amp;Aufzeichnung beenden</translation></message>
     <message><source>&amp;Record…</source>
@@ -925,10 +935,6 @@
         <translation>&amp;Debug-LED des Boards</translation></message>
     <message><source>&amp;New pose file</source>
         <translation>&amp;Neue Posendatei</translation></message>
-    <message><source>&amp;Open pose file…</source>
-        <translation>&amp;Posendatei öffnen…</translation></message>
-    <message><source>&amp;Save pose file</source>
-        <translation>Posendatei &amp;speichern</translation></message>
     <message><source>Save pose file &amp;as…</source>
         <translation>Posendatei speichern &amp;unter…</translation></message>
     <message><source>&amp;Undo</source>
@@ -2545,8 +2551,6 @@
         <translation>Prüflauf von Motor {0}: {1}, {2:%Y-%m-%d %H:%M}</translation></message>
     <message><source>{0:%H:%M:%S}, motor {1}: {2}</source>
         <translation>{0:%H:%M:%S}, Motor {1}: {2}</translation></message>
-    <message><source>Bench test</source>
-        <translation>Prüflauf</translation></message>
     <message><source>&amp;Open…</source>
         <translation>Öffn&amp;en…</translation></message>
     <message><source>Sa&amp;ve…</source>
@@ -2571,6 +2575,8 @@
         <translation>Motor {0} läuft: {1:.1f} von {2:g} s.</translation></message>
     <message><source>Armed. Hold the button: the motor runs only while it is held.</source>
         <translation>Freigegeben. Halten Sie die Schaltfläche gedrückt: Der Motor läuft nur, solange sie gehalten wird.</translation></message>
+    <message><source>&amp;Bench test…</source>
+        <translation>&amp;Prüflauf…</translation></message>
     <message><source>Compar&amp;e with</source>
         <translation>&amp;Vergleichen mit</translation></message>
     <message><source>Settled &amp;within</source>
@@ -2853,8 +2859,6 @@
         <translation>Neue Gerätenummer</translation></message>
     <message><source>The board has this number already.</source>
         <translation>Das Board hat diese Nummer schon.</translation></message>
-    <message><source>Change device number</source>
-        <translation>Gerätenummer ändern</translation></message>
     <message><source>being left …</source>
         <translation>wird verlassen …</translation></message>
     <message><source>selected, not responding</source>
@@ -2873,6 +2877,8 @@
         <translation>noch nicht abgefragt</translation></message>
     <message><source>&amp;New number:</source>
         <translation>&amp;Neue Nummer:</translation></message>
+    <message><source>Change device nu&amp;mber…</source>
+        <translation>&amp;Gerätenummer ändern…</translation></message>
     <message><source>&amp;Write number</source>
         <translation>Nummer &amp;schreiben</translation></message>
     <message><source>Number {0} of {1} …</source>
@@ -3015,10 +3021,10 @@
         <translation>Diese Kalibrierungen bleiben ausstehend, bis das Board ihre Eingangsquelle wieder verwendet: {0}.</translation></message>
     <message><source>Active only after the board is switched off and on: {0}.</source>
         <translation>Erst nach dem Aus- und Einschalten des Boards aktiv: {0}.</translation></message>
-    <message><source>Restore factory defaults</source>
-        <translation>Werkseinstellungen wiederherstellen</translation></message>
-    <message><source>Restore serial defaults</source>
-        <translation>Serielle Standardwerte wiederherstellen</translation></message>
+    <message><source>Restore factor&amp;y defaults…</source>
+        <translation>&amp;Werkseinstellungen wiederherstellen…</translation></message>
+    <message><source>Restore ser&amp;ial defaults…</source>
+        <translation>Serielle Standardwerte wieder&amp;herstellen…</translation></message>
     <message><source>Nothing to write.</source>
         <translation>Nichts zu schreiben.</translation></message>
     <message numerus="yes"><source>&amp;Write %n setting(s)</source>
@@ -3123,8 +3129,8 @@
         <translation>Was dieser Computer empfängt</translation></message>
     <message><source>&amp;Find now</source>
         <translation>&amp;Jetzt suchen</translation></message>
-    <message><source>Board does not respond</source>
-        <translation>Board antwortet nicht</translation></message>
+    <message><source>&amp;Board does not respond…</source>
+        <translation>&amp;Board antwortet nicht…</translation></message>
     <message><source>LEDs</source>
         <translation>LEDs</translation></message>
     <message><source>&amp;Next</source>
@@ -3303,16 +3309,12 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Wie viele Sicherungskopien behalten werden</translation></message>
     <message numerus="yes"><source>Permanently remove the oldest %n of {0} snapshots?</source>
         <translation><numerusform>Die älteste Sicherungskopie (%n von {0}) endgültig entfernen?</numerusform><numerusform>Die ältesten %n von {0} Sicherungskopien endgültig entfernen?</numerusform></translation></message>
-    <message><source>History</source>
-        <translation>Verlauf</translation></message>
     <message><source>Search snapshots</source>
         <translation>Sicherungskopien durchsuchen</translation></message>
     <message><source>No snapshot matches the search.</source>
         <translation>Keine Sicherungskopie passt zur Suche.</translation></message>
     <message><source>Save &amp;as…</source>
         <translation>Speichern un&amp;ter…</translation></message>
-    <message><source>&amp;Delete…</source>
-        <translation>&amp;Löschen…</translation></message>
     <message><source>&amp;Open folder</source>
         <translation>&amp;Ordner öffnen</translation></message>
     <message><source>Snapshots</source>
@@ -3323,6 +3325,8 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>alle</translation></message>
     <message><source>&amp;Set</source>
         <translation>&amp;Setzen</translation></message>
+    <message><source>&amp;History…</source>
+        <translation>&amp;Verlauf…</translation></message>
     <message><source>&amp;Keep</source>
         <translation>&amp;Behalten</translation></message>
     <message><source>snapshots</source>
@@ -3387,8 +3391,6 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Nichts zu testen: Das Board ignoriert diesen Eingang („Ignorierte Kanäle“).</translation></message>
     <message><source>The channels are good. But in {0} mode the motors would not start. {1}</source>
         <translation>Die Kanäle sind gut. Aber im Modus {0} würden die Motoren nicht anlaufen. {1}</translation></message>
-    <message><source>Test the sticks</source>
-        <translation>Knüppel testen</translation></message>
     <message><source>Stop the motors and &amp;test</source>
         <translation>Motoren stoppen und &amp;testen</translation></message>
     <message><source>The motors are stopped: co&amp;ntinue</source>
@@ -3397,6 +3399,8 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>&amp;Erneut versuchen</translation></message>
     <message><source>Hands off. Sampling … {0:.1f} s</source>
         <translation>Knüppel loslassen. Messung läuft … {0:.1f} s</translation></message>
+    <message><source>&amp;Test the sticks…</source>
+        <translation>&amp;Knüppel testen…</translation></message>
     <message><source>&amp;Use these values…</source>
         <translation>Diese Werte &amp;verwenden…</translation></message>
     <message><source>{0} end: not reached yet</source>
@@ -3493,8 +3497,6 @@ bisher {1}</translation></message>
         <translation>Eines von mehreren Boards über seine &amp;Nummer ansprechen (Pololu-Protokoll)</translation></message>
     <message><source>Numbers of other devices on this line, such as 0,1 (older Pololu motor and servo controllers). With one, every packet is addressed, to none of these numbers, and no other baud rate is tried.</source>
         <translation>Nummern anderer Geräte an dieser Leitung, etwa 0,1 (ältere Motor- und Servocontroller von Pololu). Ist eine angegeben, wird jedes Paket adressiert, an keine dieser Nummern, und keine andere Baudrate wird versucht.</translation></message>
-    <message><source>Line settings</source>
-        <translation>Leitungseinstellungen</translation></message>
     <message><source>&amp;Line:</source>
         <translation>&amp;Leitung:</translation></message>
     <message><source>CRC-7 &amp;polynomial:</source>
@@ -3505,6 +3507,8 @@ bisher {1}</translation></message>
         <translation>Nu&amp;mmern anderer Geräte:</translation></message>
     <message><source>&amp;Restore defaults</source>
         <translation>Standard&amp;werte wiederherstellen</translation></message>
+    <message><source>&amp;Line settings…</source>
+        <translation>&amp;Leitungseinstellungen…</translation></message>
     <message><source>Arming without one is remembered for this board. Cut the power by hand then if the cable falls out.</source>
         <translation>Freigeben ohne Timeout wird für dieses Board gemerkt. Trennen Sie dann die Motorversorgung von Hand, wenn das Kabel herausfällt.</translation></message>
     <message><source>Arm with&amp;out a timeout</source>
@@ -3527,10 +3531,10 @@ bisher {1}</translation></message>
         <translation>Schreiben läuft …</translation></message>
     <message><source>Reconnect and stop</source>
         <translation>Neu verbinden und stoppen</translation></message>
-    <message><source>Stop motors</source>
-        <translation>Motoren stoppen</translation></message>
     <message><source>Stop both motors and the auxiliary now (Esc, anywhere)</source>
         <translation>Beide Motoren und den Hilfsmotor sofort stoppen (Esc, überall)</translation></message>
+    <message><source>Armed</source>
+        <translation>Freigegeben</translation></message>
     <message><source>Disa&amp;rm</source>
         <translation>Freigabe a&amp;ufheben</translation></message>
     <message><source>A&amp;rm motors</source>
@@ -3543,14 +3547,12 @@ bisher {1}</translation></message>
         <translation>{0:g} s &amp;schreiben und freigeben</translation></message>
     <message><source>The board did not store the serial timeout.</source>
         <translation>Das Board hat das serielle Timeout nicht gespeichert.</translation></message>
-    <message><source>Armed. Drive them on the Motors page.</source>
-        <translation>Freigegeben. Gefahren wird auf der Seite „Motoren“.</translation></message>
+    <message><source>&amp;Stop motors</source>
+        <translation>Motoren &amp;stoppen</translation></message>
     <message><source>Write &amp;{0} s</source>
         <translation>&amp;{0} s schreiben</translation></message>
     <message><source>Write a serial timeout of {0} s</source>
         <translation>Serielles Timeout von {0} s schreiben</translation></message>
-    <message><source>Armed. Sent: {0}</source>
-        <translation>Freigegeben. Gesendet: {0}</translation></message>
     <message><source>Why this value? Kept on this computer and in files.</source>
         <translation>Warum dieser Wert? Wird auf diesem Computer und in Dateien aufbewahrt.</translation></message>
     <message><source>Note</source>
@@ -4101,8 +4103,6 @@ bisher {1}</translation></message>
         <translation>Auf&amp;zeichnung öffnen…</translation></message>
     <message><source>Open fa&amp;ult or stop…</source>
         <translation>Störung oder Sto&amp;pp öffnen…</translation></message>
-    <message><source>Open fault or stop</source>
-        <translation>Störung oder Stopp öffnen</translation></message>
     <message><source>Left wheel, forward</source>
         <translation>Linkes Rad, vorwärts</translation></message>
     <message><source>Right wheel, forward</source>
@@ -4177,12 +4177,12 @@ bisher {1}</translation></message>
         <translation>&amp;Vergleichen</translation></message>
     <message><source>&amp;Device</source>
         <translation>&amp;Gerät</translation></message>
-    <message><source>Save settings file</source>
-        <translation>Einstellungsdatei speichern</translation></message>
-    <message><source>Save as PDF</source>
-        <translation>Als PDF speichern</translation></message>
-    <message><source>Compare with</source>
-        <translation>Vergleichen mit</translation></message>
+    <message><source>&amp;Save settings file…</source>
+        <translation>Einstellungsdatei &amp;speichern…</translation></message>
+    <message><source>Save as P&amp;DF…</source>
+        <translation>&amp;Als PDF speichern…</translation></message>
+    <message><source>Compare &amp;with:</source>
+        <translation>&amp;Vergleichen mit:</translation></message>
     <message><source>Tool bar</source>
         <translation>Werkzeugleiste</translation></message>
     <message><source>It still has errors.</source>
@@ -4201,8 +4201,6 @@ bisher {1}</translation></message>
         <translation>&amp;Speichern</translation></message>
     <message><source>&amp;Print…</source>
         <translation>&amp;Drucken…</translation></message>
-    <message><source>Save as P&amp;DF…</source>
-        <translation>&amp;Als PDF speichern…</translation></message>
     <message><source>&amp;Convert for another board…</source>
         <translation>Für ein anderes Board &amp;konvertieren…</translation></message>
     <message><source>With another &amp;file…</source>
@@ -4231,16 +4229,16 @@ bisher {1}</translation></message>
         <translation>Ein Kettenfahrzeug: zwei Ketten, ferngesteuert mit einem Knüppel</translation></message>
     <message><source>Factory defaults of a {0}, firmware {1}</source>
         <translation>Werkseinstellungen eines {0}, Firmware {1}</translation></message>
-    <message><source>Open settings file</source>
-        <translation>Einstellungsdatei öffnen</translation></message>
-    <message><source>New settings file</source>
-        <translation>Neue Einstellungsdatei</translation></message>
+    <message><source>&amp;Open settings file…</source>
+        <translation>Einstellungsdatei ö&amp;ffnen…</translation></message>
     <message><source>&amp;Start the new file with:</source>
         <translation>Neue Datei &amp;beginnen mit:</translation></message>
     <message><source>The board as shown: {0}, firmware {1}</source>
         <translation>Das Board, wie angezeigt: {0}, Firmware {1}</translation></message>
     <message><source>Applied</source>
         <translation>Angewendet</translation></message>
+    <message><source>&amp;New settings file…</source>
+        <translation>&amp;Neue Einstellungsdatei…</translation></message>
     <message><source>Beginnings</source>
         <translation>Vorlagen</translation></message>
     <message><source>Settings applied {0}</source>
@@ -4463,12 +4461,12 @@ bisher {1}</translation></message>
         <translation>ist keine lesbare Einstellungsdatei.</translation></message>
     <message><source>Calibrations that the board does not show now were kept: {0}.</source>
         <translation>Kalibrierungen, die das Board jetzt nicht zeigt, wurden beibehalten: {0}.</translation></message>
-    <message><source>Export as code</source>
-        <translation>Als Code exportieren</translation></message>
     <message><source>{0} applies and checks the settings shown; read its first lines.</source>
         <translation>{0} wendet die angezeigten Einstellungen an und prüft sie; lesen Sie die ersten Zeilen der Datei.</translation></message>
     <message><source>{0} was not saved again: it is still being saved.</source>
         <translation>{0} wurde nicht erneut gespeichert: Die Datei wird noch gespeichert.</translation></message>
+    <message><source>&amp;Export as code…</source>
+        <translation>Als &amp;Code exportieren…</translation></message>
     <message><source>{0}, settings shown</source>
         <translation>{0}, angezeigte Einstellungen</translation></message>
     <message><source>The settings shown were saved in {0}.</source>
@@ -4511,8 +4509,6 @@ bisher {1}</translation></message>
         <translation>Mit einer Einstellungsdatei vergleichen</translation></message>
     <message><source>{0} cannot be compared with: {1}</source>
         <translation>Vergleich mit {0} nicht möglich: {1}</translation></message>
-    <message><source>Compare &amp;with:</source>
-        <translation>&amp;Vergleichen mit:</translation></message>
     <message><source>Select one snapshot, or two to compare them.</source>
         <translation>Wählen Sie eine Sicherungskopie aus, oder zwei, um sie zu vergleichen.</translation></message>
     <message><source>Now, with edits</source>
@@ -4595,18 +4591,8 @@ bisher {1}</translation></message>
         <translation>St&amp;röme</translation></message>
     <message><source>&amp;Parameters</source>
         <translation>&amp;Parameter</translation></message>
-    <message><source>&amp;New settings file…</source>
-        <translation>&amp;Neue Einstellungsdatei…</translation></message>
-    <message><source>&amp;Open settings file…</source>
-        <translation>Einstellungsdatei ö&amp;ffnen…</translation></message>
-    <message><source>&amp;Save settings file…</source>
-        <translation>Einstellungsdatei &amp;speichern…</translation></message>
     <message><source>Prin&amp;t settings…</source>
         <translation>&amp;Einstellungen drucken…</translation></message>
-    <message><source>&amp;Export as code…</source>
-        <translation>Als &amp;Code exportieren…</translation></message>
-    <message><source>&amp;History…</source>
-        <translation>&amp;Verlauf…</translation></message>
     <message><source>Compare traffic &amp;log with simulator…</source>
         <translation>&amp;Datenverkehrsprotokoll mit Simulator vergleichen…</translation></message>
     <message><source>&amp;Discard all edits</source>
@@ -4619,24 +4605,12 @@ bisher {1}</translation></message>
         <translation>Gespei&amp;cherte Einstellungen aktivieren…</translation></message>
     <message><source>Find &amp;other boards on this line</source>
         <translation>Weitere Boards an dieser Leitung s&amp;uchen</translation></message>
-    <message><source>Change device nu&amp;mber…</source>
-        <translation>&amp;Gerätenummer ändern…</translation></message>
     <message><source>A&amp;pply a file to several boards…</source>
         <translation>&amp;Datei auf mehrere Boards anwenden…</translation></message>
     <message><source>Lear&amp;n channels…</source>
         <translation>Kanäle &amp;einlernen…</translation></message>
-    <message><source>&amp;Test the sticks…</source>
-        <translation>&amp;Knüppel testen…</translation></message>
-    <message><source>&amp;Bench test…</source>
-        <translation>&amp;Prüflauf…</translation></message>
-    <message><source>Restore factor&amp;y defaults…</source>
-        <translation>&amp;Werkseinstellungen wiederherstellen…</translation></message>
-    <message><source>Restore ser&amp;ial defaults…</source>
-        <translation>Serielle Standardwerte wieder&amp;herstellen…</translation></message>
     <message><source>&amp;Demo TReX panel</source>
         <translation>Bedienfeld des &amp;Demo-TReX</translation></message>
-    <message><source>&amp;Board does not respond…</source>
-        <translation>&amp;Board antwortet nicht…</translation></message>
     <message><source>&amp;User's guide of the board (online)…</source>
         <translation>Ben&amp;utzerhandbuch des Boards (online)…</translation></message>
     <message><source>Gamepads need one more package. Install it with {0}, then switch this on again.</source>
@@ -4733,8 +4707,8 @@ bisher {1}</translation></message>
         <translation>Meldungen, Stopps, verlorene Verbindungen und geschriebene Einstellungen werden hier aufgelistet.</translation></message>
     <message><source>Show the help on the message in the line with the cursor</source>
         <translation>Die Hilfe zur Meldung in der Zeile mit dem Cursor zeigen</translation></message>
-    <message><source>Log</source>
-        <translation>Protokoll</translation></message>
+    <message><source>Lo&amp;g</source>
+        <translation>Pr&amp;otokoll</translation></message>
     <message><source>{0} of {1} shown</source>
         <translation>{0} von {1} angezeigt</translation></message>
     <message><source>Search (Ctrl+F)</source>
@@ -4751,8 +4725,6 @@ bisher {1}</translation></message>
         <translation>Einen Bericht für den Support speichern; er wird vorher angezeigt</translation></message>
     <message><source>Prob&amp;lems</source>
         <translation>Prob&amp;leme</translation></message>
-    <message><source>Lo&amp;g</source>
-        <translation>Pr&amp;otokoll</translation></message>
     <message><source>T&amp;raffic</source>
         <translation>Date&amp;nverkehr</translation></message>
     <message><source>Round trips of the last minute: up to {0:.0f} ms</source>
@@ -4775,8 +4747,8 @@ bisher {1}</translation></message>
         <translation><numerusform>%n-mal, um {0:%H:%M:%S}</numerusform><numerusform>%n-mal, zuletzt um {0:%H:%M:%S}</numerusform></translation></message>
     <message><source>Show it</source>
         <translation>Anzeigen</translation></message>
-    <message><source>Clear</source>
-        <translation>Quittieren</translation></message>
+    <message><source>C&amp;lear</source>
+        <translation>&amp;Leeren</translation></message>
     <message><source>pictures cannot be written without a file extension such as .png</source>
         <translation>Bilder brauchen eine Dateiendung wie .png</translation></message>
     <message><source>pictures cannot be written as {0}</source>
@@ -4787,32 +4759,32 @@ bisher {1}</translation></message>
         <translation>CRC einrichten…</translation></message>
     <message><source>Progress</source>
         <translation>Fortschritt</translation></message>
-    <message><source>Other port or address</source>
-        <translation>Anderer Port oder andere Adresse</translation></message>
     <message><source>A device such as /dev/ttyUSB0 or COM3, or a network port such as socket://host:port or rfc2217://host:port:</source>
         <translation>Ein Gerät wie /dev/ttyUSB0 oder COM3, oder ein Netzwerkport wie socket://host:port oder rfc2217://host:port:</translation></message>
     <message><source>&amp;Connect</source>
         <translation>&amp;Verbinden</translation></message>
     <message><source>Dis&amp;connect</source>
         <translation>&amp;Trennen</translation></message>
-    <message><source>Port</source>
-        <translation>Port</translation></message>
     <message><source>&amp;Port:</source>
         <translation>P&amp;ort:</translation></message>
     <message><source>How this computer talks to the board</source>
         <translation>Wie dieser Computer mit dem Board kommuniziert</translation></message>
-    <message><source>Find a board</source>
-        <translation>Board suchen</translation></message>
     <message><source>Find a board whose line settings are unknown</source>
         <translation>Ein Board suchen, dessen Leitungseinstellungen unbekannt sind</translation></message>
     <message><source>Let the board detect damaged bytes; shows what will be written first</source>
         <translation>Das Board beschädigte Bytes erkennen lassen; zeigt zuerst, was geschrieben wird</translation></message>
-    <message><source>Not connected</source>
-        <translation>Nicht verbunden</translation></message>
+    <message><source>Settings are still being written. Disconnect anyway? Unwritten settings stay pending.</source>
+        <translation>Einstellungen werden noch geschrieben. Trotzdem trennen? Nicht geschriebene Einstellungen bleiben ausstehend.</translation></message>
     <message><source>Other port or address…</source>
         <translation>Anderer Port oder andere Adresse…</translation></message>
+    <message><source>Not connected</source>
+        <translation>Nicht verbunden</translation></message>
+    <message><source>&amp;Find a board…</source>
+        <translation>&amp;Board suchen…</translation></message>
     <message><source>Starting the Demo {0} …</source>
         <translation>Demo-{0} wird gestartet …</translation></message>
+    <message><source>&amp;Disconnect</source>
+        <translation>&amp;Trennen</translation></message>
     <message><source>{0} was not opened: its type is not supported. Supported: {1}.</source>
         <translation>{0} wurde nicht geöffnet: Dieser Dateityp wird nicht unterstützt. Unterstützt: {1}.</translation></message>
     <message><source>Recent &amp;files</source>
@@ -4829,8 +4801,6 @@ bisher {1}</translation></message>
         <translation>eine Datei für {0}</translation></message>
     <message><source>The likely settings come first; a port without a reply takes about half a minute.</source>
         <translation>Die wahrscheinlichen Einstellungen kommen zuerst; ein Port ohne Antwort dauert etwa eine halbe Minute.</translation></message>
-    <message><source>&amp;Disconnect</source>
-        <translation>&amp;Trennen</translation></message>
     <message><source>&amp;Full search: also every CRC polynomial and every device number (some minutes)</source>
         <translation>&amp;Vollständige Suche: auch jedes CRC-Polynom und jede Gerätenummer (einige Minuten)</translation></message>
     <message><source>&amp;Start</source>
@@ -4871,44 +4841,32 @@ bisher {1}</translation></message>
         <translation>Hilfe</translation></message>
     <message><source>TReX Studio</source>
         <translation>TReX Studio</translation></message>
-    <message><source>Settings are still being written. Disconnect anyway? Unwritten settings stay pending.</source>
-        <translation>Einstellungen werden noch geschrieben. Trotzdem trennen? Nicht geschriebene Einstellungen bleiben ausstehend.</translation></message>
     <message><source>There is no log: {0} could not be written.</source>
         <translation>Es gibt kein Protokoll: {0} konnte nicht geschrieben werden.</translation></message>
-    <message><source>&amp;Window</source>
-        <translation>&amp;Fenster</translation></message>
-    <message><source>&amp;Help</source>
-        <translation>&amp;Hilfe</translation></message>
-    <message><source>{0} on {1}</source>
-        <translation>{0} an {1}</translation></message>
-    <message><source>{0} (demo)</source>
-        <translation>{0} (Demo)</translation></message>
-    <message><source>Disconnect</source>
-        <translation>Trennen</translation></message>
-    <message><source>The window was to be closed</source>
-        <translation>Das Fenster sollte geschlossen werden</translation></message>
-    <message><source>No program of this computer shows folders. The log is in {0}.</source>
-        <translation>Kein Programm dieses Computers zeigt Ordner an. Das Protokoll ist in {0}.</translation></message>
     <message><source>&amp;Preferences…</source>
         <translation>Voreinstellun&amp;gen…</translation></message>
     <message><source>E&amp;xit</source>
         <translation>&amp;Beenden</translation></message>
-    <message><source>&amp;Line settings…</source>
-        <translation>&amp;Leitungseinstellungen…</translation></message>
-    <message><source>&amp;Find a board…</source>
-        <translation>&amp;Board suchen…</translation></message>
-    <message><source>&amp;Stop motors</source>
-        <translation>Motoren &amp;stoppen</translation></message>
     <message><source>Search every&amp;thing</source>
         <translation>Alles &amp;durchsuchen</translation></message>
+    <message><source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation></message>
     <message><source>&amp;Save report for support…</source>
         <translation>&amp;Supportbericht speichern…</translation></message>
     <message><source>Open &amp;log folder</source>
         <translation>&amp;Protokollordner öffnen</translation></message>
     <message><source>&amp;About</source>
         <translation>&amp;Info</translation></message>
-    <message><source>Preferences</source>
-        <translation>Voreinstellungen</translation></message>
+    <message><source>{0} on {1}</source>
+        <translation>{0} an {1}</translation></message>
+    <message><source>{0} (demo)</source>
+        <translation>{0} (Demo)</translation></message>
+    <message><source>The window was to be closed</source>
+        <translation>Das Fenster sollte geschlossen werden</translation></message>
+    <message><source>No program of this computer shows folders. The log is in {0}.</source>
+        <translation>Kein Programm dieses Computers zeigt Ordner an. Das Protokoll ist in {0}.</translation></message>
+    <message><source>&amp;Window</source>
+        <translation>&amp;Fenster</translation></message>
     <message><source>As the system</source>
         <translation>Wie das System</translation></message>
     <message><source>Light</source>
@@ -4917,14 +4875,22 @@ bisher {1}</translation></message>
         <translation>Dunkel</translation></message>
     <message><source>High contrast</source>
         <translation>Hoher Kontrast</translation></message>
-    <message><source>Theme</source>
-        <translation>Design</translation></message>
-    <message><source>Font size</source>
-        <translation>Schriftgröße</translation></message>
-    <message><source>Language</source>
-        <translation>Sprache</translation></message>
-    <message><source>Units</source>
-        <translation>Einheiten</translation></message>
+    <message><source>Physical units (µs, V, %, s)</source>
+        <translation>Physikalische Einheiten (µs, V, %, s)</translation></message>
+    <message><source>Values of the board (counts, 0 to 127)</source>
+        <translation>Werte des Boards (Counts, 0 bis 127)</translation></message>
+    <message><source>&amp;Theme:</source>
+        <translation>&amp;Design:</translation></message>
+    <message><source>&amp;Font size:</source>
+        <translation>S&amp;chriftgröße:</translation></message>
+    <message><source>&amp;Language:</source>
+        <translation>S&amp;prache:</translation></message>
+    <message><source>The window opens again; motors stop, and the board is connected again</source>
+        <translation>Das Fenster öffnet sich neu; die Motoren werden gestoppt, und das Board wird wieder verbunden</translation></message>
+    <message><source>&amp;Units:</source>
+        <translation>&amp;Einheiten:</translation></message>
+    <message><source>What is shown first, and what a number typed without a unit means</source>
+        <translation>Was zuerst gezeigt wird, und was eine ohne Einheit eingegebene Zahl bedeutet</translation></message>
     <message><source>&amp;Begin file dialogs in one folder</source>
         <translation>Dateidialoge in einem festen &amp;Ordner öffnen</translation></message>
     <message><source>C&amp;hoose…</source>
@@ -4933,32 +4899,14 @@ bisher {1}</translation></message>
         <translation>Automatisch mit bekannten &amp;Boards verbinden</translation></message>
     <message><source>When the program starts and when an adapter is plugged in at which a board was found before, if just one board answers. Not after Disconnect, and not while another program uses the port. No motor moves.</source>
         <translation>Beim Programmstart und beim Einstecken eines Adapters, an dem schon ein Board gefunden wurde, wenn genau ein Board antwortet. Nicht nach „Trennen“, und nicht, solange ein anderes Programm den Port verwendet. Kein Motor bewegt sich.</translation></message>
-    <message><source>&amp;Theme:</source>
-        <translation>&amp;Design:</translation></message>
-    <message><source>&amp;Font size:</source>
-        <translation>S&amp;chriftgröße:</translation></message>
-    <message><source>&amp;Language:</source>
-        <translation>S&amp;prache:</translation></message>
-    <message><source>&amp;Units:</source>
-        <translation>&amp;Einheiten:</translation></message>
     <message><source>&amp;Reset to defaults</source>
         <translation>Auf Standardwerte &amp;zurücksetzen</translation></message>
     <message><source>Folder of file dialogs</source>
         <translation>Ordner der Dateidialoge</translation></message>
-    <message><source>The window opens again; motors stop, and the board is connected again</source>
-        <translation>Das Fenster öffnet sich neu; die Motoren werden gestoppt, und das Board wird wieder verbunden</translation></message>
-    <message><source>What is shown first, and what a number typed without a unit means</source>
-        <translation>Was zuerst gezeigt wird, und was eine ohne Einheit eingegebene Zahl bedeutet</translation></message>
     <message><source>Otherwise each begins in the folder that was used last</source>
         <translation>Sonst öffnet sich jeder in dem Ordner, der zuletzt verwendet wurde</translation></message>
-    <message><source>Physical units (µs, V, %, s)</source>
-        <translation>Physikalische Einheiten (µs, V, %, s)</translation></message>
-    <message><source>Values of the board (counts, 0 to 127)</source>
-        <translation>Werte des Boards (Counts, 0 bis 127)</translation></message>
     <message><source>{0} %</source>
         <translation>{0} %</translation></message>
-    <message><source>Save report for support</source>
-        <translation>Supportbericht speichern</translation></message>
     <message><source>This is what the report contains, and nothing else. It is only saved as a file, never sent. Names of users and computers, network addresses and serial numbers of adapters are masked. Clear the check box of a file to leave it out.</source>
         <translation>Dies enthält der Bericht, und nichts anderes. Er wird nur als Datei gespeichert, nie gesendet. Namen von Benutzern und Computern, Netzwerkadressen und Seriennummern von Adaptern sind unkenntlich gemacht. Entfernen Sie das Häkchen bei einer Datei, um sie wegzulassen.</translation></message>
     <message><source>Collecting …</source>
@@ -4983,8 +4931,6 @@ bisher {1}</translation></message>
         <translation>Alles durchsuchen (Strg+K)</translation></message>
     <message><source>Nothing was found.</source>
         <translation>Nichts wurde gefunden.</translation></message>
-    <message><source>Search everything</source>
-        <translation>Alles durchsuchen</translation></message>
     <message><source>Hits</source>
         <translation>Treffer</translation></message>
     <message><source>Search every port and baud rate; no motor moves</source>
@@ -4999,8 +4945,6 @@ bisher {1}</translation></message>
         <translation>Keine Antwort?</translation></message>
     <message><source>Find &amp;my board…</source>
         <translation>&amp;Mein Board suchen…</translation></message>
-    <message><source>Files</source>
-        <translation>Dateien</translation></message>
     <message><source>Close the window</source>
         <translation>Fenster schließen</translation></message>
     <message><source>Pages of the help</source>
@@ -5013,14 +4957,10 @@ bisher {1}</translation></message>
         <translation>TReX Studio wurde beim letzten Mal nicht ordnungsgemäß beendet. Falls es abgestürzt ist, sagt ein Supportbericht, wo.</translation></message>
     <message><source>Recorded in {0} ({1}). {2} shows it.</source>
         <translation>Aufgezeichnet in {0} ({1}). Zum Ansehen: {2}.</translation></message>
-    <message><source>Stop recording</source>
-        <translation>Aufzeichnung beenden</translation></message>
-    <message><source>Record</source>
-        <translation>Aufzeichnen</translation></message>
     <message><source>{0} is open; close its window before recording over it.</source>
         <translation>{0} ist geöffnet; schließen Sie das zugehörige Fenster, bevor Sie die Datei mit einer neuen Aufzeichnung überschreiben.</translation></message>
-    <message><source>Save a copy</source>
-        <translation>Kopie speichern</translation></message>
+    <message><source>Save a cop&amp;y…</source>
+        <translation>&amp;Kopie speichern…</translation></message>
     <message><source>Recording</source>
         <translation>Aufzeichnung</translation></message>
     <message><source>End the recording; motors and connection are not affected</source>
@@ -5029,8 +4969,6 @@ bisher {1}</translation></message>
         <translation>Aufzeichnung  {0}  {1}</translation></message>
     <message numerus="yes"><source>%n sample(s) lost: the disk is too slow</source>
         <translation><numerusform>%n Messwert verloren: Der Datenträger ist zu langsam</numerusform><numerusform>%n Messwerte verloren: Der Datenträger ist zu langsam</numerusform></translation></message>
-    <message><source>Open recording</source>
-        <translation>Aufzeichnung öffnen</translation></message>
     <message><source>Recordings (*{0})</source>
         <translation>Aufzeichnungen (*{0})</translation></message>
     <message><source>Playback speed</source>
@@ -5045,8 +4983,6 @@ bisher {1}</translation></message>
         <translation>&amp;Alles zeigen</translation></message>
     <message><source>&amp;Export span…</source>
         <translation>&amp;Zeitbereich exportieren…</translation></message>
-    <message><source>Save a cop&amp;y…</source>
-        <translation>&amp;Kopie speichern…</translation></message>
     <message><source>&amp;Cancel</source>
         <translation>A&amp;bbrechen</translation></message>
     <message><source>Exporting, %p %</source>
@@ -5061,8 +4997,6 @@ bisher {1}</translation></message>
         <translation>CSV für Tabellenkalkulationen (*.csv)</translation></message>
     <message><source>MCAP for PlotJuggler and Foxglove (*.mcap)</source>
         <translation>MCAP für PlotJuggler und Foxglove (*.mcap)</translation></message>
-    <message><source>Export span</source>
-        <translation>Zeitbereich exportieren</translation></message>
     <message><source>The open recording cannot be overwritten. Choose another file.</source>
         <translation>Die geöffnete Aufzeichnung kann nicht überschrieben werden. Wählen Sie eine andere Datei.</translation></message>
     <message><source>Show the whole recording again</source>
@@ -5291,8 +5225,6 @@ bisher {1}</translation></message>
         <translation>Abf&amp;rage anzeigen</translation></message>
     <message><source>O&amp;nly faults</source>
         <translation>&amp;Nur Fehler</translation></message>
-    <message><source>C&amp;lear</source>
-        <translation>&amp;Leeren</translation></message>
     <message><source>No row matches the search.</source>
         <translation>Keine Zeile passt zur Suche.</translation></message>
     <message><source>No faults so far.</source>
@@ -5335,8 +5267,6 @@ bisher {1}</translation></message>
         <translation>verlorene Ereignisse: {0}</translation></message>
     <message><source>Send &amp;bytes</source>
         <translation>B&amp;ytes senden</translation></message>
-    <message><source>Bytes to send</source>
-        <translation>Zu sendende Bytes</translation></message>
     <message><source>Bytes t&amp;o send:</source>
         <translation>&amp;Zu sendende Bytes:</translation></message>
     <message><source>Send these bytes as they are (Enter)</source>
@@ -5411,14 +5341,8 @@ Soll die Datei aus den Einstellungen neu geschrieben werden? Ihre Kommentare geh
         <translation>Warnung</translation></message>
     <message><source>{0} LED: {1}</source>
         <translation>LED {0}: {1}</translation></message>
-    <message><source>Find now</source>
-        <translation>Jetzt suchen</translation></message>
     <message><source>Reconnect</source>
         <translation>Neu verbinden</translation></message>
-    <message><source>Check the board…</source>
-        <translation>Board prüfen…</translation></message>
-    <message><source>Save report…</source>
-        <translation>Supportbericht speichern…</translation></message>
     <message><source>Stop them now</source>
         <translation>Jetzt stoppen</translation></message>
     <message><source>Connect with its settings</source>

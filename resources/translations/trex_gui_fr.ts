@@ -593,12 +593,14 @@
         <translation>va vers {0}</translation></message>
     <message><source>This link has no stop: a running motion ends only by itself, or by cutting the servo power.</source>
         <translation>Cette liaison n'a pas de commande d'arrêt : un mouvement en cours ne se termine que de lui-même, ou en coupant l'alimentation des servos.</translation></message>
-    <message><source>Stop sequence</source>
-        <translation>Arrêter la séquence</translation></message>
     <message><source>End the sequence, send nothing more, stay where the robot is (Esc, anywhere)</source>
         <translation>Terminer la séquence, ne plus rien envoyer, laisser le robot où il est (Échap, partout)</translation></message>
     <message><source>End afte&amp;r this step</source>
         <translation>Ter&amp;miner après cette étape</translation></message>
+    <message><source>The motion continues by itself for about {0:.0f} s.</source>
+        <translation>Le mouvement continue de lui-même pendant {0:.0f} s environ.</translation></message>
+    <message><source>&amp;Stop sequence</source>
+        <translation>&amp;Arrêter la séquence</translation></message>
     <message><source>Let the step finish, then blend out</source>
         <translation>Finir l'étape, puis faire la transition de sortie</translation></message>
     <message><source>Plot of the motors' positions against time</source>
@@ -621,8 +623,14 @@
         <translation>Enregistrer le fichier de poses</translation></message>
     <message><source>Open pose file</source>
         <translation>Ouvrir un fichier de poses</translation></message>
+    <message><source>{0}: draw its curve</source>
+        <translation>{0} : tracer sa courbe</translation></message>
+    <message><source>&amp;Save pose file</source>
+        <translation>&amp;Enregistrer le fichier de poses</translation></message>
     <message><source>Not saved. {0}.</source>
         <translation>Non enregistré. {0}.</translation></message>
+    <message><source>&amp;Open pose file…</source>
+        <translation>&amp;Ouvrir un fichier de poses…</translation></message>
     <message><source>Pose files (*{0});;All files (*)</source>
         <translation>Fichiers de poses (*{0});;Tous les fichiers (*)</translation></message>
     <message><source>Not opened. {0}.</source>
@@ -681,8 +689,14 @@
         <translation>Renommer</translation></message>
     <message><source>Duplicate</source>
         <translation>Dupliquer</translation></message>
+    <message><source>Move up</source>
+        <translation>Monter</translation></message>
+    <message><source>Move down</source>
+        <translation>Descendre</translation></message>
     <message><source>Uses the authors' poses, but was not made by them.</source>
         <translation>Utilise les poses des auteurs du robot, mais n'a pas été faite par eux.</translation></message>
+    <message><source>&amp;Delete…</source>
+        <translation>&amp;Supprimer…</translation></message>
     <message numerus="yes"><source>%n step(s), {0:g} s</source>
         <translation><numerusform>%n étape, {0:g} s</numerusform><numerusform>%n étapes, {0:g} s</numerusform></translation></message>
     <message><source>Undefined poses: {0}</source>
@@ -691,8 +705,8 @@
         <translation>{0} (intégrée)</translation></message>
     <message><source>Not renamed: {0}.</source>
         <translation>Non renommé : {0}.</translation></message>
-    <message><source>Poses</source>
-        <translation>Poses</translation></message>
+    <message><source>Pos&amp;es</source>
+        <translation>P&amp;oses</translation></message>
     <message><source>{0}, changed</source>
         <translation>{0}, modifié</translation></message>
     <message><source>needs {0:.2f} s: motor {1}</source>
@@ -881,8 +895,6 @@
         <translation>différentes</translation></message>
     <message><source>Set sliders to:</source>
         <translation>Position des curseurs :</translation></message>
-    <message><source>&amp;Stop sequence</source>
-        <translation>&amp;Arrêter la séquence</translation></message>
     <message><source>Pages</source>
         <translation>Pages</translation></message>
     <message><source>a robot</source>
@@ -893,8 +905,6 @@
         <translation>un fichier de poses d'un Aracna</translation></message>
     <message><source>&amp;Aracna</source>
         <translation>&amp;Aracna</translation></message>
-    <message><source>Pos&amp;es</source>
-        <translation>P&amp;oses</translation></message>
     <message><source>Stop &amp;recording</source>
         <translation>Arrêter l'enregist&amp;rement</translation></message>
     <message><source>&amp;Record…</source>
@@ -925,10 +935,6 @@
         <translation>&amp;LED de débogage de la carte</translation></message>
     <message><source>&amp;New pose file</source>
         <translation>&amp;Nouveau fichier de poses</translation></message>
-    <message><source>&amp;Open pose file…</source>
-        <translation>&amp;Ouvrir un fichier de poses…</translation></message>
-    <message><source>&amp;Save pose file</source>
-        <translation>&amp;Enregistrer le fichier de poses</translation></message>
     <message><source>Save pose file &amp;as…</source>
         <translation>Enregistrer le fichier de poses &amp;sous…</translation></message>
     <message><source>&amp;Undo</source>
@@ -2545,8 +2551,6 @@
         <translation>Essai au banc du moteur {0} : {1}, {2:%Y-%m-%d %H:%M}</translation></message>
     <message><source>{0:%H:%M:%S}, motor {1}: {2}</source>
         <translation>{0:%H:%M:%S}, moteur {1} : {2}</translation></message>
-    <message><source>Bench test</source>
-        <translation>Essai au banc</translation></message>
     <message><source>&amp;Open…</source>
         <translation>&amp;Ouvrir…</translation></message>
     <message><source>Sa&amp;ve…</source>
@@ -2571,6 +2575,8 @@
         <translation>Le moteur {0} tourne : {1:.1f} sur {2:g} s.</translation></message>
     <message><source>Armed. Hold the button: the motor runs only while it is held.</source>
         <translation>Moteurs activés. Maintenez le bouton enfoncé : le moteur ne tourne que tant que vous le maintenez.</translation></message>
+    <message><source>&amp;Bench test…</source>
+        <translation>Essai au &amp;banc…</translation></message>
     <message><source>Compar&amp;e with</source>
         <translation>&amp;Comparer avec</translation></message>
     <message><source>Settled &amp;within</source>
@@ -2853,8 +2859,6 @@
         <translation>Nouveau numéro d'appareil</translation></message>
     <message><source>The board has this number already.</source>
         <translation>La carte a déjà ce numéro.</translation></message>
-    <message><source>Change device number</source>
-        <translation>Modifier le numéro d'appareil</translation></message>
     <message><source>being left …</source>
         <translation>changement de carte …</translation></message>
     <message><source>selected, not responding</source>
@@ -2873,6 +2877,8 @@
         <translation>pas encore interrogée</translation></message>
     <message><source>&amp;New number:</source>
         <translation>Nouveau n&amp;uméro :</translation></message>
+    <message><source>Change device nu&amp;mber…</source>
+        <translation>Modifier le nu&amp;méro d'appareil…</translation></message>
     <message><source>&amp;Write number</source>
         <translation>Écrire le &amp;numéro</translation></message>
     <message><source>Number {0} of {1} …</source>
@@ -3015,10 +3021,10 @@
         <translation>Ces étalonnages restent en attente jusqu'à ce que la carte utilise de nouveau leur source des entrées : {0}.</translation></message>
     <message><source>Active only after the board is switched off and on: {0}.</source>
         <translation>Actif seulement après avoir coupé et remis l'alimentation de la carte : {0}.</translation></message>
-    <message><source>Restore factory defaults</source>
-        <translation>Restaurer les réglages d'usine</translation></message>
-    <message><source>Restore serial defaults</source>
-        <translation>Restaurer les réglages série par défaut</translation></message>
+    <message><source>Restore factor&amp;y defaults…</source>
+        <translation>Restaurer les réglages d'&amp;usine…</translation></message>
+    <message><source>Restore ser&amp;ial defaults…</source>
+        <translation>Restaurer les réglages série par &amp;défaut…</translation></message>
     <message><source>Nothing to write.</source>
         <translation>Rien à écrire.</translation></message>
     <message numerus="yes"><source>&amp;Write %n setting(s)</source>
@@ -3123,8 +3129,8 @@
         <translation>Ce que reçoit cet ordinateur</translation></message>
     <message><source>&amp;Find now</source>
         <translation>Rec&amp;hercher maintenant</translation></message>
-    <message><source>Board does not respond</source>
-        <translation>La carte ne répond pas</translation></message>
+    <message><source>&amp;Board does not respond…</source>
+        <translation>La carte ne &amp;répond pas…</translation></message>
     <message><source>LEDs</source>
         <translation>LED</translation></message>
     <message><source>&amp;Next</source>
@@ -3303,16 +3309,12 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Nombre d'instantanés conservés</translation></message>
     <message numerus="yes"><source>Permanently remove the oldest %n of {0} snapshots?</source>
         <translation><numerusform>Supprimer définitivement %n instantané sur {0}, le plus ancien ?</numerusform><numerusform>Supprimer définitivement %n instantanés sur {0}, les plus anciens ?</numerusform></translation></message>
-    <message><source>History</source>
-        <translation>Historique</translation></message>
     <message><source>Search snapshots</source>
         <translation>Rechercher dans les instantanés</translation></message>
     <message><source>No snapshot matches the search.</source>
         <translation>Aucun instantané ne correspond à la recherche.</translation></message>
     <message><source>Save &amp;as…</source>
         <translation>Enregis&amp;trer sous…</translation></message>
-    <message><source>&amp;Delete…</source>
-        <translation>&amp;Supprimer…</translation></message>
     <message><source>&amp;Open folder</source>
         <translation>&amp;Ouvrir le dossier</translation></message>
     <message><source>Snapshots</source>
@@ -3323,6 +3325,8 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>tous</translation></message>
     <message><source>&amp;Set</source>
         <translation>&amp;Définir</translation></message>
+    <message><source>&amp;History…</source>
+        <translation>&amp;Historique…</translation></message>
     <message><source>&amp;Keep</source>
         <translation>&amp;Conserver</translation></message>
     <message><source>snapshots</source>
@@ -3387,8 +3391,6 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Rien à tester : la carte ignore cette entrée (« Voies ignorées »).</translation></message>
     <message><source>The channels are good. But in {0} mode the motors would not start. {1}</source>
         <translation>Les voies sont bonnes. Mais en mode {0}, les moteurs ne démarreraient pas. {1}</translation></message>
-    <message><source>Test the sticks</source>
-        <translation>Tester les manches</translation></message>
     <message><source>Stop the motors and &amp;test</source>
         <translation>Arrêter les moteurs et &amp;tester</translation></message>
     <message><source>The motors are stopped: co&amp;ntinue</source>
@@ -3397,6 +3399,8 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Réess&amp;ayer</translation></message>
     <message><source>Hands off. Sampling … {0:.1f} s</source>
         <translation>Lâchez les manches. Mesure … {0:.1f} s</translation></message>
+    <message><source>&amp;Test the sticks…</source>
+        <translation>Teste&amp;r les manches…</translation></message>
     <message><source>&amp;Use these values…</source>
         <translation>&amp;Utiliser ces valeurs…</translation></message>
     <message><source>{0} end: not reached yet</source>
@@ -3493,8 +3497,6 @@ avant {1}</translation></message>
         <translation>Adresser une &amp;carte parmi plusieurs par son numéro (protocole Pololu)</translation></message>
     <message><source>Numbers of other devices on this line, such as 0,1 (older Pololu motor and servo controllers). With one, every packet is addressed, to none of these numbers, and no other baud rate is tried.</source>
         <translation>Numéros d'autres appareils sur cette liaison, par exemple 0,1 (anciens contrôleurs de moteurs et de servos Pololu). Dès qu'il y en a un, chaque paquet est adressé, à aucun de ces numéros, et aucun autre débit n'est essayé.</translation></message>
-    <message><source>Line settings</source>
-        <translation>Réglages de liaison</translation></message>
     <message><source>&amp;Line:</source>
         <translation>&amp;Liaison :</translation></message>
     <message><source>CRC-7 &amp;polynomial:</source>
@@ -3505,6 +3507,8 @@ avant {1}</translation></message>
         <translation>Nu&amp;méros des autres appareils :</translation></message>
     <message><source>&amp;Restore defaults</source>
         <translation>Restaurer les valeurs par &amp;défaut</translation></message>
+    <message><source>&amp;Line settings…</source>
+        <translation>Réglages de &amp;liaison…</translation></message>
     <message><source>Arming without one is remembered for this board. Cut the power by hand then if the cable falls out.</source>
         <translation>L'activation sans délai est mémorisée pour cette carte. Coupez alors l'alimentation à la main si le câble se débranche.</translation></message>
     <message><source>Arm with&amp;out a timeout</source>
@@ -3527,10 +3531,10 @@ avant {1}</translation></message>
         <translation>Écriture en cours …</translation></message>
     <message><source>Reconnect and stop</source>
         <translation>Reconnecter et arrêter</translation></message>
-    <message><source>Stop motors</source>
-        <translation>Arrêter les moteurs</translation></message>
     <message><source>Stop both motors and the auxiliary now (Esc, anywhere)</source>
         <translation>Arrêter tout de suite les deux moteurs et l'auxiliaire (Échap, partout)</translation></message>
+    <message><source>Armed</source>
+        <translation>Moteurs activés</translation></message>
     <message><source>Disa&amp;rm</source>
         <translation>Désa&amp;ctiver</translation></message>
     <message><source>A&amp;rm motors</source>
@@ -3543,14 +3547,12 @@ avant {1}</translation></message>
         <translation>É&amp;crire {0:g} s et activer</translation></message>
     <message><source>The board did not store the serial timeout.</source>
         <translation>La carte n'a pas enregistré le délai série.</translation></message>
-    <message><source>Armed. Drive them on the Motors page.</source>
-        <translation>Moteurs activés. Pilotez-les sur la page Moteurs.</translation></message>
+    <message><source>&amp;Stop motors</source>
+        <translation>Arrêter le&amp;s moteurs</translation></message>
     <message><source>Write &amp;{0} s</source>
         <translation>Écrire &amp;{0} s</translation></message>
     <message><source>Write a serial timeout of {0} s</source>
         <translation>Écrire un délai série de {0} s</translation></message>
-    <message><source>Armed. Sent: {0}</source>
-        <translation>Moteurs activés. Envoyé : {0}</translation></message>
     <message><source>Why this value? Kept on this computer and in files.</source>
         <translation>Pourquoi cette valeur ? Conservé sur cet ordinateur et dans les fichiers.</translation></message>
     <message><source>Note</source>
@@ -4101,8 +4103,6 @@ avant {1}</translation></message>
         <translation>Ouvrir un enregistre&amp;ment…</translation></message>
     <message><source>Open fa&amp;ult or stop…</source>
         <translation>Ouvrir un &amp;défaut ou un arrêt…</translation></message>
-    <message><source>Open fault or stop</source>
-        <translation>Ouvrir un défaut ou un arrêt</translation></message>
     <message><source>Left wheel, forward</source>
         <translation>Roue gauche, vers l'avant</translation></message>
     <message><source>Right wheel, forward</source>
@@ -4177,12 +4177,12 @@ avant {1}</translation></message>
         <translation>&amp;Comparer</translation></message>
     <message><source>&amp;Device</source>
         <translation>Apparei&amp;l</translation></message>
-    <message><source>Save settings file</source>
-        <translation>Enregistrer le fichier de réglages</translation></message>
-    <message><source>Save as PDF</source>
-        <translation>Enregistrer en PDF</translation></message>
-    <message><source>Compare with</source>
-        <translation>Comparer avec</translation></message>
+    <message><source>&amp;Save settings file…</source>
+        <translation>&amp;Enregistrer un fichier de réglages…</translation></message>
+    <message><source>Save as P&amp;DF…</source>
+        <translation>Enregistrer en P&amp;DF…</translation></message>
+    <message><source>Compare &amp;with:</source>
+        <translation>Comparer &amp;avec :</translation></message>
     <message><source>Tool bar</source>
         <translation>Barre d'outils</translation></message>
     <message><source>It still has errors.</source>
@@ -4201,8 +4201,6 @@ avant {1}</translation></message>
         <translation>&amp;Enregistrer</translation></message>
     <message><source>&amp;Print…</source>
         <translation>&amp;Imprimer…</translation></message>
-    <message><source>Save as P&amp;DF…</source>
-        <translation>Enregistrer en P&amp;DF…</translation></message>
     <message><source>&amp;Convert for another board…</source>
         <translation>&amp;Convertir pour une autre carte…</translation></message>
     <message><source>With another &amp;file…</source>
@@ -4231,16 +4229,16 @@ avant {1}</translation></message>
         <translation>Un engin à deux chenilles, radiocommandé avec un seul manche</translation></message>
     <message><source>Factory defaults of a {0}, firmware {1}</source>
         <translation>Réglages d'usine d'un {0}, firmware {1}</translation></message>
-    <message><source>Open settings file</source>
-        <translation>Ouvrir un fichier de réglages</translation></message>
-    <message><source>New settings file</source>
-        <translation>Nouveau fichier de réglages</translation></message>
+    <message><source>&amp;Open settings file…</source>
+        <translation>&amp;Ouvrir un fichier de réglages…</translation></message>
     <message><source>&amp;Start the new file with:</source>
         <translation>&amp;Commencer le nouveau fichier avec :</translation></message>
     <message><source>The board as shown: {0}, firmware {1}</source>
         <translation>La carte telle qu'affichée : {0}, firmware {1}</translation></message>
     <message><source>Applied</source>
         <translation>Appliqué</translation></message>
+    <message><source>&amp;New settings file…</source>
+        <translation>&amp;Nouveau fichier de réglages…</translation></message>
     <message><source>Beginnings</source>
         <translation>Points de départ</translation></message>
     <message><source>Settings applied {0}</source>
@@ -4463,12 +4461,12 @@ avant {1}</translation></message>
         <translation>n'est pas un fichier de réglages lisible.</translation></message>
     <message><source>Calibrations that the board does not show now were kept: {0}.</source>
         <translation>Les étalonnages que la carte n'affiche pas actuellement ont été conservés : {0}.</translation></message>
-    <message><source>Export as code</source>
-        <translation>Exporter comme code</translation></message>
     <message><source>{0} applies and checks the settings shown; read its first lines.</source>
         <translation>{0} applique et vérifie les réglages affichés ; lisez ses premières lignes.</translation></message>
     <message><source>{0} was not saved again: it is still being saved.</source>
         <translation>{0} n'a pas été enregistré une nouvelle fois : son enregistrement est encore en cours.</translation></message>
+    <message><source>&amp;Export as code…</source>
+        <translation>E&amp;xporter comme code…</translation></message>
     <message><source>{0}, settings shown</source>
         <translation>{0}, réglages affichés</translation></message>
     <message><source>The settings shown were saved in {0}.</source>
@@ -4511,8 +4509,6 @@ avant {1}</translation></message>
         <translation>Comparer avec un fichier de réglages</translation></message>
     <message><source>{0} cannot be compared with: {1}</source>
         <translation>{0} ne peut pas être comparé : {1}</translation></message>
-    <message><source>Compare &amp;with:</source>
-        <translation>Comparer &amp;avec :</translation></message>
     <message><source>Select one snapshot, or two to compare them.</source>
         <translation>Sélectionnez un instantané, ou deux pour les comparer.</translation></message>
     <message><source>Now, with edits</source>
@@ -4595,18 +4591,8 @@ avant {1}</translation></message>
         <translation>&amp;Courants</translation></message>
     <message><source>&amp;Parameters</source>
         <translation>&amp;Paramètres</translation></message>
-    <message><source>&amp;New settings file…</source>
-        <translation>&amp;Nouveau fichier de réglages…</translation></message>
-    <message><source>&amp;Open settings file…</source>
-        <translation>&amp;Ouvrir un fichier de réglages…</translation></message>
-    <message><source>&amp;Save settings file…</source>
-        <translation>&amp;Enregistrer un fichier de réglages…</translation></message>
     <message><source>Prin&amp;t settings…</source>
         <translation>&amp;Imprimer les réglages…</translation></message>
-    <message><source>&amp;Export as code…</source>
-        <translation>E&amp;xporter comme code…</translation></message>
-    <message><source>&amp;History…</source>
-        <translation>&amp;Historique…</translation></message>
     <message><source>Compare traffic &amp;log with simulator…</source>
         <translation>&amp;Comparer un journal de trafic au simulateur…</translation></message>
     <message><source>&amp;Discard all edits</source>
@@ -4619,24 +4605,12 @@ avant {1}</translation></message>
         <translation>Rendre acti&amp;fs les réglages enregistrés…</translation></message>
     <message><source>Find &amp;other boards on this line</source>
         <translation>Rechercher d'autres cartes sur cette liais&amp;on</translation></message>
-    <message><source>Change device nu&amp;mber…</source>
-        <translation>Modifier le nu&amp;méro d'appareil…</translation></message>
     <message><source>A&amp;pply a file to several boards…</source>
         <translation>Appliquer un fichier à &amp;plusieurs cartes…</translation></message>
     <message><source>Lear&amp;n channels…</source>
         <translation>Apprendre les &amp;voies…</translation></message>
-    <message><source>&amp;Test the sticks…</source>
-        <translation>Teste&amp;r les manches…</translation></message>
-    <message><source>&amp;Bench test…</source>
-        <translation>Essai au &amp;banc…</translation></message>
-    <message><source>Restore factor&amp;y defaults…</source>
-        <translation>Restaurer les réglages d'&amp;usine…</translation></message>
-    <message><source>Restore ser&amp;ial defaults…</source>
-        <translation>Restaurer les réglages série par &amp;défaut…</translation></message>
     <message><source>&amp;Demo TReX panel</source>
         <translation>Panneau &amp;Démo TReX</translation></message>
-    <message><source>&amp;Board does not respond…</source>
-        <translation>La carte ne &amp;répond pas…</translation></message>
     <message><source>&amp;User's guide of the board (online)…</source>
         <translation>&amp;Guide d'utilisation de la carte (en ligne)…</translation></message>
     <message><source>Gamepads need one more package. Install it with {0}, then switch this on again.</source>
@@ -4733,8 +4707,8 @@ avant {1}</translation></message>
         <translation>Les messages, les arrêts, les connexions perdues et les réglages écrits apparaîtront ici.</translation></message>
     <message><source>Show the help on the message in the line with the cursor</source>
         <translation>Afficher l'aide sur le message de la ligne où se trouve le curseur</translation></message>
-    <message><source>Log</source>
-        <translation>Journal</translation></message>
+    <message><source>Lo&amp;g</source>
+        <translation>&amp;Journal</translation></message>
     <message><source>{0} of {1} shown</source>
         <translation>{0} sur {1} affichées</translation></message>
     <message><source>Search (Ctrl+F)</source>
@@ -4751,8 +4725,6 @@ avant {1}</translation></message>
         <translation>Enregistrer un rapport pour l'assistance ; il est d'abord affiché</translation></message>
     <message><source>Prob&amp;lems</source>
         <translation>Prob&amp;lèmes</translation></message>
-    <message><source>Lo&amp;g</source>
-        <translation>&amp;Journal</translation></message>
     <message><source>T&amp;raffic</source>
         <translation>&amp;Trafic</translation></message>
     <message><source>Round trips of the last minute: up to {0:.0f} ms</source>
@@ -4775,8 +4747,8 @@ avant {1}</translation></message>
         <translation><numerusform>%n fois, à {0:%H:%M:%S}</numerusform><numerusform>%n fois, la dernière à {0:%H:%M:%S}</numerusform></translation></message>
     <message><source>Show it</source>
         <translation>Montrer</translation></message>
-    <message><source>Clear</source>
-        <translation>Acquitter</translation></message>
+    <message><source>C&amp;lear</source>
+        <translation>&amp;Effacer</translation></message>
     <message><source>pictures cannot be written without a file extension such as .png</source>
         <translation>les images doivent avoir une extension telle que .png</translation></message>
     <message><source>pictures cannot be written as {0}</source>
@@ -4787,32 +4759,32 @@ avant {1}</translation></message>
         <translation>Configurer le CRC…</translation></message>
     <message><source>Progress</source>
         <translation>Progression</translation></message>
-    <message><source>Other port or address</source>
-        <translation>Autre port ou adresse</translation></message>
     <message><source>A device such as /dev/ttyUSB0 or COM3, or a network port such as socket://host:port or rfc2217://host:port:</source>
         <translation>Un périphérique comme /dev/ttyUSB0 ou COM3, ou un port réseau comme socket://hôte:port ou rfc2217://hôte:port :</translation></message>
     <message><source>&amp;Connect</source>
         <translation>Connec&amp;ter</translation></message>
     <message><source>Dis&amp;connect</source>
         <translation>Déconnec&amp;ter</translation></message>
-    <message><source>Port</source>
-        <translation>Port</translation></message>
     <message><source>&amp;Port:</source>
         <translation>&amp;Port :</translation></message>
     <message><source>How this computer talks to the board</source>
         <translation>Comment cet ordinateur communique avec la carte</translation></message>
-    <message><source>Find a board</source>
-        <translation>Rechercher une carte</translation></message>
     <message><source>Find a board whose line settings are unknown</source>
         <translation>Rechercher une carte dont les réglages de liaison sont inconnus</translation></message>
     <message><source>Let the board detect damaged bytes; shows what will be written first</source>
         <translation>Laisser la carte détecter les octets altérés ; montre d'abord ce qui sera écrit</translation></message>
-    <message><source>Not connected</source>
-        <translation>Pas connecté</translation></message>
+    <message><source>Settings are still being written. Disconnect anyway? Unwritten settings stay pending.</source>
+        <translation>Des réglages sont encore en cours d'écriture. Déconnecter quand même ? Les réglages non écrits restent en attente.</translation></message>
     <message><source>Other port or address…</source>
         <translation>Autre port ou adresse…</translation></message>
+    <message><source>Not connected</source>
+        <translation>Pas connecté</translation></message>
+    <message><source>&amp;Find a board…</source>
+        <translation>Rec&amp;hercher une carte…</translation></message>
     <message><source>Starting the Demo {0} …</source>
         <translation>Démarrage de la démo {0} …</translation></message>
+    <message><source>&amp;Disconnect</source>
+        <translation>Déco&amp;nnecter</translation></message>
     <message><source>{0} was not opened: its type is not supported. Supported: {1}.</source>
         <translation>{0} n'a pas été ouvert : ce type n'est pas pris en charge. Pris en charge : {1}.</translation></message>
     <message><source>Recent &amp;files</source>
@@ -4829,8 +4801,6 @@ avant {1}</translation></message>
         <translation>un fichier pour {0}</translation></message>
     <message><source>The likely settings come first; a port without a reply takes about half a minute.</source>
         <translation>Les réglages probables viennent d'abord ; un port sans réponse demande environ une demi-minute.</translation></message>
-    <message><source>&amp;Disconnect</source>
-        <translation>Déco&amp;nnecter</translation></message>
     <message><source>&amp;Full search: also every CRC polynomial and every device number (some minutes)</source>
         <translation>Recherche &amp;complète : aussi chaque polynôme CRC et chaque numéro d'appareil (quelques minutes)</translation></message>
     <message><source>&amp;Start</source>
@@ -4871,44 +4841,32 @@ avant {1}</translation></message>
         <translation>Aide</translation></message>
     <message><source>TReX Studio</source>
         <translation>TReX Studio</translation></message>
-    <message><source>Settings are still being written. Disconnect anyway? Unwritten settings stay pending.</source>
-        <translation>Des réglages sont encore en cours d'écriture. Déconnecter quand même ? Les réglages non écrits restent en attente.</translation></message>
     <message><source>There is no log: {0} could not be written.</source>
         <translation>Il n'y a pas de journal : {0} n'a pas pu être écrit.</translation></message>
-    <message><source>&amp;Window</source>
-        <translation>Fe&amp;nêtre</translation></message>
-    <message><source>&amp;Help</source>
-        <translation>A&amp;ide</translation></message>
-    <message><source>{0} on {1}</source>
-        <translation>{0} sur {1}</translation></message>
-    <message><source>{0} (demo)</source>
-        <translation>{0} (démo)</translation></message>
-    <message><source>Disconnect</source>
-        <translation>Déconnecter</translation></message>
-    <message><source>The window was to be closed</source>
-        <translation>La fenêtre allait être fermée</translation></message>
-    <message><source>No program of this computer shows folders. The log is in {0}.</source>
-        <translation>Aucun programme de cet ordinateur n'affiche les dossiers. Le journal se trouve dans {0}.</translation></message>
     <message><source>&amp;Preferences…</source>
         <translation>&amp;Préférences…</translation></message>
     <message><source>E&amp;xit</source>
         <translation>&amp;Quitter</translation></message>
-    <message><source>&amp;Line settings…</source>
-        <translation>Réglages de &amp;liaison…</translation></message>
-    <message><source>&amp;Find a board…</source>
-        <translation>Rec&amp;hercher une carte…</translation></message>
-    <message><source>&amp;Stop motors</source>
-        <translation>Arrêter le&amp;s moteurs</translation></message>
     <message><source>Search every&amp;thing</source>
         <translation>&amp;Tout rechercher</translation></message>
+    <message><source>&amp;Help</source>
+        <translation>A&amp;ide</translation></message>
     <message><source>&amp;Save report for support…</source>
         <translation>&amp;Enregistrer un rapport d'assistance…</translation></message>
     <message><source>Open &amp;log folder</source>
         <translation>Ouvrir le dossier du &amp;journal</translation></message>
     <message><source>&amp;About</source>
         <translation>À &amp;propos</translation></message>
-    <message><source>Preferences</source>
-        <translation>Préférences</translation></message>
+    <message><source>{0} on {1}</source>
+        <translation>{0} sur {1}</translation></message>
+    <message><source>{0} (demo)</source>
+        <translation>{0} (démo)</translation></message>
+    <message><source>The window was to be closed</source>
+        <translation>La fenêtre allait être fermée</translation></message>
+    <message><source>No program of this computer shows folders. The log is in {0}.</source>
+        <translation>Aucun programme de cet ordinateur n'affiche les dossiers. Le journal se trouve dans {0}.</translation></message>
+    <message><source>&amp;Window</source>
+        <translation>Fe&amp;nêtre</translation></message>
     <message><source>As the system</source>
         <translation>Comme le système</translation></message>
     <message><source>Light</source>
@@ -4917,14 +4875,22 @@ avant {1}</translation></message>
         <translation>Sombre</translation></message>
     <message><source>High contrast</source>
         <translation>Contraste élevé</translation></message>
-    <message><source>Theme</source>
-        <translation>Thème</translation></message>
-    <message><source>Font size</source>
-        <translation>Taille de police</translation></message>
-    <message><source>Language</source>
-        <translation>Langue</translation></message>
-    <message><source>Units</source>
-        <translation>Unités</translation></message>
+    <message><source>Physical units (µs, V, %, s)</source>
+        <translation>Unités physiques (µs, V, %, s)</translation></message>
+    <message><source>Values of the board (counts, 0 to 127)</source>
+        <translation>Valeurs de la carte (counts, 0 à 127)</translation></message>
+    <message><source>&amp;Theme:</source>
+        <translation>&amp;Thème :</translation></message>
+    <message><source>&amp;Font size:</source>
+        <translation>Taille de &amp;police :</translation></message>
+    <message><source>&amp;Language:</source>
+        <translation>&amp;Langue :</translation></message>
+    <message><source>The window opens again; motors stop, and the board is connected again</source>
+        <translation>La fenêtre s'ouvre de nouveau ; les moteurs s'arrêtent et la carte est reconnectée</translation></message>
+    <message><source>&amp;Units:</source>
+        <translation>&amp;Unités :</translation></message>
+    <message><source>What is shown first, and what a number typed without a unit means</source>
+        <translation>Ce qui est affiché en premier, et ce que signifie un nombre tapé sans unité</translation></message>
     <message><source>&amp;Begin file dialogs in one folder</source>
         <translation>&amp;Commencer les dialogues de fichiers dans un même dossier</translation></message>
     <message><source>C&amp;hoose…</source>
@@ -4933,32 +4899,14 @@ avant {1}</translation></message>
         <translation>Connecter &amp;automatiquement les cartes connues</translation></message>
     <message><source>When the program starts and when an adapter is plugged in at which a board was found before, if just one board answers. Not after Disconnect, and not while another program uses the port. No motor moves.</source>
         <translation>Au démarrage du programme et au branchement d'un adaptateur où une carte a déjà été trouvée, si une seule carte répond. Pas après « Déconnecter », ni tant qu'un autre programme utilise le port. Aucun moteur ne bouge.</translation></message>
-    <message><source>&amp;Theme:</source>
-        <translation>&amp;Thème :</translation></message>
-    <message><source>&amp;Font size:</source>
-        <translation>Taille de &amp;police :</translation></message>
-    <message><source>&amp;Language:</source>
-        <translation>&amp;Langue :</translation></message>
-    <message><source>&amp;Units:</source>
-        <translation>&amp;Unités :</translation></message>
     <message><source>&amp;Reset to defaults</source>
         <translation>&amp;Restaurer les valeurs par défaut</translation></message>
     <message><source>Folder of file dialogs</source>
         <translation>Dossier des dialogues de fichiers</translation></message>
-    <message><source>The window opens again; motors stop, and the board is connected again</source>
-        <translation>La fenêtre s'ouvre de nouveau ; les moteurs s'arrêtent et la carte est reconnectée</translation></message>
-    <message><source>What is shown first, and what a number typed without a unit means</source>
-        <translation>Ce qui est affiché en premier, et ce que signifie un nombre tapé sans unité</translation></message>
     <message><source>Otherwise each begins in the folder that was used last</source>
         <translation>Sinon, chacun commence dans le dernier dossier utilisé</translation></message>
-    <message><source>Physical units (µs, V, %, s)</source>
-        <translation>Unités physiques (µs, V, %, s)</translation></message>
-    <message><source>Values of the board (counts, 0 to 127)</source>
-        <translation>Valeurs de la carte (counts, 0 à 127)</translation></message>
     <message><source>{0} %</source>
         <translation>{0} %</translation></message>
-    <message><source>Save report for support</source>
-        <translation>Enregistrer un rapport d'assistance</translation></message>
     <message><source>This is what the report contains, and nothing else. It is only saved as a file, never sent. Names of users and computers, network addresses and serial numbers of adapters are masked. Clear the check box of a file to leave it out.</source>
         <translation>Voici ce que contient le rapport, et rien d'autre. Il est seulement enregistré dans un fichier, jamais envoyé. Les noms d'utilisateurs et d'ordinateurs, les adresses réseau et les numéros de série des adaptateurs sont masqués. Décochez un fichier pour l'exclure.</translation></message>
     <message><source>Collecting …</source>
@@ -4983,8 +4931,6 @@ avant {1}</translation></message>
         <translation>Tout rechercher (Ctrl+K)</translation></message>
     <message><source>Nothing was found.</source>
         <translation>Rien n'a été trouvé.</translation></message>
-    <message><source>Search everything</source>
-        <translation>Tout rechercher</translation></message>
     <message><source>Hits</source>
         <translation>Résultats</translation></message>
     <message><source>Search every port and baud rate; no motor moves</source>
@@ -4999,8 +4945,6 @@ avant {1}</translation></message>
         <translation>Pas de réponse ?</translation></message>
     <message><source>Find &amp;my board…</source>
         <translation>Rechercher ma &amp;carte…</translation></message>
-    <message><source>Files</source>
-        <translation>Fichiers</translation></message>
     <message><source>Close the window</source>
         <translation>Fermer la fenêtre</translation></message>
     <message><source>Pages of the help</source>
@@ -5013,14 +4957,10 @@ avant {1}</translation></message>
         <translation>TReX Studio ne s'est pas terminé correctement la dernière fois. S'il a planté, un rapport d'assistance indique où.</translation></message>
     <message><source>Recorded in {0} ({1}). {2} shows it.</source>
         <translation>Enregistré dans {0} ({1}). {2} l'affiche.</translation></message>
-    <message><source>Stop recording</source>
-        <translation>Arrêter l'enregistrement</translation></message>
-    <message><source>Record</source>
-        <translation>Démarrer l'enregistrement</translation></message>
     <message><source>{0} is open; close its window before recording over it.</source>
         <translation>{0} est ouvert ; fermez sa fenêtre avant d'enregistrer par-dessus.</translation></message>
-    <message><source>Save a copy</source>
-        <translation>Enregistrer une copie</translation></message>
+    <message><source>Save a cop&amp;y…</source>
+        <translation>Enregistrer une cop&amp;ie…</translation></message>
     <message><source>Recording</source>
         <translation>Enregistrement</translation></message>
     <message><source>End the recording; motors and connection are not affected</source>
@@ -5029,8 +4969,6 @@ avant {1}</translation></message>
         <translation>Enregistrement  {0}  {1}</translation></message>
     <message numerus="yes"><source>%n sample(s) lost: the disk is too slow</source>
         <translation><numerusform>%n échantillon perdu : le disque est trop lent</numerusform><numerusform>%n échantillons perdus : le disque est trop lent</numerusform></translation></message>
-    <message><source>Open recording</source>
-        <translation>Ouvrir un enregistrement</translation></message>
     <message><source>Recordings (*{0})</source>
         <translation>Enregistrements (*{0})</translation></message>
     <message><source>Playback speed</source>
@@ -5045,8 +4983,6 @@ avant {1}</translation></message>
         <translation>&amp;Tout afficher</translation></message>
     <message><source>&amp;Export span…</source>
         <translation>&amp;Exporter la plage…</translation></message>
-    <message><source>Save a cop&amp;y…</source>
-        <translation>Enregistrer une cop&amp;ie…</translation></message>
     <message><source>&amp;Cancel</source>
         <translation>&amp;Annuler</translation></message>
     <message><source>Exporting, %p %</source>
@@ -5061,8 +4997,6 @@ avant {1}</translation></message>
         <translation>CSV pour tableurs (*.csv)</translation></message>
     <message><source>MCAP for PlotJuggler and Foxglove (*.mcap)</source>
         <translation>MCAP pour PlotJuggler et Foxglove (*.mcap)</translation></message>
-    <message><source>Export span</source>
-        <translation>Exporter la plage</translation></message>
     <message><source>The open recording cannot be overwritten. Choose another file.</source>
         <translation>L'enregistrement ouvert ne peut pas être écrasé. Choisissez un autre fichier.</translation></message>
     <message><source>Show the whole recording again</source>
@@ -5291,8 +5225,6 @@ avant {1}</translation></message>
         <translation>Afficher l'inte&amp;rrogation</translation></message>
     <message><source>O&amp;nly faults</source>
         <translation>Défauts &amp;seulement</translation></message>
-    <message><source>C&amp;lear</source>
-        <translation>&amp;Effacer</translation></message>
     <message><source>No row matches the search.</source>
         <translation>Aucune ligne ne correspond à la recherche.</translation></message>
     <message><source>No faults so far.</source>
@@ -5335,8 +5267,6 @@ avant {1}</translation></message>
         <translation>événements perdus : {0}</translation></message>
     <message><source>Send &amp;bytes</source>
         <translation>En&amp;voyer les octets</translation></message>
-    <message><source>Bytes to send</source>
-        <translation>Octets à envoyer</translation></message>
     <message><source>Bytes t&amp;o send:</source>
         <translation>&amp;Octets à envoyer :</translation></message>
     <message><source>Send these bytes as they are (Enter)</source>
@@ -5411,14 +5341,8 @@ Réécrire le fichier à partir des réglages ? Ses commentaires seront perdus.
         <translation>Avertissement</translation></message>
     <message><source>{0} LED: {1}</source>
         <translation>LED {0} : {1}</translation></message>
-    <message><source>Find now</source>
-        <translation>Rechercher maintenant</translation></message>
     <message><source>Reconnect</source>
         <translation>Reconnecter</translation></message>
-    <message><source>Check the board…</source>
-        <translation>Vérifier la carte…</translation></message>
-    <message><source>Save report…</source>
-        <translation>Enregistrer un rapport…</translation></message>
     <message><source>Stop them now</source>
         <translation>Les arrêter maintenant</translation></message>
     <message><source>Connect with its settings</source>

@@ -36,7 +36,7 @@ class LogPage(View):
             tip=tr("Show the help on the message in the line with the cursor"),
             on_click=lambda: self.help_wanted.emit(self._topic),
         )
-        self._text = ui.named(QPlainTextEdit(self), f"{key}Log", accessible=tr("Log"))
+        self._text = ui.named(QPlainTextEdit(self), f"{key}Log", accessible=ui.title_of(tr("Lo&g")))
         self._text.setReadOnly(True)
         self._text.setUndoRedoEnabled(False)
         self._text.setMaximumBlockCount(MOST_ENTRIES)

@@ -65,7 +65,7 @@ class ProblemCard(ui.Card):
             ui.button(self, f"{key}{name}", text.replace("&", ""), confirms=True)
             for name, text in (
                 ("Show", tr("Show it")),
-                ("Clear", tr("Clear")),
+                ("Clear", ui.title_of(tr("C&lear"))),
                 ("Explain", tr("E&xplain")),
             )
         ]

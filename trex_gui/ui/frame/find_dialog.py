@@ -56,7 +56,7 @@ class FindDialog(ReusedDialog):
         """
         super().__init__(parent)
         self.setObjectName("findDialog")
-        self.setWindowTitle(tr("Find a board"))
+        self.setWindowTitle(ui.title_of(tr("&Find a board…")))
         resize_with_font(self, 620, 480)
         self._ports = ports
         self._manager = device_manager
@@ -139,7 +139,7 @@ class FindDialog(ReusedDialog):
         )
         close = ui.button(self, "findCloseButton", tr("Close"), default=False, on_click=self.close)
         ui.column(
-            ui.label(self, text=tr("Find a board"), size="title"),
+            ui.label(self, text=self.windowTitle(), size="title"),
             intro,
             ui.label(self, text=tr("Search &on:"), buddy=self._list),
             self._list,
@@ -299,7 +299,7 @@ class FindDialog(ReusedDialog):
             connect = ui.button(
                 row,
                 f"connectFound{index}",
-                tr("Connect"),
+                ui.title_of(tr("&Connect")),
                 icon="connect",
                 accessible=tr("Connect to {0}").format(finding.text),
                 default=False,

@@ -34,7 +34,7 @@ class PreferencesDialog(ReusedDialog):
         super().__init__(parent)
         self._reopen = reopen
         self.setObjectName("preferencesDialog")
-        self.setWindowTitle(tr("Preferences"))
+        self.setWindowTitle(ui.title_of(tr("&Preferences…")))
         names: dict[Scheme, str] = {
             "system": tr("As the system"),
             "light": tr("Light"),
@@ -120,7 +120,7 @@ class PreferencesDialog(ReusedDialog):
         buttons = self.close_box("preferencesClose")
         buttons.button(QDialogButtonBox.StandardButton.Close).setDefault(True)
         self._rows = ui.column(
-            ui.label(self, text=tr("Preferences"), size="title"),
+            ui.label(self, text=self.windowTitle(), size="title"),
             form,
             self._own_folder,
             ui.row((self._folder, 1), self._choose, margins=(22, 0, 0, 0)),

@@ -35,8 +35,7 @@ class ReportDialog(ReusedDialog):
         super().__init__(parent)
         self._notifier = notifier
         self.setObjectName("reportDialog")
-        title = tr("Save report for support")
-        self.setWindowTitle(title)
+        self.setWindowTitle(ui.title_of(tr("&Save report for support…")))
         resize_with_font(self, 860, 520)
         about = Muted(
             tr(
@@ -65,7 +64,7 @@ class ReportDialog(ReusedDialog):
         self._save.setDefault(True)
         buttons.addButton(self._save, QDialogButtonBox.ButtonRole.ActionRole)
         left, right = ui.column(files, (self._list, 1)), ui.column(content, (self._text, 1))
-        head = ui.label(self, text=title, size="title")
+        head = ui.label(self, text=self.windowTitle(), size="title")
         ui.column(head, about, (ui.row((left, 1), (right, 3)), 1), buttons, into=self)
         follow_theme(self, "font", lambda: self._text.setFont(fixed_font()))
         self._list.currentItemChanged.connect(self._show_current)
@@ -113,7 +112,7 @@ class ReportDialog(ReusedDialog):
     @Slot()
     def _ask_and_save(self) -> None:
         suggested = file_questions.last_folder() / suggested_name()
-        title, kinds = tr("Save report for support"), tr("Zip archives (*.zip)")
+        title, kinds = tr("&Save report for support…"), tr("Zip archives (*.zip)")
         path = file_questions.ask_to_save(self, title, suggested, kinds, ".zip")
         if path is not None:
             self.save(path)

@@ -31,7 +31,7 @@ class SearchField(QLineEdit):
     def __init__(self, findables: Callable[[], Iterable[Findable]], parent: QWidget) -> None:
         """`findables` returns what can be found now, when a search begins."""
         super().__init__(parent)
-        ui.named(self, "searchField", accessible=tr("Search everything"))
+        ui.named(self, "searchField", accessible=ui.title_of(tr("Search every&thing")))
         self.setPlaceholderText(tr("Search everything (Ctrl+K)"))
         self._findables = findables
         self._index: SearchIndex | None = None  # while a search goes on

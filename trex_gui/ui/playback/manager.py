@@ -52,7 +52,7 @@ class RecordIndicator(QWidget):
         stop = builders.button(
             self,
             f"{prefix}stopRecordingButton",
-            tr("Stop recording"),
+            builders.title_of(tr("Stop &recording")),
             tip=tr("End the recording; motors and connection are not affected"),
             on_click=recorder.stop,
         )
@@ -151,7 +151,7 @@ class RecordingManager(QObject, Generic[WindowT]):
         if self.recorder.recording:
             self.recorder.stop()
             return
-        path = self._ask_to_save(tr("Record"), self.proposal())
+        path = self._ask_to_save(tr("&Record…"), self.proposal())
         if path is not None:
             self.record(path)
 
@@ -176,7 +176,7 @@ class RecordingManager(QObject, Generic[WindowT]):
         """Let the user choose a recording to open, by default from the last folder."""
         path, _ = QFileDialog.getOpenFileName(
             self._window,
-            title or tr("Open recording"),
+            title or builders.title_of(tr("Ope&n recording…")),
             str(folder or last_folder(self._folder_key)),
             self._filter(),
         )
@@ -218,7 +218,7 @@ class RecordingManager(QObject, Generic[WindowT]):
     def _save_copy(self, window: WindowT) -> None:
         """Save a recording that the program made where it is not removed again."""
         source = window.player.path
-        path = self._ask_to_save(tr("Save a copy"), last_folder(self._folder_key) / source.name)
+        path = self._ask_to_save(tr("Save a cop&y…"), last_folder(self._folder_key) / source.name)
         if path is None or path == source:
             return
         remember_folder(path, self._folder_key)

@@ -231,7 +231,7 @@ class RecordingWindow(QMainWindow):
         path = self.player.path
         proposal = str(path.with_name(f"{path.stem}_span{_CSV_SUFFIX}"))
         chosen, kind = QFileDialog.getSaveFileName(
-            self, tr("Export span"), proposal, ";;".join(kinds)
+            self, builders.title_of(tr("&Export span…")), proposal, ";;".join(kinds)
         )
         if chosen:
             target = Path(chosen)

@@ -43,7 +43,7 @@ class SendRow(QWidget):
     def __init__(self, sender: PacketSender, key: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._sender = sender
-        self._field = ui.named(QLineEdit(self), f"{key}Bytes", accessible=tr("Bytes to send"))
+        self._field = ui.named(QLineEdit(self), f"{key}Bytes")
         self._field.setPlaceholderText(sender.hint)
         self._field.setClearButtonEnabled(True)
         label = ui.label(self, text=tr("Bytes t&o send:"), buddy=self._field)

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.ui.preferences import Preferences
-from trex_gui.ui.widgets.builders import plain
+from trex_gui.ui.widgets.builders import plain, title_of
 
 _FOLDER = "settings/folder"
 _DEFAULT_FOLDER = "files/default_folder"
@@ -104,9 +104,12 @@ def remember_folder(path: Path, key: str = _FOLDER) -> None:
 
 
 def ask_to_open(window: QWidget, title: str, filters: str = "", key: str = _FOLDER) -> Path | None:
-    """Let the user choose a file, by default of settings, in the last folder first."""
-    folder = str(last_folder(key))
-    chosen, _ = QFileDialog.getOpenFileName(window, title, folder, filters or file_filter())
+    """Let the user choose a file, by default of settings, in the last folder first.
+
+    `title` may be the text of the menu entry.
+    """
+    folder, kinds = str(last_folder(key)), filters or file_filter()
+    chosen, _ = QFileDialog.getOpenFileName(window, title_of(title), folder, kinds)
     return Path(chosen) if chosen else None
 
 
@@ -121,9 +124,11 @@ def ask_to_save(
 ) -> Path | None:
     """Let the user choose where to save a file, by default a settings file.
 
-    A name without a suffix gets `suffix`; if that is `required`, a name with another one, too.
+    `title` may be the text of the menu entry. A name without a suffix gets `suffix`; if that is
+    `required`, a name with another one, too.
     """
-    chosen, _ = QFileDialog.getSaveFileName(window, title, str(proposal), filters or file_filter())
+    title, kinds = title_of(title), filters or file_filter()
+    chosen, _ = QFileDialog.getSaveFileName(window, title, str(proposal), kinds)
     if not chosen:
         return None
     path = Path(chosen)

@@ -31,12 +31,12 @@ from trex_gui.ui.theme.theme import follow_theme, set_look, set_style_property
 from trex_gui.ui.widgets import builders as ui
 
 _BUTTONS: dict[Remedy | type[ConnectWith | CopyCommand], tuple[str, str]] = {
-    Remedy.FIND: ("bannerFind", tr_noop("Find now")),
+    Remedy.FIND: ("bannerFind", tr_noop("&Find now")),
     Remedy.RECONNECT: ("bannerReconnect", tr_noop("Reconnect")),
     Remedy.PLUG_IN: ("bannerReconnect", tr_noop("Reconnect")),
     Remedy.SET_UP_CRC: ("bannerSetUpCrc", tr_noop("Set up CRC…")),
-    Remedy.CHECK_BOARD: ("bannerCheckBoard", tr_noop("Check the board…")),
-    Remedy.REPORT: ("bannerReport", tr_noop("Save report…")),
+    Remedy.CHECK_BOARD: ("bannerCheckBoard", tr_noop("C&heck the board…")),
+    Remedy.REPORT: ("bannerReport", tr_noop("Sa&ve report…")),
     Remedy.STOP_THEM: ("bannerStop", tr_noop("Stop them now")),
     ConnectWith: ("bannerConnectWith", tr_noop("Connect with its settings")),
     CopyCommand: ("bannerCopy", tr_noop("Copy command")),
@@ -191,7 +191,7 @@ class Banner(_MessageRow):
                 name, text = remedy.name, remedy.text
             else:
                 name, source = _BUTTONS[remedy if isinstance(remedy, Remedy) else type(remedy)]
-                text = tr(source)
+                text = tr(source).replace("&", "")  # the page below may have the letter
             button = self._add_button(name, text, self._help)
             button.clicked.connect(partial(self._on_chosen, button, remedy))
 

@@ -20,7 +20,7 @@ class StopSequenceButton(RedButton):
     """Halts the robot, as Esc does; also in windows that may cover the pages."""
 
     def __init__(self, robot: Robot, name: str, parent: QWidget | None = None) -> None:
-        super().__init__(name, tr("Stop sequence"), robot.halt, parent)
+        super().__init__(name, ui.title_of(tr("&Stop sequence")), robot.halt, parent)
         self.setToolTip(
             tr("End the sequence, send nothing more, stay where the robot is (Esc, anywhere)")
         )

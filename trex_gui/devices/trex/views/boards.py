@@ -206,7 +206,7 @@ class NumberDialog(QObject):
             "noticed. The new number takes effect at once, and a snapshot is saved first."
         )
         return Changes(
-            tr("Change device number"),
+            ui.title_of(tr("Change device nu&mber…")),
             caption=text,
             rows=Comparison(compare(stored, wanted).differing),
             sides=(tr("Board now"), tr("After", "value")),

@@ -227,7 +227,7 @@ class CheckBoardFlow(Flow):
             hand_shake.show_step(_STEPS[self._at - 1])
         note, is_alarming = self._result
         return Shown(
-            tr("Board does not respond"),
+            ui.title_of(tr("&Board does not respond…")),
             [tr("LEDs"), *(tr(step.title) for step in _STEPS)],
             self._at,
             hand_shake if self._at else sights,

@@ -37,7 +37,7 @@ class HistoryDialog(ReusedDialog):
     def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("historyDialog")
-        self.setWindowTitle(tr("History"))
+        self.setWindowTitle(ui.title_of(tr("&History…")))
         set_look(self, "sheet")
         self.setWindowFlags(Qt.WindowType.Window)
         self._history = device.writer.history
@@ -87,7 +87,7 @@ class HistoryDialog(ReusedDialog):
         self._pages.addWidget(nothing)
         bar.fill(self._bound, bar.armed, 1, self._folder, self._close)
         messages = MessageRoom(self, self._banner, self._question)  # over the heading
-        head = ui.label(self, text=tr("History"), size="title")
+        head = ui.label(self, text=self.windowTitle(), size="title")
         parts = ui.column(head, messages, (self._pages, 1), margins=(8, 8, 8, 0))
         ui.column((parts, 1), bar, into=self, margins=8)
         halves.setSizes([560, 620])
@@ -253,7 +253,7 @@ class HistoryDialog(ReusedDialog):
         text = tr("Permanently delete %n snapshot(s), the newest of {0}?", "", len(chosen))
         self._question.ask(
             text.format(self._table.time_text(chosen[0])),
-            Answer("historyQuestionYes", tr("Delete"), lambda: self._remove(chosen)),
+            Answer("historyQuestionYes", ui.title_of(tr("&Delete…")), lambda: self._remove(chosen)),
         )
 
     def _remove(self, snapshots: tuple[Snapshot, ...]) -> None:

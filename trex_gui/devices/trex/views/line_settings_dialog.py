@@ -25,7 +25,7 @@ class LineSettingsDialog(ReusedDialog):
         super().__init__(parent)
         self.setObjectName("lineSettingsDialog")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setWindowTitle(tr("Line settings"))
+        self.setWindowTitle(ui.title_of(tr("&Line settings…")))
         text = tr(
             "These must be the settings that the board has now. A new board talks at 19200 baud, "
             "without error detection, with one stop bit. Changing them here changes nothing in the "

@@ -178,7 +178,7 @@ class StopButton(RedButton):
     """The same text, colour and effect everywhere. Esc does the same."""
 
     def __init__(self, device: Device, name: str, parent: QWidget | None = None) -> None:
-        super().__init__(name, tr("Stop motors"), device.press_stop, parent)
+        super().__init__(name, ui.title_of(tr("&Stop motors")), device.press_stop, parent)
         self.setToolTip(tr("Stop both motors and the auxiliary now (Esc, anywhere)"))
         self._device = device
         device.link_changed.connect(self._on_link_changed)

@@ -17,6 +17,7 @@ from trex_gui.ui.files import in_background
 from trex_gui.ui.frame.workspace import Entries, Entry
 from trex_gui.ui.playback.manager import RecordingManager, RecordingTexts
 from trex_gui.ui.preferences import Preferences
+from trex_gui.ui.widgets.builders import title_of
 
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.playback import PlaybackWindow
@@ -75,7 +76,7 @@ class Recordings(RecordingManager["PlaybackWindow"]):
         in_background(
             self,
             make_kept_folder,
-            partial(self.choose_and_open, tr("Open fault or stop")),
+            partial(self.choose_and_open, title_of(tr("Open fa&ult or stop…"))),
             lambda error: self._notifier.error.emit(str(error)),
         )
 

@@ -21,7 +21,7 @@ from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 from trex_gui.devices.trex.views.shown_settings import ShownSettings
 from trex_gui.ui.files import in_background
 from trex_gui.ui.widgets import file_questions
-from trex_gui.ui.widgets.builders import named, tab_order
+from trex_gui.ui.widgets.builders import named, tab_order, title_of
 from trex_gui.ui.widgets.file_questions import SaveAnswer
 from trex_gui.ui.widgets.placement import keep_on_screen, resize_with_font
 
@@ -60,7 +60,7 @@ class SettingsFiles(QObject):
         self._ask_and(lambda path: self._open(path, use))
 
     def _ask_and(self, use: Callable[[Path], object]) -> None:
-        path = file_questions.ask_to_open(self._window, tr("Open settings file"))
+        path = file_questions.ask_to_open(self._window, tr("&Open settings file…"))
         if path is not None:
             use(path)
 
@@ -70,7 +70,7 @@ class SettingsFiles(QObject):
         dialog = QInputDialog(self._window)
         dialog.setObjectName("newSettingsDialog")
         dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        dialog.setWindowTitle(tr("New settings file"))
+        dialog.setWindowTitle(title_of(tr("&New settings file…")))
         dialog.setLabelText(tr("&Start the new file with:"))
         dialog.setOption(QInputDialog.InputDialogOption.UseListViewForComboBoxItems)
         dialog.setComboBoxItems(list(makers))

@@ -24,6 +24,7 @@ from trex_gui.devices.trex.settings.writer import write_settings
 from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
 from trex_gui.ui.files import in_background
 from trex_gui.ui.widgets import file_questions
+from trex_gui.ui.widgets.builders import title_of
 
 
 class ShownSettings(QObject):
@@ -43,7 +44,7 @@ class ShownSettings(QObject):
         state = self._device.state
         key = state.signature.model.key if state is not None else "trex"
         proposal = file_questions.last_folder() / f"{key}_settings.txt"
-        path = file_questions.ask_to_save(self._window, tr("Save settings file"), proposal)
+        path = file_questions.ask_to_save(self._window, tr("&Save settings file…"), proposal)
         if path is not None:
             self.save_file(path, then)
 
@@ -55,7 +56,7 @@ class ShownSettings(QObject):
         filters = {f"{language.title} (*{language.suffix})": language for language in Language}
         name = file_questions.last_folder() / file_name(settings, next(iter(filters.values())))
         chosen, kind = QFileDialog.getSaveFileName(
-            self._window, tr("Export as code"), str(name), ";;".join(filters)
+            self._window, title_of(tr("&Export as code…")), str(name), ";;".join(filters)
         )
         if chosen:
             path = Path(chosen)

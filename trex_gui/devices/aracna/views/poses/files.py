@@ -17,6 +17,7 @@ from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.behaviour import take_typed
+from trex_gui.ui.widgets.builders import title_of
 from trex_gui.ui.widgets.document_saver import DocumentSaver
 
 _FOLDER = "aracna/folder"
@@ -46,7 +47,7 @@ class PoseFiles(QObject):
 
     @Slot()
     def ask_and_open(self) -> None:
-        title, kinds = tr("Open pose file"), self._filter()
+        title, kinds = tr("&Open pose file…"), self._filter()
         if path := file_questions.ask_to_open(self._window, title, kinds, _FOLDER):
             self.open_file(path)
 
@@ -88,7 +89,7 @@ class PoseFiles(QObject):
     @Slot()
     def ask_and_save(self) -> bool:
         take_typed()
-        title = tr("Save pose file")
+        title = tr("&Save pose file")
         folder = file_questions.last_folder(_FOLDER)
         proposal = self._library.path or folder / self._library.name
         path = file_questions.ask_to_save(self._window, title, proposal, self._filter(), SUFFIX)

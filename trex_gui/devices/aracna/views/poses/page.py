@@ -25,7 +25,7 @@ class PosesPage(QWidget):
         self.setObjectName("aracnaPosesPage")
         self._library = library
         self.files = PoseFiles(library, robot.notifier, self)
-        self._head = PageHead(tr("Poses"), self)
+        self._head = PageHead(ui.title_of(tr("Pos&es")), self)
         panel = QWidget(self)
         poses = PoseBox(robot, library, panel)
         motions = MotionBox(library, robot.notifier, panel)

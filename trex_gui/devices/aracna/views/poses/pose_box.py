@@ -21,7 +21,7 @@ class PoseBox(ui.Card):
     pose_chosen = Signal(str)  # name of the current pose; empty for none
 
     def __init__(self, robot: Robot, library: Library, parent: QWidget | None = None) -> None:
-        super().__init__(tr("Poses"), parent)
+        super().__init__(ui.title_of(tr("Pos&es")), parent)
         self.setObjectName("aracnaPoseBox")
         set_look(self, "compact")
         self._robot = robot
@@ -31,7 +31,7 @@ class PoseBox(ui.Card):
         self._list = ui.named(
             NameList(library, ItemKind.POSE, robot.notifier, empty, self),
             "aracnaPoses",
-            accessible=tr("Poses"),
+            accessible=ui.title_of(tr("Pos&es")),
         )
         self._take = small_button(
             self,

@@ -52,7 +52,7 @@ class BenchDialog(ReusedDialog):
     def __init__(self, device: Device, bench: Bench, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("benchDialog")
-        self.setWindowTitle(tr("Bench test"))
+        self.setWindowTitle(ui.title_of(tr("&Bench test…")))
         resize_with_font(self, 1040, 700)
         self._device = device
         self.bench = bench

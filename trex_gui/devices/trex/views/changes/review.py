@@ -24,7 +24,7 @@ from trex_gui.devices.trex.views.power_cycle import PowerCyclePanel
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.notifier import Answer
 from trex_gui.ui.translations import error_sentence
-from trex_gui.ui.widgets.builders import button, progress_bar
+from trex_gui.ui.widgets.builders import button, progress_bar, title_of
 
 
 class _Phase(Enum):
@@ -107,8 +107,8 @@ class Review(QObject):
         if self._phase is not _Phase.WRITING and shown is not None:
             self._revert()
             before = self._undo.index()
-            titles = tr("Restore factory defaults"), tr("Restore serial defaults")
-            self._title, self._serial_only = titles[serial_only], serial_only
+            titles = tr("Restore factor&y defaults…"), tr("Restore ser&ial defaults…")
+            self._title, self._serial_only = title_of(titles[serial_only]), serial_only
             defaults = serial_defaults if serial_only else factory_settings
             found = diff_against_draft(draft, defaults(shown.product, shown.firmware))
             self._defaults = tuple(row for row in found.rows if row.changed)

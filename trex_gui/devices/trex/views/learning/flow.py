@@ -130,7 +130,7 @@ class LearnFlow(Flow):
         title = tr("Learn channels")
         titles = [tr("Stop the motors"), tr("Hands off"), tr("All ends"), tr("Review")]
         if learning.is_test or self._offers_test:
-            title, titles[1:] = tr("Test the sticks"), [tr("Test")]
+            title, titles[1:] = ui.title_of(tr("&Test the sticks…")), [tr("Test")]
         if step is not LearningStep.FAILED:
             self._place = _PLACES.get(step, int(step is LearningStep.TEST))
         self.show_buttons()

@@ -152,7 +152,7 @@ class SettingsEditor(QMainWindow):
         return self._ask_and_save() if path is None else self._save(path, ask=True)
 
     def _ask_and_save(self) -> bool:
-        title, proposal = tr("Save settings file"), self._folder() / self.document.name
+        title, proposal = tr("&Save settings file…"), self._folder() / self.document.name
         path = file_questions.ask_to_save(self, title, proposal)
         return path is not None and self.save_to(path)
 
@@ -192,7 +192,7 @@ class SettingsEditor(QMainWindow):
     def _ask_and_save_pdf(self) -> None:
         name = self._folder() / Path(self.document.name).with_suffix(".pdf").name
         filters = tr("PDF (*.pdf)")
-        path = file_questions.ask_to_save(self, tr("Save as PDF"), name, filters)
+        path = file_questions.ask_to_save(self, tr("Save as P&DF…"), name, filters)
         if path is not None:
             self.save_pdf(path)
 
@@ -212,7 +212,7 @@ class SettingsEditor(QMainWindow):
         return path.parent if path is not None else file_questions.last_folder()
 
     def _ask_and_compare(self) -> None:
-        path = file_questions.ask_to_open(self, tr("Compare with"))
+        path = file_questions.ask_to_open(self, tr("Compare &with:"))
         if path is not None:
             self.compare_with_file(path)
 
