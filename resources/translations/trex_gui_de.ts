@@ -3513,8 +3513,6 @@ bisher {1}</translation></message>
         <translation>Freigeben ohne Timeout wird für dieses Board gemerkt. Trennen Sie dann die Motorversorgung von Hand, wenn das Kabel herausfällt.</translation></message>
     <message><source>Arm with&amp;out a timeout</source>
         <translation>&amp;Ohne Timeout freigeben</translation></message>
-    <message><source>Write the serial timeout</source>
-        <translation>Serielles Timeout schreiben</translation></message>
     <message><source>Writes Serial Timeout and UART-Error Shutdown now: the board should stop its motors {0} s after the last byte. Other changes stay pending.</source>
         <translation>Schreibt jetzt „Serielles Timeout“ und „Abschaltung bei UART-Fehlern“: Das Board sollte seine Motoren {0} s nach dem letzten Byte stoppen. Andere Änderungen bleiben ausstehend.</translation></message>
     <message><source>Stops the motors, and sends nothing until they are armed again</source>
@@ -3551,8 +3549,6 @@ bisher {1}</translation></message>
         <translation>Motoren &amp;stoppen</translation></message>
     <message><source>Write &amp;{0} s</source>
         <translation>&amp;{0} s schreiben</translation></message>
-    <message><source>Write a serial timeout of {0} s</source>
-        <translation>Serielles Timeout von {0} s schreiben</translation></message>
     <message><source>Why this value? Kept on this computer and in files.</source>
         <translation>Warum dieser Wert? Wird auf diesem Computer und in Dateien aufbewahrt.</translation></message>
     <message><source>Note</source>
@@ -4799,6 +4795,8 @@ bisher {1}</translation></message>
         <translation>Liste &amp;leeren</translation></message>
     <message><source>a file of the {0}</source>
         <translation>eine Datei für {0}</translation></message>
+    <message><source>Probes each port for a supported device: each kind at its likely settings, then at every baud rate, with every parity and with CRC. A TReX or Aracna moves no motor and changes no setting. Other devices on the line may: enter their numbers in the line settings first. A TReX that receives probes at another rate counts UART errors, and stops its motors if it is set to do so.</source>
+        <translation>Prüft an jedem Port, ob ein unterstütztes Gerät antwortet: jede Art mit ihren wahrscheinlichen Einstellungen, dann mit jeder Baudrate, mit jeder Parität und mit CRC. Ein TReX oder Aracna bewegt dabei keinen Motor und ändert keine Einstellung. Andere Geräte an der Leitung vielleicht schon: Geben Sie deren Nummern zuerst in den Leitungseinstellungen ein. Ein TReX, der Anfragen mit einer anderen Baudrate empfängt, zählt UART-Fehler und stoppt seine Motoren, wenn er so eingestellt ist.</translation></message>
     <message><source>The likely settings come first; a port without a reply takes about half a minute.</source>
         <translation>Die wahrscheinlichen Einstellungen kommen zuerst; ein Port ohne Antwort dauert etwa eine halbe Minute.</translation></message>
     <message><source>&amp;Full search: also every CRC polynomial and every device number (some minutes)</source>
@@ -4807,8 +4805,6 @@ bisher {1}</translation></message>
         <translation>&amp;Starten</translation></message>
     <message><source>C&amp;ancel</source>
         <translation>A&amp;bbrechen</translation></message>
-    <message><source>Probes each port for a supported device: each kind at its likely settings, then at every baud rate, with every parity and with CRC. A TReX or Aracna moves no motor and changes no setting. Other devices on the line may: enter their numbers in the line settings first. A TReX that receives probes at another rate counts UART errors, and stops its motors if it is set to do so.</source>
-        <translation>Prüft an jedem Port, ob ein unterstütztes Gerät antwortet: jede Art mit ihren wahrscheinlichen Einstellungen, dann mit jeder Baudrate, mit jeder Parität und mit CRC. Ein TReX oder Aracna bewegt dabei keinen Motor und ändert keine Einstellung. Andere Geräte an der Leitung vielleicht schon: Geben Sie deren Nummern zuerst in den Leitungseinstellungen ein. Ein TReX, der Anfragen mit einer anderen Baudrate empfängt, zählt UART-Fehler und stoppt seine Motoren, wenn er so eingestellt ist.</translation></message>
     <message><source>C&amp;heck the board…</source>
         <translation>Board &amp;prüfen…</translation></message>
     <message><source>{0} – connected to this window</source>
@@ -4819,8 +4815,6 @@ bisher {1}</translation></message>
         <translation>Ports &amp;ohne Board</translation></message>
     <message><source>Connect and set</source>
         <translation>Verbinden und einstellen</translation></message>
-    <message><source>Ports to search</source>
-        <translation>Zu durchsuchende Ports</translation></message>
     <message><source>Found devices</source>
         <translation>Gefundene Geräte</translation></message>
     <message><source>What the LEDs mean, the wires, and how to restore serial settings</source>

@@ -3513,8 +3513,6 @@ avant {1}</translation></message>
         <translation>L'activation sans délai est mémorisée pour cette carte. Coupez alors l'alimentation à la main si le câble se débranche.</translation></message>
     <message><source>Arm with&amp;out a timeout</source>
         <translation>Activer &amp;sans délai</translation></message>
-    <message><source>Write the serial timeout</source>
-        <translation>Écrire le délai série</translation></message>
     <message><source>Writes Serial Timeout and UART-Error Shutdown now: the board should stop its motors {0} s after the last byte. Other changes stay pending.</source>
         <translation>Écrit maintenant « Délai série » et « Arrêt sur erreur UART » : la carte devrait arrêter ses moteurs {0} s après le dernier octet. Les autres modifications restent en attente.</translation></message>
     <message><source>Stops the motors, and sends nothing until they are armed again</source>
@@ -3551,8 +3549,6 @@ avant {1}</translation></message>
         <translation>Arrêter le&amp;s moteurs</translation></message>
     <message><source>Write &amp;{0} s</source>
         <translation>Écrire &amp;{0} s</translation></message>
-    <message><source>Write a serial timeout of {0} s</source>
-        <translation>Écrire un délai série de {0} s</translation></message>
     <message><source>Why this value? Kept on this computer and in files.</source>
         <translation>Pourquoi cette valeur ? Conservé sur cet ordinateur et dans les fichiers.</translation></message>
     <message><source>Note</source>
@@ -4799,6 +4795,8 @@ avant {1}</translation></message>
         <translation>&amp;Effacer la liste</translation></message>
     <message><source>a file of the {0}</source>
         <translation>un fichier pour {0}</translation></message>
+    <message><source>Probes each port for a supported device: each kind at its likely settings, then at every baud rate, with every parity and with CRC. A TReX or Aracna moves no motor and changes no setting. Other devices on the line may: enter their numbers in the line settings first. A TReX that receives probes at another rate counts UART errors, and stops its motors if it is set to do so.</source>
+        <translation>Sonde chaque port à la recherche d'un appareil pris en charge : chaque type avec ses réglages probables, puis à tous les débits, avec toutes les parités et avec CRC. Un TReX ou un Aracna ne fait alors bouger aucun moteur et ne change aucun réglage. D'autres appareils sur la liaison le peuvent : entrez d'abord leurs numéros dans les réglages de liaison. Un TReX qui reçoit ces sondages à un autre débit compte des erreurs UART, et arrête ses moteurs s'il est réglé ainsi.</translation></message>
     <message><source>The likely settings come first; a port without a reply takes about half a minute.</source>
         <translation>Les réglages probables viennent d'abord ; un port sans réponse demande environ une demi-minute.</translation></message>
     <message><source>&amp;Full search: also every CRC polynomial and every device number (some minutes)</source>
@@ -4807,8 +4805,6 @@ avant {1}</translation></message>
         <translation>&amp;Démarrer</translation></message>
     <message><source>C&amp;ancel</source>
         <translation>&amp;Annuler</translation></message>
-    <message><source>Probes each port for a supported device: each kind at its likely settings, then at every baud rate, with every parity and with CRC. A TReX or Aracna moves no motor and changes no setting. Other devices on the line may: enter their numbers in the line settings first. A TReX that receives probes at another rate counts UART errors, and stops its motors if it is set to do so.</source>
-        <translation>Sonde chaque port à la recherche d'un appareil pris en charge : chaque type avec ses réglages probables, puis à tous les débits, avec toutes les parités et avec CRC. Un TReX ou un Aracna ne fait alors bouger aucun moteur et ne change aucun réglage. D'autres appareils sur la liaison le peuvent : entrez d'abord leurs numéros dans les réglages de liaison. Un TReX qui reçoit ces sondages à un autre débit compte des erreurs UART, et arrête ses moteurs s'il est réglé ainsi.</translation></message>
     <message><source>C&amp;heck the board…</source>
         <translation>&amp;Vérifier la carte…</translation></message>
     <message><source>{0} – connected to this window</source>
@@ -4819,8 +4815,6 @@ avant {1}</translation></message>
         <translation>Ports &amp;sans carte</translation></message>
     <message><source>Connect and set</source>
         <translation>Connecter et régler</translation></message>
-    <message><source>Ports to search</source>
-        <translation>Ports à explorer</translation></message>
     <message><source>Found devices</source>
         <translation>Appareils trouvés</translation></message>
     <message><source>What the LEDs mean, the wires, and how to restore serial settings</source>

@@ -81,7 +81,7 @@ class FindDialog(ReusedDialog):
         self._on_scanner_changed()
 
     def _create_widgets(self) -> None:
-        self._list = ui.named(QListWidget(self), "findPorts", accessible=tr("Ports to search"))
+        self._list = ui.named(QListWidget(self), "findPorts")
         self._list.setSelectionMode(QListWidget.SelectionMode.NoSelection)
         self._list.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self._list.itemChanged.connect(self._on_item_changed)
@@ -106,28 +106,20 @@ class FindDialog(ReusedDialog):
             default=True,
             on_click=lambda: self._scanner.start(self._chosen, full=self._full.isChecked()),
         )
-        self._cancel = ui.button(
-            self,
-            "findCancelButton",
-            tr("C&ancel"),
-            default=False,
-            on_click=self._scanner.cancel,
-        )
+        text, cancel = tr("C&ancel"), self._scanner.cancel
+        self._cancel = ui.button(self, "findCancelButton", text, default=False, on_click=cancel)
         self._progress = ui.progress_bar(self, "findProgress", tr("Progress of the search"))
         self._tried = ui.named(Note(2, self), "findProgressText")
         self._results = ui.named(QWidget(self), "findResults", accessible=tr("Found devices"))
         self._rows = ui.column(1, into=self._results, margins=0)
 
     def _arrange(self) -> None:
-        intro = _text(
-            tr(
-                "Probes each port for a supported device: each kind at its likely settings, then "
-                "at every baud rate, with every parity and with CRC. A TReX or Aracna moves no "
-                "motor and changes no setting. Other devices on the line may: enter their numbers "
-                "in the line settings first. A TReX that receives probes at another rate counts "
-                "UART errors, and stops its motors if it is set to do so."
-            ),
-            self,
+        text = tr(
+            "Probes each port for a supported device: each kind at its likely settings, then "
+            "at every baud rate, with every parity and with CRC. A TReX or Aracna moves no "
+            "motor and changes no setting. Other devices on the line may: enter their numbers "
+            "in the line settings first. A TReX that receives probes at another rate counts "
+            "UART errors, and stops its motors if it is set to do so."
         )
         self._check = ui.button(
             self,
@@ -140,7 +132,7 @@ class FindDialog(ReusedDialog):
         close = ui.button(self, "findCloseButton", tr("Close"), default=False, on_click=self.close)
         ui.column(
             ui.label(self, text=self.windowTitle(), size="title"),
-            intro,
+            _text(text, self),
             ui.label(self, text=tr("Search &on:"), buddy=self._list),
             self._list,
             ui.row((self._busy, 1), self._disconnect),

@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from PySide6.QtCore import QSignalBlocker, QTimer, Slot
-from PySide6.QtWidgets import QDialogButtonBox, QFileDialog, QFormLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QFormLayout, QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.ui.devices.auto_connect import connects_automatically, set_automatic
@@ -117,8 +117,8 @@ class PreferencesDialog(ReusedDialog):
             default=False,
             on_click=self._reset,
         )
-        buttons = self.close_box("preferencesClose")
-        buttons.button(QDialogButtonBox.StandardButton.Close).setDefault(True)
+        close = ui.button(self, "preferencesClose", tr("&Close"), on_click=self.close)
+        close.setDefault(True)
         self._rows = ui.column(
             ui.label(self, text=self.windowTitle(), size="title"),
             form,
@@ -127,7 +127,7 @@ class PreferencesDialog(ReusedDialog):
             self._automatic,
             ui.row((explanation, 1), margins=(22, 0, 0, 0)),
             1,
-            ui.row(reset, 1, buttons),
+            ui.row(reset, 1, close),
             into=self,
         )
         theme().changed.connect(self._show_choices)

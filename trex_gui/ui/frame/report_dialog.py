@@ -6,7 +6,6 @@ from pathlib import Path
 
 from PySide6.QtCore import QLocale, Qt, Slot
 from PySide6.QtWidgets import (
-    QDialogButtonBox,
     QListWidget,
     QListWidgetItem,
     QPlainTextEdit,
@@ -57,15 +56,16 @@ class ReportDialog(ReusedDialog):
         self._text.setPlaceholderText(tr("Collecting …"))
         files = ui.label(self, text=tr("&Files:"), buddy=self._list)
         content = ui.label(self, text=tr("Con&tent:"), buddy=self._text)
-        buttons = self.close_box("reportClose")
         self._save = ui.button(
             self, "reportSave", tr("&Save…"), icon="save", on_click=self._ask_and_save
         )
         self._save.setDefault(True)
-        buttons.addButton(self._save, QDialogButtonBox.ButtonRole.ActionRole)
+        close = ui.button(self, "reportClose", tr("&Close"), on_click=self.close)
         left, right = ui.column(files, (self._list, 1)), ui.column(content, (self._text, 1))
         head = ui.label(self, text=self.windowTitle(), size="title")
-        ui.column(head, about, (ui.row((left, 1), (right, 3)), 1), buttons, into=self)
+        ui.column(
+            head, about, (ui.row((left, 1), (right, 3)), 1), ui.row(1, self._save, close), into=self
+        )
         follow_theme(self, "font", lambda: self._text.setFont(fixed_font()))
         self._list.currentItemChanged.connect(self._show_current)
         self._list.itemChanged.connect(self._enable)

@@ -1,6 +1,7 @@
 """Help beside the window, so that it can be tried while it is read."""
 
-from html import escape
+import re
+from html import escape, unescape
 from pathlib import Path
 from typing import Any
 
@@ -11,12 +12,7 @@ from PySide6.QtGui import (
     QPainter,
     QPen,
     QResizeEvent,
-    QTextBlock,
-    QTextCharFormat,
-    QTextCursor,
     QTextDocument,
-    QTextFrameFormat,
-    QTextTable,
 )
 from PySide6.QtWidgets import QListWidget, QTextBrowser, QWidget
 
@@ -32,8 +28,12 @@ from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.placement import resize_with_font
 
 _RESIZED_MS = 150
-_SPACE = 14  # pixels above headings
+_ABOVE = "margin-top:14px"  # of headings
 _WHOLE = "whole"  # fragment of the address of a picture that is shown in full size
+
+_TAG = re.compile(r"<[^>]*>")
+_HEADING = re.compile(r"(<h[1-6][^>]*>)(.*?)(</h[1-6]>)", re.DOTALL)  # in HTML of Qt
+_PICTURE = re.compile(r'<img src="([^"]*)"[^>]*>')
 
 _SHOWN = {".md", ".png", ".py"}
 """Files that the help shows itself: a desktop may run a program instead."""
@@ -74,11 +74,11 @@ class HelpDialog(ReusedDialog):
             button.setEnabled(False)
             available.connect(button.setEnabled)
             steps.append(button)
-        buttons = self.close_box("helpClose")
+        close = ui.button(self, "helpClose", tr("&Close"), on_click=self.close)
         splitter = ui.splitter(self, "", Qt.Orientation.Horizontal, (self._list, 0), (text, 1))
         splitter.setSizes([230, 950])
         head = ui.label(self, text=tr("Help"), size="title")
-        ui.column(head, (splitter, 1), ui.row(*steps, 1, buttons, margins=0), into=self)
+        ui.column(head, (splitter, 1), ui.row(*steps, 1, close, margins=0), into=self)
         self._list.currentRowChanged.connect(self._on_chosen)
         text.sourceChanged.connect(self._select)
 
@@ -146,16 +146,11 @@ class _Browser(QTextBrowser):
         document = QTextDocument()
         document.setDefaultFont(self.font())
         document.setMarkdown(page.text, QTextDocument.MarkdownFeature.MarkdownDialectGitHub)
-        block = document.begin()
-        while block.isValid():
-            if block.blockFormat().headingLevel():
-                _make_anchor(block)
-            _link_pictures(block)
-            block = block.next()
-        for frame in document.rootFrame().childFrames():
-            if isinstance(frame, QTextTable):
-                _draw_lines(frame)
-        return document.toHtml()
+        color = theme().color("muted").name()
+        table = f'style="border-color: {color}; margin-top: 7px; margin-bottom: 7px;'
+        html = document.toHtml().replace('<table border="1" style="', f'<table border="1" {table}')
+        html = _PICTURE.sub(r'<a href="\1">\g<0></a>', html)
+        return _HEADING.sub(_with_anchor, html)
 
     def _picture(self, url: QUrl) -> QImage:
         """Return a picture in the colours of the theme, as wide as the text at most, or whole."""
@@ -183,38 +178,7 @@ class _Browser(QTextBrowser):
             self._resized.start()
 
 
-def _make_anchor(heading: QTextBlock) -> None:
-    cursor = QTextCursor(heading)
-    cursor.movePosition(QTextCursor.MoveOperation.EndOfBlock, QTextCursor.MoveMode.KeepAnchor)
-    form = cursor.charFormat()
-    form.setAnchor(True)
-    form.setAnchorNames([anchor_of(heading.text())])
-    cursor.mergeCharFormat(form)
-    spaced = heading.blockFormat()
-    spaced.setTopMargin(_SPACE)
-    cursor.setBlockFormat(spaced)
-
-
-def _link_pictures(block: QTextBlock) -> None:
-    for run in block.textFormats():
-        if run.format.isImageFormat():
-            cursor = QTextCursor(block)
-            cursor.setPosition(block.position() + run.start)
-            right, keep = QTextCursor.MoveOperation.Right, QTextCursor.MoveMode.KeepAnchor
-            cursor.movePosition(right, keep, run.length)
-            link = QTextCharFormat()
-            link.setAnchor(True)
-            link.setAnchorHref(run.format.toImageFormat().name())
-            cursor.mergeCharFormat(link)
-
-
-def _draw_lines(table: QTextTable) -> None:
-    form = table.format()
-    form.setBorder(1)
-    form.setBorderCollapse(True)
-    form.setBorderStyle(QTextFrameFormat.BorderStyle.BorderStyle_Solid)
-    form.setBorderBrush(theme().color("muted"))
-    form.setCellPadding(4)
-    form.setTopMargin(_SPACE / 2)
-    form.setBottomMargin(_SPACE / 2)
-    table.setFormat(form)
+def _with_anchor(heading: re.Match[str]) -> str:
+    start, shown, end = heading.groups()
+    anchor = anchor_of(unescape(_TAG.sub("", shown)))
+    return f'{start.replace("margin-top:0px", _ABOVE)}<a name="{anchor}">{shown}</a>{end}'

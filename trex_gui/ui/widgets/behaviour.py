@@ -13,7 +13,6 @@ from PySide6.QtWidgets import (
     QAbstractSpinBox,
     QApplication,
     QDialog,
-    QDialogButtonBox,
     QHeaderView,
     QPushButton,
     QWidget,
@@ -84,13 +83,6 @@ class ReusedDialog(QDialog):
                 if button.isDefault():
                     button.setFocus()
         super().setVisible(visible)
-
-    def close_box(self, name: str) -> QDialogButtonBox:
-        """Return a row with a Close button; `name` is that of the button."""
-        box = QDialogButtonBox(QDialogButtonBox.StandardButton.Close, self)
-        box.button(QDialogButtonBox.StandardButton.Close).setObjectName(name)
-        box.rejected.connect(self.close)
-        return box
 
     def show_in_front(self) -> None:
         self.show()

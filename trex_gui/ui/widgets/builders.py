@@ -293,13 +293,20 @@ def spin_box(
     It shows `value`, or `lowest`; `value` is set before `on_change` is connected.
     """
     made = named(SpinBox(parent), name, accessible=accessible, tip=tip)
-    made.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
     made.setLocale(UNGROUPED)
     made.setRange(lowest, highest)
     made.setSingleStep(step)
+    made.setValue(lowest if value is None else value)
+    return _complete(made, suffix, on_change)
+
+
+SpinT = TypeVar("SpinT", QSpinBox, QDoubleSpinBox)
+
+
+def _complete(made: SpinT, suffix: str, on_change: Handler | None) -> SpinT:
+    made.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
     made.setSuffix(suffix)
     made.setKeyboardTracking(False)
-    made.setValue(lowest if value is None else value)
     _connect(made.valueChanged, on_change)
     return made
 
@@ -336,20 +343,15 @@ def double_spin_box(
     decimals: int,
     suffix: str = "",
     step: float = 1.0,
-    tip: str = "",
     on_change: Handler | None = None,
 ) -> QDoubleSpinBox:
     """Create what `spin_box` does, for numbers with decimals. It shows `lowest`."""
-    made = named(DecimalSpinBox(parent), name, accessible=accessible, tip=tip)
-    made.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+    made = named(DecimalSpinBox(parent), name, accessible=accessible)
     made.setDecimals(decimals)
     made.setRange(lowest, highest)
     made.setSingleStep(step)
-    made.setSuffix(suffix)
-    made.setKeyboardTracking(False)
     made.setValue(lowest)
-    _connect(made.valueChanged, on_change)
-    return made
+    return _complete(made, suffix, on_change)
 
 
 TableT = TypeVar("TableT", bound=QTableView)

@@ -104,8 +104,7 @@ class TimeoutNotice(QWidget):
         self._device = device
         self._seconds: float | None = None  # of a better timeout
         self._text = ui.named(Note(3, self), "timeoutLabel")
-        name = tr("Write the serial timeout")
-        self._button = ui.button(self, "timeoutButton", accessible=name, on_click=self._on_clicked)
+        self._button = ui.button(self, "timeoutButton", on_click=self._on_clicked)
         keep_room(self._button)
         ui.column(
             (self._text, 1), (self._button, 0, Qt.AlignmentFlag.AlignLeft), into=self, margins=0
@@ -124,11 +123,8 @@ class TimeoutNotice(QWidget):
         self._button.setVisible(can_write)
         text = self._device.board.silence_remedy if warning is None else warning.text
         self._text.show_note(text, alarming=warning is not None)
-        if seconds is None:
-            return
-        number = f"{Number(seconds):g}"
+        number = f"{Number(seconds or 0):g}"  # without any the button is hidden
         self._button.setText(tr("Write &{0} s").format(number))
-        self._button.setAccessibleName(tr("Write a serial timeout of {0} s").format(number))
         tip = tr(
             "Writes Serial Timeout and UART-Error Shutdown now: the board should stop its "
             "motors {0} s after the last byte. Other changes stay pending."
