@@ -46,6 +46,9 @@ def test_pages_warn_of_motors_behind_a_lost_line(
         assert page.is_enabled("reconnectAndStop")
         assert not page.has("startPanel")
         assert window.text("bannerText").startswith(f"{grave} {remedy}")
+        window.open_page("parametersPage")
+        assert not window.has("motorStateLabel"), "the message says it"
+        page = window.open_page("boardPage")
         assert window.is_enabled("stopButton")
         runtime().sleep(1.0)
         assert (board.show()["motors"][0]["direction"] == "forward") is goes_on

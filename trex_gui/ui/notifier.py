@@ -86,6 +86,7 @@ class Notifier(QObject):
     delayed_error = Signal(str)
     delayed_report = Signal(str, object)  # see `report`
     cleared = Signal()
+    shown_changed = Signal()  # `shown`
     logged = Signal(str, bool)  # every message, and whether it is an error; see `log_also`
 
     def __init__(self, parent: QObject | None = None) -> None:

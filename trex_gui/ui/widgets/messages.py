@@ -216,6 +216,7 @@ class Banner(_MessageRow):
             # A danger is no reason to connect to nothing: what connects stops the motors.
             self._notifier.shown = text
             self._notifier.shows_problem = sign == "warning" and not is_danger
+            self._notifier.shown_changed.emit()
         if text:
             set_sign(self._sign, sign, "stop_text" if is_danger else sign, 4)
         set_style_property(self, "danger", is_danger)

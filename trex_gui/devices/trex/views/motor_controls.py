@@ -286,6 +286,7 @@ class ControlBar(MotorBar):
         motors = device.motors
         for signal in (
             device.link_changed,
+            device.notifier.shown_changed,
             device.draft.pending_changed,
             device.errors_changed,
             device.telemetry.text_due,  # a fault is over some time later
@@ -312,8 +313,8 @@ class ControlBar(MotorBar):
             alarming=alarming,
             color="danger" if self._is_out_of_reach else "warning",
         )
-        is_news = motors.armed or self._is_beyond_reach
-        self._state.setVisible(is_news or not self._is_said_above)
+        is_said = self._is_said_above or self._state.text() in self._device.notifier.shown
+        self._state.setVisible(motors.armed or self._is_beyond_reach or not is_said)
         self._apply.setText(_apply_text(pending))
         set_look(self._apply, "primary" if pending else "")
         self._apply.setEnabled(pending > 0 and self._device.writer.can_apply)
