@@ -2527,14 +2527,6 @@
         <translation>diese Zahl ist nicht lesbar; {0}</translation></message>
     <message><source>merge keys (&lt;&lt;) are not allowed; {0}</source>
         <translation>Merge-Schlüssel (&lt;&lt;) sind nicht erlaubt; {0}</translation></message>
-    <message><source>{value}, {distance} below neutral</source>
-        <translation>{value}, {distance} unter der Neutralstellung</translation></message>
-    <message><source>{value}, {distance} above neutral</source>
-        <translation>{value}, {distance} über der Neutralstellung</translation></message>
-    <message><source>{value} of {full}</source>
-        <translation>{value} von {full}</translation></message>
-    <message><source>{value}, neutral</source>
-        <translation>{value}, neutral</translation></message>
     <message><source>Runs the test while it is held, with the mouse or the space bar</source>
         <translation>Führt den Prüflauf aus, solange sie mit der Maus oder der Leertaste gehalten wird</translation></message>
     <message><source>Test to compare with</source>
@@ -3413,28 +3405,24 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Endlage {0}: nicht nötig</translation></message>
     <message><source>Calculated from the values in the board, for each channel by itself. Assumed: up to 8 of 127 counts as neutral; the switching points of switches.</source>
         <translation>Aus den Werten im Board berechnet, für jeden Kanal einzeln. Angenommen: bis zu 8 von 127 gelten als neutral; die Umschaltpunkte von Schaltern.</translation></message>
-    <message><source>not sampled yet</source>
-        <translation>noch nicht gemessen</translation></message>
     <message><source>Hold it there …</source>
         <translation>Dort halten …</translation></message>
     <message><source>No end reached yet.</source>
         <translation>Noch keine Endlage erreicht.</translation></message>
+    <message><source>not sampled yet</source>
+        <translation>noch nicht gemessen</translation></message>
     <message><source>low</source>
         <translation>unten</translation></message>
     <message><source>high</source>
         <translation>oben</translation></message>
     <message><source>Left out: its rest position is not known.</source>
         <translation>Ausgelassen: Die Ruhelage ist nicht bekannt.</translation></message>
-    <message><source>Raw input of channel {0}</source>
-        <translation>Rohwert von Kanal {0}</translation></message>
     <message><source>Not held. Hold it there for {0:.1f} s.</source>
         <translation>Nicht gehalten. Halten Sie ihn dort {0:.1f} s lang.</translation></message>
     <message><source>Reached: {0}.</source>
         <translation>Erreicht: {0}.</translation></message>
     <message><source>at rest: {0}, noise {1}</source>
         <translation>in Ruhe: {0}, Rauschen {1}</translation></message>
-    <message><source>Output of channel {0}</source>
-        <translation>Ausgang von Kanal {0}</translation></message>
     <message numerus="yes"><source>%n earlier pending edit(s) will be written, too.</source>
         <translation><numerusform>%n frühere ausstehende Änderung wird ebenfalls geschrieben.</numerusform><numerusform>%n frühere ausstehende Änderungen werden ebenfalls geschrieben.</numerusform></translation></message>
     <message><source>Input now {0}; output {1}.</source>
@@ -5289,8 +5277,6 @@ bisher {1}</translation></message>
         <translation>empfangen {0}</translation></message>
     <message><source>not connected</source>
         <translation>nicht verbunden</translation></message>
-    <message><source>no data yet</source>
-        <translation>noch keine Daten</translation></message>
     <message><source>Columns</source>
         <translation>Spalten</translation></message>
     <message><source>Rows</source>

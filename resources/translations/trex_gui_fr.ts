@@ -2527,14 +2527,6 @@
         <translation>ce nombre est illisible ; {0}</translation></message>
     <message><source>merge keys (&lt;&lt;) are not allowed; {0}</source>
         <translation>les clés de fusion (&lt;&lt;) ne sont pas autorisées ; {0}</translation></message>
-    <message><source>{value}, {distance} below neutral</source>
-        <translation>{value}, {distance} en dessous du neutre</translation></message>
-    <message><source>{value}, {distance} above neutral</source>
-        <translation>{value}, {distance} au-dessus du neutre</translation></message>
-    <message><source>{value} of {full}</source>
-        <translation>{value} sur {full}</translation></message>
-    <message><source>{value}, neutral</source>
-        <translation>{value}, neutre</translation></message>
     <message><source>Runs the test while it is held, with the mouse or the space bar</source>
         <translation>Effectue l'essai tant qu'il est maintenu, avec la souris ou la barre d'espace</translation></message>
     <message><source>Test to compare with</source>
@@ -3413,28 +3405,24 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Extrémité {0} : pas nécessaire</translation></message>
     <message><source>Calculated from the values in the board, for each channel by itself. Assumed: up to 8 of 127 counts as neutral; the switching points of switches.</source>
         <translation>Calculé à partir des valeurs de la carte, pour chaque voie séparément. Supposé : jusqu'à 8 sur 127 compte comme neutre ; les points de basculement des interrupteurs.</translation></message>
-    <message><source>not sampled yet</source>
-        <translation>pas encore mesuré</translation></message>
     <message><source>Hold it there …</source>
         <translation>Maintenez cette position …</translation></message>
     <message><source>No end reached yet.</source>
         <translation>Aucune extrémité encore atteinte.</translation></message>
+    <message><source>not sampled yet</source>
+        <translation>pas encore mesuré</translation></message>
     <message><source>low</source>
         <translation>basse</translation></message>
     <message><source>high</source>
         <translation>haute</translation></message>
     <message><source>Left out: its rest position is not known.</source>
         <translation>Omise : sa position de repos n'est pas connue.</translation></message>
-    <message><source>Raw input of channel {0}</source>
-        <translation>Entrée brute de la voie {0}</translation></message>
     <message><source>Not held. Hold it there for {0:.1f} s.</source>
         <translation>Non maintenu. Maintenez-le là pendant {0:.1f} s.</translation></message>
     <message><source>Reached: {0}.</source>
         <translation>Atteint : {0}.</translation></message>
     <message><source>at rest: {0}, noise {1}</source>
         <translation>au repos : {0}, bruit {1}</translation></message>
-    <message><source>Output of channel {0}</source>
-        <translation>Sortie de la voie {0}</translation></message>
     <message numerus="yes"><source>%n earlier pending edit(s) will be written, too.</source>
         <translation><numerusform>%n modification antérieure en attente sera également écrite.</numerusform><numerusform>%n modifications antérieures en attente seront également écrites.</numerusform></translation></message>
     <message><source>Input now {0}; output {1}.</source>
@@ -5289,8 +5277,6 @@ avant {1}</translation></message>
         <translation>reçu      {0}</translation></message>
     <message><source>not connected</source>
         <translation>pas connecté</translation></message>
-    <message><source>no data yet</source>
-        <translation>pas encore de données</translation></message>
     <message><source>Columns</source>
         <translation>Colonnes</translation></message>
     <message><source>Rows</source>

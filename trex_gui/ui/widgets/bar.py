@@ -1,4 +1,4 @@
-"""Base of the live bars; signs and limits of values."""
+"""The track of live bars, and the signs and limits of values."""
 
 from collections.abc import Sequence
 from enum import Enum
@@ -7,7 +7,8 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QAccessible, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from trex_gui.core.translation import tr, tr_noop
+from trex_gui.core.texts import signed_text
+from trex_gui.core.translation import tr
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.accessible import SpokenRange
 from trex_gui.ui.widgets.circuit import write
@@ -33,15 +34,6 @@ def limit_state(value: float | None, limit: float | None) -> LimitState:
     if not limit or value is None or value < _NEAR * limit:
         return LimitState.BELOW
     return LimitState.NEAR if value <= limit else LimitState.OVER
-
-
-class BarState(Enum):
-    """State of a bar: the words in its place, until it has a value."""
-
-    DISCONNECTED = tr_noop("not connected")
-    WAITING = tr_noop("no data yet")
-    NO_SIGNAL = tr_noop("no signal")
-    LIVE = ""
 
 
 def paint_track(
@@ -75,66 +67,33 @@ def paint_track(
         painter.drawLine(QPointF(x, track.top() - 3), QPointF(x, track.bottom() + 3))
 
 
-class Bar(Painted):
-    """A value on an axis, and its number at the right.
+class PartBar(Painted):
+    """A part from -1 to 1, from the centre, and its number in percent at the right.
 
     Screen readers find its value when they look for it.
     """
 
     spoken_role = QAccessible.Role.ProgressBar
 
-    def __init__(self, axis: tuple[int, int], parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.axis = axis  # values at the left and the right end
-        self.state = BarState.DISCONNECTED
-        self.value: int | None = None
+        self._percent: int | None = None
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
 
-    def set_connected(self, connected: bool) -> None:
-        """A new connection starts without a value."""
-        if connected is (self.state is BarState.DISCONNECTED):
-            self._show(BarState.WAITING if connected else BarState.DISCONNECTED, None)
-
-    def set_value(self, value: int | None) -> None:
-        """Show a value; `None` means no valid signal. Without a connection it is ignored."""
-        if self.state is not BarState.DISCONNECTED:
-            self._show(BarState.NO_SIGNAL if value is None else BarState.LIVE, value)
-
-    def _show(self, state: BarState, value: int | None) -> None:
-        if (state, value) != (self.state, self.value):
-            self.state, self.value = state, value
+    def set_part(self, part: float | None) -> None:
+        percent = None if part is None else round(100 * part)
+        if percent != self._percent:
+            self._percent = percent
             self.update()
 
-    # --- For each kind of bar -----------------------------------------------------------
-
-    def text_of(self, value: int) -> str:
-        raise NotImplementedError
-
-    def spoken_value(self, value: int) -> str:
-        raise NotImplementedError
-
-    def spoken_range(self) -> SpokenRange:
-        raise NotImplementedError
-
-    def paint(self, painter: QPainter, track: QRectF) -> None:
-        """Paint the track with a value."""
-        raise NotImplementedError
-
-    # --- For all ------------------------------------------------------------------------
+    def _text(self) -> str:
+        return NO_VALUE if self._percent is None else f"{signed_text(self._percent)} %"
 
     def spoken_state(self) -> str:
-        return tr(self.state.value) if self.value is None else self.spoken_value(self.value)
+        return tr("not connected") if self._percent is None else self._text()
 
-    def track(self) -> QRectF:
-        height = self.fontMetrics().height() - 4
-        width = max(1, self.width() - self._column() - 2)
-        return QRectF(1, (self.height() - height) / 2, width, height)
-
-    def _column(self) -> int:
-        """Return the width of the number right of the bar, its gap included."""
-        metrics = self.fontMetrics()
-        widest = max(metrics.horizontalAdvance(self.text_of(end)) for end in self.axis)
-        return widest + metrics.averageCharWidth()
+    def spoken_range(self) -> SpokenRange:
+        return SpokenRange(-100, self._percent or 0, 100)
 
     def _size(self, characters: int) -> QSize:
         metrics = self.fontMetrics()
@@ -144,18 +103,16 @@ class Bar(Painted):
         return self._size(48)
 
     def minimumSizeHint(self) -> QSize:
-        return self._size(12) + QSize(self._column(), 0)
+        return self._size(20)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
-        track, value, rect = self.track(), self.value, QRectF(self.rect())
-        right, middle = Qt.AlignmentFlag.AlignRight, Qt.AlignmentFlag.AlignHCenter
+        metrics, rect = self.fontMetrics(), QRectF(self.rect())
+        width = rect.width() - metrics.horizontalAdvance(f" {MINUS}100 %") - 2
+        height = metrics.height() - 4
+        track = QRectF(1, (rect.height() - height) / 2, max(1, width), height)
+        marks = () if self._percent is None else (0,)
         with Painter(self) as painter:
-            if value is None:
-                paint_track(painter, track, self.axis, None, ())
-                words = track.adjusted(0, -2, 0, 2)
-                write(painter, words, tr(self.state.value), "muted", align=middle)
-                write(painter, rect, NO_VALUE, "muted", align=right)
-            else:
-                self.paint(painter, track)
-                write(painter, rect, self.text_of(value), "window_text", align=right)
+            paint_track(painter, track, (-100, 100), self._percent, marks)
+            color = "window_text" if marks else "muted"
+            write(painter, rect, self._text(), color, align=Qt.AlignmentFlag.AlignRight)

@@ -1,4 +1,4 @@
-from collections.abc import Callable
+"""Strips of the inputs: their bar, its axis and its colours."""
 
 import pytest
 from PySide6.QtWidgets import QApplication
@@ -7,9 +7,10 @@ from pytestqt.qtbot import QtBot
 from tests.support.accessible_names import spoken_state
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.views.bars import ChannelBar, OutputBar
+from trex_gui.devices.trex.views.bars import input_axis, widened
+from trex_gui.devices.trex.views.learning.live_pages import InputStrip
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.bar import Bar
+from trex_gui.ui.widgets.bar import PartBar
 
 RC = DEFAULT_CALIBRATION[InputSource.RC]
 
@@ -21,70 +22,38 @@ def _light(qapp: QApplication) -> None:
 
 
 @pytest.fixture
-def bar(qtbot: QtBot) -> ChannelBar:
-    widget = ChannelBar()
+def strip(qtbot: QtBot) -> InputStrip:
+    widget = InputStrip("learn", 1)
     qtbot.addWidget(widget)
     widget.resize(500, widget.sizeHint().height())
-    widget.set_scale(InputSource.RC, RC)
-    widget.set_connected(True)
     return widget
 
 
-@pytest.fixture
-def output(qtbot: QtBot) -> OutputBar:
-    widget = OutputBar()
-    qtbot.addWidget(widget)
-    widget.resize(400, widget.sizeHint().height())
-    widget.set_connected(True)
-    return widget
+def test_fill_within_the_deadband_is_neutral(strip: InputStrip) -> None:
+    marks = Calibration(2500, 3750, 5000, 500)
+    for time, (raw, fill) in enumerate(((4200, "neutral"), (4400, "bar"))):
+        strip.show_input(time, InputSource.RC, marks, raw)
+        picture = strip.grab().toImage()
+        x = round(10 + (4000 - 2000) / 3500 * (strip.width() - 20))
+        column = {picture.pixelColor(x, y).name() for y in range(strip.height())}
+        assert theme().color(fill).name() in column
 
 
-def test_fill_within_the_deadband_is_neutral(bar: ChannelBar) -> None:
-    bar.set_scale(InputSource.RC, Calibration(2500, 3750, 5000, 500))
-    for value, fill, spoken in (
-        (4200, "neutral", "1680 µs, neutral"),
-        (4400, "bar", "1760 µs, 260 µs above neutral"),
-    ):
-        bar.set_value(value)
-        picture, track = bar.grab().toImage(), bar.track()
-        x = round(track.left() + (4000 - 2000) / 3500 * track.width())
-        assert picture.pixelColor(x, round(track.center().y())) == theme().color(fill)
-        assert spoken_state(bar) == spoken
+def test_axis_holds_value_and_calibration() -> None:
+    assert input_axis(InputSource.RC, RC) == (2000, 5500)
+    assert widened((2000, 5500), (5600,)) == (2000, 5750)
+    assert widened((2000, 5750), (3750,)) == (2000, 5750)  # must not breathe with the stick
+    assert input_axis(InputSource.RC, Calibration(1500, 3750, 6000, 75)) == (1500, 6000)
+    assert input_axis(InputSource.ANALOG, DEFAULT_CALIBRATION[InputSource.ANALOG]) == (0, 1023)
 
 
-@pytest.mark.parametrize("raw", [None, 3000])
-def test_disconnected_bar_shows_no_value(bar: ChannelBar, raw: int | None) -> None:
-    bar.set_value(raw)
-    bar.set_connected(False)
-    assert spoken_state(bar) == "not connected"
-    bar.set_connected(True)
-    assert spoken_state(bar) == "no data yet"
-
-
-def test_axis_holds_value_and_calibration(bar: ChannelBar) -> None:
-    bar.set_value(5600)
-    assert bar.axis == (2000, 5750)
-    bar.set_value(3750)
-    assert bar.axis == (2000, 5750)  # stays: it must not breathe with the stick
-    bar.set_scale(InputSource.RC, Calibration(1500, 3750, 6000, 75))
-    assert bar.axis == (1500, 6000)
-    bar.set_scale(InputSource.RC, RC)
-    assert bar.axis == (2000, 5500)
-    bar.set_value(2500)
-    assert spoken_state(bar) == "1000 µs, 500 µs below neutral"
-    bar.set_scale(InputSource.RC, None)
-    assert spoken_state(bar) == "1000 µs"
-    bar.set_value(None)
-    assert spoken_state(bar) == "no signal"
-
-
-def test_voltages_have_their_own_axis(bar: ChannelBar) -> None:
-    bar.set_value(3000)
-    bar.set_scale(InputSource.ANALOG, DEFAULT_CALIBRATION[InputSource.ANALOG])
-    assert spoken_state(bar) == "no data yet"
-    bar.set_value(1023)
-    assert bar.axis == (0, 1023)
-    assert spoken_state(bar) == "5.00 V, 2.50 V above neutral"
+def test_strip_says_its_input_in_its_unit(strip: InputStrip) -> None:
+    strip.show_input(2, InputSource.RC, RC, 2500)
+    assert spoken_state(strip).startswith("1000 µs")
+    strip.show_input(3, InputSource.RC, RC, None)
+    assert spoken_state(strip).startswith("no signal")
+    strip.show_input(4, InputSource.ANALOG, None, 1023)
+    assert spoken_state(strip).startswith("5.00 V")
 
 
 @pytest.mark.parametrize(
@@ -97,20 +66,18 @@ def test_voltages_have_their_own_axis(bar: ChannelBar) -> None:
         Calibration(5000, 3000, 1000, 5),
     ],
 )
-def test_bar_is_painted_at_any_width_and_calibration(
-    bar: ChannelBar, calibration: Calibration | None
+def test_strip_is_painted_at_any_width_and_calibration(
+    strip: InputStrip, calibration: Calibration | None
 ) -> None:
-    bar.set_scale(InputSource.RC, calibration)
     for width in (1, 60, 120, 200, 2000):
-        bar.resize(width, bar.height())
-        for raw in (3000, 3705, None):
-            bar.set_value(raw)
-            assert not bar.grab().isNull()
+        strip.resize(width, strip.height())
+        for time, raw in enumerate((3000, 3705, None)):
+            strip.show_input(width + time, InputSource.RC, calibration, raw, 64)
+            assert not strip.grab().isNull()
 
 
-@pytest.mark.parametrize("make", [ChannelBar, OutputBar])
-def test_bar_grows_with_the_font(qtbot: QtBot, make: Callable[[], Bar]) -> None:
-    widget = make()
+def test_bar_grows_with_the_font(qtbot: QtBot) -> None:
+    widget = PartBar()
     qtbot.addWidget(widget)
     before = widget.sizeHint()
     font = widget.font()
@@ -118,10 +85,4 @@ def test_bar_grows_with_the_font(qtbot: QtBot, make: Callable[[], Bar]) -> None:
     widget.setFont(font)
     assert widget.sizeHint().height() > before.height() * 1.5
     assert widget.sizeHint().width() > before.width() * 1.5
-
-
-def test_output_is_described_for_screen_readers(output: OutputBar) -> None:
-    for value, spoken in ((64, "+64 of 127"), (0, "0 of 127"), (None, "no signal")):
-        output.set_value(value)
-        assert spoken_state(output) == spoken
-    output.grab()
+    widget.grab()

@@ -11,9 +11,10 @@ from tests.support.keyboard import check_keyboard
 from tests.support.pads import PAD, HeldPads
 from tests.support.pages.gamepad_panel import GamepadPanelPage, Y
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.views.pages.motors.gamepad_dialog import GamepadDialog, PartBar
+from trex_gui.devices.trex.views.pages.motors.gamepad_dialog import GamepadDialog
 from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
 from trex_gui.gamepad.profile import Axis, Style
+from trex_gui.ui.widgets.bar import PartBar
 from trex_gui.ui.widgets.leds import Lamp
 
 HOLD, STOP = 4, 1

@@ -19,7 +19,7 @@ from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.setup.pulses import WEAK
 from trex_gui.devices.trex.model.setup.robot_setup import SetupStep
 from trex_gui.devices.trex.model.setup.wiring import Driver
-from trex_gui.devices.trex.views.bars import ChannelBar
+from trex_gui.devices.trex.views.learning.live_pages import InputStrip
 from trex_gui.devices.trex.views.setup.flow import SetupFlow
 from trex_gui.devices.trex.views.steps import Steps
 from trex_gui.ui.theme.theme import theme
@@ -137,8 +137,8 @@ def test_stick_that_is_not_seen_is_named_beside_its_input(assistant: Assistant) 
     assert "not known yet" in assistant.text("setupStick1Note")
     assert "near its middle" in assistant.text("setupStick2Note")
     assert "Is the transmitter on?" in assistant.text("setupStick2Note")
-    bar = assistant.find(ChannelBar, "setupChannel1Bar")
-    assistant.wait(lambda: spoken_state(bar).startswith("2000 µs"))
+    strip = assistant.find(InputStrip, "setup1Strip")
+    assistant.wait(lambda: spoken_state(strip).startswith("2000 µs"))
     robot.simulator.do("channel 2 silent")
     assistant.wait(lambda: robot.device.telemetry.raw_of(2) is None)
     assistant.click("setupForwardButton")

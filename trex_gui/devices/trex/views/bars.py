@@ -1,18 +1,14 @@
-"""The live bars: a channel's input with its calibration, and an output."""
+"""The bar of an input with its calibration, and its axis."""
 
 from collections.abc import Iterable
 
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QPainter
-from PySide6.QtWidgets import QWidget
 
-from trex_gui.core.texts import signed_text
-from trex_gui.core.translation import tr
-from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
+from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.plotting.axes import Labels, ticks, value_labels
-from trex_gui.ui.widgets.accessible import SpokenRange
-from trex_gui.ui.widgets.bar import Bar, BarState, paint_track
+from trex_gui.ui.widgets.bar import paint_track
 
 # Raw counts. Ref: Pololu TReX User's Guide 4.b: a pulse counts from 0.5 to 2.5 ms.
 USUAL_AXIS = {InputSource.RC: (2000, 5500), InputSource.ANALOG: (0, 1023)}
@@ -70,68 +66,3 @@ def paint_input(
         if count is not None and abs(count - calibration.neutral) <= calibration.deadband:
             fill = "neutral"
     paint_track(painter, track, axis, count, marks, fill=fill)
-
-
-class ChannelBar(Bar):
-    """A raw count between minimum, neutral and maximum; the axis widens for what lies outside."""
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(USUAL_AXIS[InputSource.RC], parent)
-        self._source = InputSource.RC
-        self._calibration: Calibration | None = None
-
-    def set_scale(self, source: InputSource, calibration: Calibration | None) -> None:
-        """Set the unit and the marks; a value in the other unit is dropped."""
-        if source is not self._source and self.value is not None:
-            self._show(BarState.WAITING, None)
-        if (source, calibration) != (self._source, self._calibration):
-            self._source, self._calibration = source, calibration
-            self.axis = input_axis(source, calibration, self.value)
-            self.update()
-
-    def set_value(self, value: int | None) -> None:
-        if value is not None:
-            self.axis = widened(self.axis, (value,))
-        super().set_value(value)
-
-    def text_of(self, value: int) -> str:
-        return self._source.text(value)
-
-    def spoken_value(self, value: int) -> str:
-        text, calibration = self.text_of(value), self._calibration
-        if calibration is None:
-            return text
-        offset = value - calibration.neutral
-        if abs(offset) <= calibration.deadband:
-            return tr("{value}, neutral").format(value=text)
-        beside = tr("{value}, {distance} below neutral")
-        if offset > 0:
-            beside = tr("{value}, {distance} above neutral")
-        return beside.format(value=text, distance=self.text_of(abs(offset)))
-
-    def spoken_range(self) -> SpokenRange:
-        """Return µs or V."""
-        low, high = self.axis
-        return SpokenRange(*map(self._source.physical, (low, self.value or low, high)))
-
-    def paint(self, painter: QPainter, track: QRectF) -> None:
-        paint_input(painter, track, self.axis, self.value, self._calibration)
-
-
-class OutputBar(Bar):
-    """A value from -127 to 127, from the centre."""
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__((-FULL_SCALE, FULL_SCALE), parent)
-
-    def text_of(self, value: int) -> str:
-        return signed_text(value)
-
-    def spoken_value(self, value: int) -> str:
-        return tr("{value} of {full}").format(value=self.text_of(value), full=FULL_SCALE)
-
-    def spoken_range(self) -> SpokenRange:
-        return SpokenRange(-FULL_SCALE, self.value or 0, FULL_SCALE)
-
-    def paint(self, painter: QPainter, track: QRectF) -> None:
-        paint_track(painter, track, self.axis, self.value, (0,))

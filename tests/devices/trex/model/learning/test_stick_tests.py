@@ -52,7 +52,7 @@ class Sticks:
         return self.tests.to_learn_again
 
     def text(self, channel: int) -> str:
-        return next(test.text for test in self.tests.tests if test.channel == channel)
+        return next(test.text for test in self.tests.tests if test.number == channel)
 
 
 @pytest.fixture

@@ -119,11 +119,11 @@ class LearnedChannel:
         self.proposal: Proposal | None = None
         self.choice: Choice | None = None
         self._heard_at: float | None = None
-        self._now = 0.0
+        self.time = 0.0  # of the newest sample
 
     def feed(self, sample: Sample) -> None:
         self.raw = sample.count
-        self._now = sample.time
+        self.time = sample.time
         if sample.count is not None or self._heard_at is None:
             self._heard_at = sample.time
 
@@ -195,7 +195,7 @@ class LearnedChannel:
         return (
             self.raw is None
             and self._heard_at is not None
-            and self._now - self._heard_at > _SILENT_AFTER
+            and self.time - self._heard_at > _SILENT_AFTER
         )
 
     @property

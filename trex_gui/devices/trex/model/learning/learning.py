@@ -107,7 +107,7 @@ class Learning(QObject):
         if self.step is LearningStep.TRAVEL:
             return {c.number for c in self.channels if c.travel and not c.travel.is_enough}
         tests = self.tests.tests if self.step is LearningStep.TEST and self.tests else ()
-        return {test.channel for test in tests if not (test.passed or test.ignored)}
+        return {test.number for test in tests if not (test.passed or test.ignored)}
 
     @property
     def included(self) -> list[LearnedChannel]:

@@ -14,8 +14,8 @@ from trex_gui.devices.trex.calibration.travel import TASKS, Task
 from trex_gui.devices.trex.driving.board_reasons import safe_start_reasons
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_texts import direction_text
-from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
-from trex_gui.devices.trex.protocol.flags import CHANNELS
+from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 
 _HELD = 3  # samples in a row (60 ms) that make an end, or a position of a switch, reached
@@ -23,8 +23,12 @@ _REST_SECONDS = 0.5  # how long a channel has to give 0 to be at rest
 
 
 class StickTest:
-    def __init__(self, channel: int) -> None:
-        self.channel = channel
+    def __init__(self, number: int, source: InputSource = InputSource.RC) -> None:
+        self.number = number
+        self.source = source
+        self.calibration: Calibration | None = None  # that the board stores
+        self.raw: int | None = None  # the newest count; `None` without a signal
+        self.time = 0.0  # of the newest sample
         self.output: int | None = None  # -127 to 127 now; `None` without a signal
         self.forward = self.reverse = False  # full output was reached on that side
         self.is_at_rest = False  # it has given 0 for a while
@@ -38,9 +42,10 @@ class StickTest:
 
     def feed(self, time: float, raw: int | None, curve: ChannelCurve) -> None:
         """Process the present raw count."""
-        task = TASKS[self.channel]
+        task = TASKS[self.number]
         output = None if raw is None else curve.output(raw)
-        switched, idle = curve.is_switched(self.channel, raw), idle_side(curve)
+        switched, idle = curve.is_switched(self.number, raw), idle_side(curve)
+        self.time, self.raw, self.calibration = time, raw, curve.calibration
         self.output, self.ignored = output, curve.ignored
         for sign in self._full:
             is_full = output == sign * FULL_SCALE and (task is not Task.ONE_WAY or sign != idle)
@@ -75,7 +80,7 @@ class StickTest:
             return tr("No signal.")
         if self.passed:
             return tr("Good.")
-        task = TASKS[self.channel]
+        task = TASKS[self.number]
         if task is Task.SWITCH:
             if not self.off and not self.on:
                 return tr("Move the switch to all its positions.")
@@ -112,14 +117,14 @@ class StickTests:
     """Tests some channels; the others only count for safe-start."""
 
     def __init__(self, device: Device, numbers: Sequence[int]) -> None:
-        self.tests = tuple(StickTest(number) for number in numbers)
+        self.tests = tuple(StickTest(number, device.calibrations.source) for number in numbers)
         self._device = device
         self._counts: Sequence[int | None] = ()
         self._curves: dict[int, ChannelCurve] = {}
         self._reached: dict[int, tuple[int, int]] = {}
 
     def feed(self, moment: float, counts: Sequence[int | None]) -> None:
-        tests = {test.channel: test for test in self.tests}
+        tests = {test.number: test for test in self.tests}
         self._counts = tuple(counts)
         self._curves.clear()
         for channel, raw in zip(CHANNELS, counts, strict=True):
@@ -155,11 +160,11 @@ class StickTests:
         moved = LIMITS[self._device.calibrations.source].moved
         spans = {channel: high - low for channel, (low, high) in self._reached.items()}
         return tuple(
-            test.channel
+            test.number
             for test in self.tests
             if test.output is not None
             and not (test.was_good or test.ignored)
-            and spans.get(test.channel, 0) > moved
+            and spans.get(test.number, 0) > moved
         )
 
     @property

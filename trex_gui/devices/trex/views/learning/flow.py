@@ -177,9 +177,9 @@ class LearnFlow(Flow):
         learning = self.learning
         match step:
             case LearningStep.NEUTRAL:
-                return ChannelRows(learning, "learnRestPage", RestRow)
+                return ChannelRows(learning, "learnRestPage", RestRow, learning.channels)
             case LearningStep.TRAVEL:
-                return ChannelRows(learning, "learnTravelPage", TravelRow)
+                return ChannelRows(learning, "learnTravelPage", TravelRow, learning.channels)
             case LearningStep.REVIEW:
                 # pyqtgraph takes as long to load as Qt: import it only when it is needed.
                 from trex_gui.devices.trex.views.learning import review_page  # noqa: PLC0415

@@ -1,11 +1,15 @@
 """The pages that show live inputs: at rest, in motion, and in the test of the sticks."""
 
-from collections.abc import Sequence
+import math
+from collections.abc import Callable, Sequence
 from enum import Enum
+from typing import Any, Generic, TypeVar
 
 from PySide6.QtCore import Qt, Slot
+from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
+from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import Number, tr, tr_noop
 from trex_gui.devices.trex.calibration.neutral import no_signal
 from trex_gui.devices.trex.calibration.travel import Travel, Way
@@ -14,68 +18,97 @@ from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.learning.problem_text import problem_text, problems_text
 from trex_gui.devices.trex.model.learning.stick_tests import StickTest, StickTests
 from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.descriptions import CHANNEL_ROLES
-from trex_gui.devices.trex.views.bars import ChannelBar, OutputBar
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.views.pages.channels.strips import ChannelStrip
 from trex_gui.devices.trex.views.steps import Page
 from trex_gui.ui.theme.theme import follow_theme, set_text_color
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import Muted, Note, Sign
 
-_GAP = 12
-_TEXT_WIDTH = 20  # characters of the text beside a bar before it wraps
+ChannelT = TypeVar("ChannelT", bound=LearnedChannel | StickTest)
+
+_TEXT_WIDTH = 24  # characters of the text beside a strip before it wraps
+_LEAST_LINES = 3.2  # height of a strip in the lowest window
 
 
-def _channel_label(channel: int, parent: QWidget) -> QLabel:
-    name = tr("Channel {0}").format(channel)
-    text = f"<b>{name}</b><br><small>{tr(CHANNEL_ROLES[channel])}</small>"
-    return ui.label(parent, text=text, rich=True)
+class InputStrip(ChannelStrip):
+    """A channel that is shown and cannot be chosen."""
+
+    spoken_role = QAccessible.Role.Graphic
+
+    def __init__(self, name: str, channel: int, parent: QWidget | None = None) -> None:
+        super().__init__(channel, parent)
+        self.setObjectName(f"{name}{channel}Strip")
+        self.setToolTip(ui.plain(self._name))
+        self.setCheckable(False)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self._scale: tuple[InputSource, Calibration | None] | None = None
+        follow_theme(self, "room", self._take_room)
+
+    def _take_room(self) -> None:
+        self.setMinimumHeight(round(_LEAST_LINES * self.fontMetrics().height()))
+
+    def show_input(
+        self,
+        time: float,
+        source: InputSource,
+        marks: Calibration | None,
+        raw: int | None,
+        output: int | None = None,
+    ) -> None:
+        """Add a sample, unless it is shown already. `None` is no signal."""
+        if (source, marks) != self._scale:
+            self._scale = source, marks
+            self.set_scale(source, marks)
+        if time > self._newest:
+            self.add_samples((time,), (math.nan if raw is None else raw,))
+        text = tr("no signal") if raw is None else source.text(raw)
+        self.show_value(text, "" if output is None else signed_text(output), text)
 
 
-class ChannelRow:
-    """One channel: its name and live bar, below the bar signs and text, or a problem."""
+class ChannelRow(Generic[ChannelT]):
+    """One channel: its live strip, and beside it signs and a text."""
 
     text_name = ""
 
     def __init__(
-        self, learning: Learning, channel: LearnedChannel, page: QWidget, grid: QGridLayout
+        self, learning: Learning, channel: ChannelT, page: QWidget, grid: QGridLayout
     ) -> None:
         self.learning = learning
-        self.channel = channel
-        number = channel.number
-        self.bar = ChannelBar(page)
-        self.bar.setAccessibleName(tr("Raw input of channel {0}").format(number))
-        self.bar.set_connected(True)
-        self.bar.set_scale(channel.source, None)
-        self.text = ui.label(page, f"{self.text_name}{number}", wrap=True)
-        self._problem = ui.named(Note(1, page), f"learnProblem{number}")
-        signs = self.make_signs(page)
-        below = ui.row(*signs, (self.text, 1), (self._problem, 1), margins=0, spacing=4)
-        row = grid.rowCount()
-        grid.addWidget(_channel_label(number, page), row, 0)
-        grid.addWidget(self.bar, row, 1)
-        # Qt works out a height too low for text that wraps across a column without a width.
-        grid.addLayout(below, row + 1, 1)
+        self.channel: ChannelT = channel
+        number, row = channel.number, grid.rowCount()
+        self.strip = InputStrip("learn", number, page)
+        self.text = ui.named(Note(1, page), f"{self.text_name}{number}")
+        self.text.setMinimumWidth(_TEXT_WIDTH * self.text.fontMetrics().averageCharWidth())
+        grid.addWidget(self.strip, row, 0)
+        grid.addLayout(ui.row(*self.make_signs(page), margins=0), row, 1)
+        grid.addWidget(self.text, row, 2, Qt.AlignmentFlag.AlignVCenter)
+        grid.setRowStretch(row, 1)
 
-    def make_signs(self, parent: QWidget) -> Sequence[QWidget]:
-        raise NotImplementedError
+    def make_signs(self, page: QWidget) -> Sequence[QWidget]:
+        self.sign = Sign(page)
+        return [self.sign]
 
     def refresh(self) -> None:
-        self.bar.set_value(self.channel.raw)
-
-    def show_problem(self, problem: str) -> None:
-        """Show a problem instead of the text, if there is any."""
-        self._problem.show_note(problem, alarming=bool(problem))
-        self._problem.setVisible(bool(problem))
-        self.text.setVisible(not problem)
+        raise NotImplementedError
 
 
 class ChannelRows(Page):
-    def __init__(self, learning: Learning, name: str, row: type[ChannelRow]) -> None:
-        super().__init__(name)
-        grid = ui.grid(spacing=(_GAP, 2), stretch=[(1, 1)])
-        self._rows = [row(learning, channel, self, grid) for channel in learning.channels]
-        ui.column(grid, 1, into=self, margins=0)
+    _rows: Sequence[ChannelRow[Any]]
 
+    def __init__(
+        self,
+        learning: Learning,
+        name: str,
+        row: Callable[[Learning, ChannelT, QWidget, QGridLayout], ChannelRow[ChannelT]],
+        channels: Sequence[ChannelT],
+    ) -> None:
+        super().__init__(name)
+        grid = ui.grid(self, margins=0, spacing=(12, 8), stretch=[(0, 3), (2, 2)])
+        self._rows: list[ChannelRow[Any]] = [
+            row(learning, channel, self, grid) for channel in channels
+        ]
         for changed in (learning.changed, learning.measured):
             changed.connect(self._on_changed)
         self._on_changed()
@@ -86,33 +119,25 @@ class ChannelRows(Page):
             row.refresh()
 
 
-class RestRow(ChannelRow):
+class RestRow(ChannelRow[LearnedChannel]):
     """The rest position of a channel and its noise."""
 
     text_name = "learnNeutral"
 
-    def make_signs(self, parent: QWidget) -> Sequence[QWidget]:
-        self._sign = Sign(parent)
-        return [self._sign]
-
     def refresh(self) -> None:
-        super().refresh()
-        problems = self.channel.rest_problems
-        self.show_problem(problems_text(problems))
-        if problems:
-            self._sign.show_sign("warning", "warning")
-        elif self.learning.has_sampled and self.channel.is_at_rest:
-            self._sign.show_sign("ok", "good")
-        else:
-            self._sign.show_sign("")
-        neutral = self.channel.neutral
-        text = ""
+        channel, neutral = self.channel, self.channel.neutral
+        self.strip.show_input(channel.time, channel.source, None, channel.raw)
+        problems = channel.rest_problems
+        is_good = self.learning.has_sampled and channel.is_at_rest
+        sign = ("ok", "good") if is_good else ("", "")
+        self.sign.show_sign(*(("warning", "warning") if problems else sign))
+        text = problems_text(problems)
         if neutral is None:
-            text = tr("not sampled yet")
-        elif neutral.invalid < 1:
+            text = text or tr("not sampled yet")
+        elif not text and neutral.invalid < 1:
             place = neutral.source.text(neutral.value)
             text = tr("at rest: {0}, noise {1}").format(place, neutral.noise_text)
-        self.text.setText(text)
+        self.text.show_note(text, alarming=bool(problems))
 
 
 class EndState(Enum):
@@ -148,38 +173,36 @@ class EndSign(QLabel):
         self.setToolTip(ui.plain(tr(text).format(self._name)))  # also read by screen readers
 
 
-class TravelRow(ChannelRow):
-    """The ends of a channel so far as marks on its bar, with a sign for each."""
+class TravelRow(ChannelRow[LearnedChannel]):
+    """The ends of a channel so far as marks on its strip, with a sign for each."""
 
     text_name = "learnTravel"
 
-    def make_signs(self, parent: QWidget) -> Sequence[QWidget]:
+    def make_signs(self, page: QWidget) -> Sequence[QWidget]:
         number = self.channel.number
         self._ends = {
-            Way.DOWN: EndSign(tr("low"), f"learnEndDown{number}", parent),
-            Way.UP: EndSign(tr("high"), f"learnEndUp{number}", parent),
+            Way.DOWN: EndSign(tr("low"), f"learnEndDown{number}", page),
+            Way.UP: EndSign(tr("high"), f"learnEndUp{number}", page),
         }
         return list(self._ends.values())
 
     def refresh(self) -> None:
-        super().refresh()
-        travel = self.channel.travel
+        channel, travel = self.channel, self.channel.travel
         for sign in self._ends.values():
             sign.setVisible(travel is not None)
         if travel is None:
-            self.text.setText(tr("Left out: its rest position is not known."))
-            self.show_problem("")
+            self.strip.show_input(channel.time, channel.source, None, channel.raw)
+            self.text.show_note(tr("Left out: its rest position is not known."))
             return
         self._show_ends(travel)
-        self.text.setText(self._text(travel))
-        is_silent = self.channel.is_silent
-        self.show_problem(problem_text(no_signal(travel.source)) if is_silent else "")
+        text = problem_text(no_signal(travel.source)) if channel.is_silent else self._text(travel)
+        self.text.show_note(text, alarming=channel.is_silent)
 
     def _show_ends(self, travel: Travel) -> None:
         reached = {way: travel.reached(way) for way in Way}
         low, high = (travel.end(way) if reached[way] else travel.neutral for way in Way)
         marks = Calibration(low, travel.neutral, high, travel.deadband)
-        self.bar.set_scale(travel.source, marks)
+        self.strip.show_input(self.channel.time, travel.source, marks, self.channel.raw)
         for way, sign in self._ends.items():
             if travel.held(way):
                 sign.show_state(EndState.DONE)
@@ -199,45 +222,35 @@ class TravelRow(ChannelRow):
         return tr("Reached: {0}.").format(", ".join(held)) if held else tr("No end reached yet.")
 
 
-class TestPage(Page):
-    """A row for each channel that is tested; below them, what safe-start would do."""
+class TestRow(ChannelRow[StickTest]):
+    """The output of a channel, and what is left to test."""
+
+    __test__ = False
+    text_name = "learnTest"
+
+    def refresh(self) -> None:
+        test = self.channel
+        self.strip.show_input(test.time, test.source, test.calibration, test.raw, test.output)
+        self.text.show_note(test.text)
+        self.sign.show_sign(*_sign_of(test))
+
+
+class TestPage(ChannelRows):
+    """A row for each channel that is tested; beside them, what safe-start would do."""
 
     __test__ = False
 
     def __init__(self, learning: Learning, tests: StickTests) -> None:
-        super().__init__("learnTestPage")
+        super().__init__(learning, "learnTestPage", TestRow, tests.tests)
         self._tests = tests
-        self._rows: list[tuple[StickTest, OutputBar, Sign, QLabel]] = []
         self._safe_start = ui.named(Note(3, self.side), "learnSafeStart")
         explanation = tr(
             "Calculated from the values in the board, for each channel by itself. Assumed: up to "
             "8 of 127 counts as neutral; the switching points of switches."
         )
-
-        grid = ui.grid(spacing=(_GAP, _GAP), stretch=[(1, 3), (3, 3)])
-        for row, test in enumerate(tests.tests):
-            number = test.channel
-            bar = OutputBar(self)
-            bar.setAccessibleName(tr("Output of channel {0}").format(number))
-            bar.set_connected(True)
-            sign, text = Sign(self), ui.label(self, f"learnTest{number}", wrap=True)
-            text.setMinimumWidth(_TEXT_WIDTH * text.fontMetrics().averageCharWidth())
-            for column, widget in enumerate((_channel_label(number, self), bar, sign, text)):
-                grid.addWidget(widget, row, column)
-            self._rows.append((test, bar, sign, text))
-        ui.column(grid, 1, into=self, margins=0)
         ui.column(self._safe_start, Muted(explanation, self.side), into=self.side, margins=0)
 
-        for changed in (learning.changed, learning.measured):
-            changed.connect(self._on_changed)
-        self._on_changed()
-
-    @Slot()
-    def _on_changed(self) -> None:
-        for test, bar, sign, text in self._rows:
-            bar.set_value(test.output)
-            text.setText(test.text)
-            sign.show_sign(*_sign_of(test))
+    def refresh(self) -> None:
         held = bool(self._tests.safe_start_reasons)
         self._safe_start.show_note(self._tests.safe_start_text, alarming=held)
 

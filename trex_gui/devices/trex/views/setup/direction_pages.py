@@ -15,7 +15,7 @@ from trex_gui.devices.trex.model.setup.pulses import STRONGER
 from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup
 from trex_gui.devices.trex.model.setup.wiring import Driver, Movement, Rewiring, Side, Wiring
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
-from trex_gui.devices.trex.views.bars import ChannelBar
+from trex_gui.devices.trex.views.learning.live_pages import InputStrip
 from trex_gui.devices.trex.views.motor_controls import ArmButton, TimeoutNotice
 from trex_gui.devices.trex.views.robot_view import MOVEMENTS, RobotView
 from trex_gui.devices.trex.views.steps import Page
@@ -51,17 +51,14 @@ class SticksPage(Page):
         text_right = tr("The stick is fully &right now")
         self._right = button("setupRightButton", text_right, on_click=lambda: self._note((1,)))
         self._wiring = Muted(tr("Each is connected to an output of your receiver."), self)
-        self._bars: dict[int, ChannelBar] = {}
+        self._strips = {channel: InputStrip("setup", channel, self) for channel in (1, 2)}
         self._known: dict[int, Note] = {}
-        channels = ui.column(spacing=10)
-        for channel in (1, 2):
-            accessible = tr("Raw input of channel {0}").format(channel)
-            bar = ui.named(ChannelBar(self), f"setupChannel{channel}Bar", accessible=accessible)
-            note = ui.named(Note(2, self), f"setupStick{channel}Note")
-            self._bars[channel], self._known[channel] = bar, note
-            channels.addWidget(bar)
+        channels = ui.column(spacing=8)
+        for channel, strip in self._strips.items():
+            note = self._known[channel] = ui.named(Note(2, self), f"setupStick{channel}Note")
+            channels.addWidget(strip, 1)
             channels.addWidget(note)
-        ui.column(channels, 1, self._wiring, into=self, margins=0)
+        ui.column((channels, 1), self._wiring, into=self, margins=0)
         items = self._learn, Muted(text, side), self._blocker, pushed, self._forward, self._right
         ui.column(*items, into=side, margins=0)
         device.telemetry.frame_due.connect(self._show_inputs)
@@ -86,22 +83,20 @@ class SticksPage(Page):
         for button in (self._forward, self._right):
             button.setEnabled(can_push)
         self._wiring.setVisible(self._device.calibrations.source is InputSource.RC)
-        device = self._device
-        for channel, bar in self._bars.items():
-            bar.set_connected(device.is_connected)
-            bar.set_scale(device.calibrations.source, device.calibrations.stored(channel))
+        for channel, note in self._known.items():
             is_unclear = channel in self._unclear and channel not in self._setup.rises
             text = self._stick_text(channel, is_unclear=is_unclear)
-            self._known[channel].show_note(text, alarming=is_unclear)
+            note.show_note(text, alarming=is_unclear)
         self._show_inputs()
 
     @Slot()
     @only_when_visible
     def _show_inputs(self) -> None:
-        telemetry = self._device.telemetry
-        if telemetry.raw is not None:
-            for channel, bar in self._bars.items():
-                bar.set_value(telemetry.raw_of(channel))
+        telemetry, calibrations = self._device.telemetry, self._device.calibrations
+        for channel, strip in self._strips.items():
+            marks = calibrations.stored(channel)
+            raw = telemetry.raw_of(channel)
+            strip.show_input(telemetry.latest, calibrations.source, marks, raw)
 
     def _stick_text(self, channel: int, *, is_unclear: bool) -> str:
         """Return what is known of the direction of a stick, or why it could not be seen."""

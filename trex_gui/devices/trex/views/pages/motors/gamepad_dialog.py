@@ -6,13 +6,11 @@ from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QHideEvent
 from PySide6.QtWidgets import QDialogButtonBox, QFormLayout, QWidget
 
-from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.gamepad import Gamepad, axis_text, button_text
 from trex_gui.devices.trex.model.momentary_drive import mix
 from trex_gui.devices.trex.model.setup.wiring import Side
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
-from trex_gui.devices.trex.views.bars import OutputBar
 from trex_gui.devices.trex.views.robot_view import RobotView
 from trex_gui.gamepad.pads import Pad, PadState
 from trex_gui.gamepad.profile import (
@@ -24,31 +22,13 @@ from trex_gui.gamepad.profile import (
     default_profile,
 )
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.accessible import SpokenRange
+from trex_gui.ui.widgets.bar import PartBar
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.leds import Lamp
 
 _LAMPS_A_ROW = 6
 _AXES = "first", "second"  # keys of rows; the other rows are buttons
-
-
-class PartBar(OutputBar):
-    """Shows -1 to 1 from the centre in percent, grey while nothing is read."""
-
-    def set_part(self, part: float | None) -> None:
-        self.set_connected(part is not None)
-        if part is not None:
-            self.set_value(round(part * FULL_SCALE))
-
-    def text_of(self, value: int) -> str:
-        return f"{signed_text(round(100 * value / FULL_SCALE))} %"
-
-    def spoken_value(self, value: int) -> str:
-        return self.text_of(value)
-
-    def spoken_range(self) -> SpokenRange:
-        return SpokenRange(-100, round(100 * (self.value or 0) / FULL_SCALE), 100)
 
 
 def _axis_names(pad: Pad | None) -> list[str]:
