@@ -2707,12 +2707,12 @@
         <translation>Änderung</translation></message>
     <message><source>Settled within {0:.0f} % after</source>
         <translation>Auf {0:.0f} % eingeschwungen nach</translation></message>
-    <message><source>Mode: off</source>
-        <translation>Modus: ab</translation></message>
     <message><source>put it on</source>
         <translation>aufstecken</translation></message>
     <message><source>remove it</source>
         <translation>abziehen</translation></message>
+    <message><source>Mode: off</source>
+        <translation>Modus: ab</translation></message>
     <message><source>Mix: on</source>
         <translation>Mix: gesteckt</translation></message>
     <message><source>Mix: off</source>
@@ -2721,6 +2721,8 @@
         <translation>SO–G: gesteckt</translation></message>
     <message><source>SO–G: off</source>
         <translation>SO–G: ab</translation></message>
+    <message><source>Mode: {0}</source>
+        <translation>Modus: {0}</translation></message>
     <message><source>sticks learned</source>
         <translation>Knüppel gelernt</translation></message>
     <message><source>current limits</source>
@@ -2817,8 +2819,6 @@
         <translation>Kanal {0}, {1}</translation></message>
     <message><source>may still turn</source>
         <translation>dreht sich vielleicht noch</translation></message>
-    <message><source>Mode: {0}</source>
-        <translation>Modus: {0}</translation></message>
     <message><source>Click a board, or press Enter, to show it on every page. Motors stop first.</source>
         <translation>Klicken Sie auf ein Board oder drücken Sie Enter, um es auf jeder Seite zu zeigen. Zuvor werden die Motoren gestoppt.</translation></message>
     <message><source>Ask for each device number which board has it; nothing is changed</source>
@@ -4361,18 +4361,18 @@ bisher {1}</translation></message>
         <translation>Die Motoren bleiben aus, bis die Knüppel losgelassen werden (Safe-Start).</translation></message>
     <message><source>Who drives your robot?</source>
         <translation>Wer steuert Ihren Roboter?</translation></message>
-    <message><source>One stick drives and turns. The board mixes both.</source>
-        <translation>Ein Knüppel fährt und lenkt. Das Board mischt beides.</translation></message>
-    <message><source>One stick for each side of the robot, as in a tank.</source>
-        <translation>Ein Knüppel für jede Seite des Roboters, wie bei einem Kettenfahrzeug.</translation></message>
-    <message><source>Commands come over the serial line.</source>
-        <translation>Befehle kommen über die serielle Leitung.</translation></message>
     <message><source>&amp;One stick</source>
         <translation>&amp;Ein Knüppel</translation></message>
     <message><source>&amp;Two sticks</source>
         <translation>Zwei &amp;Knüppel</translation></message>
     <message><source>&amp;A computer</source>
         <translation>Ein &amp;Computer</translation></message>
+    <message><source>One stick drives and turns. The board mixes both.</source>
+        <translation>Ein Knüppel fährt und lenkt. Das Board mischt beides.</translation></message>
+    <message><source>One stick for each side of the robot, as in a tank.</source>
+        <translation>Ein Knüppel für jede Seite des Roboters, wie bei einem Kettenfahrzeug.</translation></message>
+    <message><source>Commands come over the serial line.</source>
+        <translation>Befehle kommen über die serielle Leitung.</translation></message>
     <message><source>Move the jumpers as drawn</source>
         <translation>Jumper wie gezeichnet stecken</translation></message>
     <message><source>How should the motors start and stop?</source>

@@ -2707,12 +2707,12 @@
         <translation>Écart</translation></message>
     <message><source>Settled within {0:.0f} % after</source>
         <translation>Stabilisé à ±{0:.0f} % après</translation></message>
-    <message><source>Mode: off</source>
-        <translation>Mode : retiré</translation></message>
     <message><source>put it on</source>
         <translation>à mettre</translation></message>
     <message><source>remove it</source>
         <translation>à retirer</translation></message>
+    <message><source>Mode: off</source>
+        <translation>Mode : retiré</translation></message>
     <message><source>Mix: on</source>
         <translation>Mixage : en place</translation></message>
     <message><source>Mix: off</source>
@@ -2721,6 +2721,8 @@
         <translation>SO–G : en place</translation></message>
     <message><source>SO–G: off</source>
         <translation>SO–G : retiré</translation></message>
+    <message><source>Mode: {0}</source>
+        <translation>Mode : {0}</translation></message>
     <message><source>sticks learned</source>
         <translation>manches appris</translation></message>
     <message><source>current limits</source>
@@ -2817,8 +2819,6 @@
         <translation>Voie {0}, {1}</translation></message>
     <message><source>may still turn</source>
         <translation>tourne peut-être encore</translation></message>
-    <message><source>Mode: {0}</source>
-        <translation>Mode : {0}</translation></message>
     <message><source>Click a board, or press Enter, to show it on every page. Motors stop first.</source>
         <translation>Cliquez sur une carte, ou appuyez sur Entrée, pour l'afficher sur toutes les pages. Les moteurs s'arrêtent d'abord.</translation></message>
     <message><source>Ask for each device number which board has it; nothing is changed</source>
@@ -4361,18 +4361,18 @@ avant {1}</translation></message>
         <translation>Les moteurs restent arrêtés jusqu'à ce que les manches soient relâchés (démarrage sécurisé).</translation></message>
     <message><source>Who drives your robot?</source>
         <translation>Qui pilote votre robot ?</translation></message>
-    <message><source>One stick drives and turns. The board mixes both.</source>
-        <translation>Un seul manche avance et tourne. La carte mélange les deux.</translation></message>
-    <message><source>One stick for each side of the robot, as in a tank.</source>
-        <translation>Un manche pour chaque côté du robot, comme sur un char.</translation></message>
-    <message><source>Commands come over the serial line.</source>
-        <translation>Les commandes arrivent par la liaison série.</translation></message>
     <message><source>&amp;One stick</source>
         <translation>&amp;Un manche</translation></message>
     <message><source>&amp;Two sticks</source>
         <translation>&amp;Deux manches</translation></message>
     <message><source>&amp;A computer</source>
         <translation>Un &amp;ordinateur</translation></message>
+    <message><source>One stick drives and turns. The board mixes both.</source>
+        <translation>Un seul manche avance et tourne. La carte mélange les deux.</translation></message>
+    <message><source>One stick for each side of the robot, as in a tank.</source>
+        <translation>Un manche pour chaque côté du robot, comme sur un char.</translation></message>
+    <message><source>Commands come over the serial line.</source>
+        <translation>Les commandes arrivent par la liaison série.</translation></message>
     <message><source>Move the jumpers as drawn</source>
         <translation>Placez les cavaliers comme sur le dessin</translation></message>
     <message><source>How should the motors start and stop?</source>

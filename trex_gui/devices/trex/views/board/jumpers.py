@@ -16,7 +16,7 @@ from trex_gui.ui.widgets.painted import Painted, Painter, wants_motion
 
 _PULSE_MS = 600
 _SCALE = 1.4  # size of its texts, relative to others
-_LEFT, _ABOVE = 1.8, 3.2  # lines of text beside and above the jumpers
+_LEFT, _ABOVE, _LEDS = 1.8, 1.3, 1.9  # lines of text beside and above the jumpers, for LEDs
 
 
 class JumperPicture(Painted):
@@ -36,18 +36,20 @@ class JumperPicture(Painted):
         self,
         mix: bool | None,
         *,
+        mode: str = "",
         so_ground: bool = False,
         moved: Collection[str] = (),
         leds: tuple[str, str] | None = None,
         remarks: Mapping[str, str] | None = None,
     ) -> None:
-        """Show where the jumpers shall be, without the mode jumper, and the LEDs then.
+        """Show where the jumpers shall be, and the LEDs then.
 
-        `mix` is `None` if it does not matter. `moved` and `remarks` (what is known of a jumper)
-        have the keys `mode`, `mix` and `so_ground`.
+        Without the name of a `mode` its jumper is off. `mix` is `None` if it does not matter.
+        `moved` and `remarks` (what is known of a jumper) have the keys `mode`, `mix` and
+        `so_ground`.
         """
         names = {
-            "mode": (tr("Mode: off"), False),
+            "mode": (tr("Mode: {0}").format(mode) if mode else tr("Mode: off"), bool(mode)),
             "mix": (tr("Mix: on") if mix else tr("Mix: off"), bool(mix)),
             "so_ground": (tr("SO–G: on") if so_ground else tr("SO–G: off"), so_ground),
         }
@@ -68,15 +70,22 @@ class JumperPicture(Painted):
     def minimumSizeHint(self) -> QSize:
         line = _SCALE * self.fontMetrics().height()
         size = jumpers_size(scaled_font(self.font(), _SCALE), [*self._jumpers.values()])
-        return QSize(round(size.width() + 2 * _LEFT * line), round(size.height() + 4 * line))
+        return QSize(
+            round(size.width() + 2 * _LEFT * line),
+            round(size.height() + (self._above + 0.9) * line),
+        )
 
     def sizeHint(self) -> QSize:
         return self.minimumSizeHint()
 
+    @property
+    def _above(self) -> float:
+        return _ABOVE if self._leds.isHidden() else _ABOVE + _LEDS
+
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
         line, color = _SCALE * self.fontMetrics().height(), theme().color
-        at = QPointF(_LEFT * line, _ABOVE * line)
+        at = QPointF(_LEFT * line, self._above * line)
         step = jumpers_size(self.font(), [("", True)]).height() * _SCALE
         with Painter(self) as painter:
             paint_body(painter, QRectF(self.rect()).adjusted(1, 1, -1, -1), "")

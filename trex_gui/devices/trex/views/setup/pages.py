@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from functools import partial
 
-from PySide6.QtCore import QSignalBlocker, Qt, Slot
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, Slot
 from PySide6.QtWidgets import QAbstractButton, QLabel
 
 from trex_gui.core.translation import tr
@@ -24,6 +24,7 @@ from trex_gui.devices.trex.views.setup.direction_pages import rewiring_text
 from trex_gui.devices.trex.views.setup.pictures import (
     Choices,
     paint_curve,
+    paint_driver,
     paint_ramp,
     picture,
 )
@@ -37,26 +38,25 @@ class DriverPage(Page):
     def __init__(self, setup: RobotSetup) -> None:
         super().__init__("setupDriverPage", tr("Who drives your robot?"))
         self._setup = setup
-        self._explained = {
-            Driver.ONE_STICK: tr("One stick drives and turns. The board mixes both."),
-            Driver.TWO_STICKS: tr("One stick for each side of the robot, as in a tank."),
-            Driver.COMPUTER: tr("Commands come over the serial line."),
-        }
         texts = {
             Driver.ONE_STICK: tr("&One stick"),
             Driver.TWO_STICKS: tr("&Two sticks"),
             Driver.COMPUTER: tr("&A computer"),
         }
+        captions = {
+            Driver.ONE_STICK: tr("One stick drives and turns. The board mixes both."),
+            Driver.TWO_STICKS: tr("One stick for each side of the robot, as in a tank."),
+            Driver.COMPUTER: tr("Commands come over the serial line."),
+        }
         self._choices = Choices("setupDriver", texts, self, columns=3)
+        for driver, caption in captions.items():
+            self._choices.show_picture(driver, partial(paint_driver, driver), caption)
         self._choices.chosen.connect(setup.choose_driver)
-        ui.column(1, self._choices, 1, into=self, margins=0)
-        self._text = ui.label(self.side, wrap=True)
         text = tr("Each step can be skipped. Nothing is written before you apply it at the end.")
-        ui.column(self._text, Muted(text, self.side), into=self.side, margins=0)
+        ui.column((self._choices, 1), Muted(text, self), into=self, margins=0, spacing=16)
 
     def refresh(self) -> None:
         self._choices.show_choice(self._setup.driver)
-        self._text.setText(self._explained[self._setup.driver])
 
 
 class JumperPage(Page):
@@ -146,7 +146,7 @@ class LimitsPage(Page):
         self._hint = ui.named(Note(6, self.side), "setupLimitHint")
         self._choices.chosen.connect(setup.choose_preset)
         title = ui.label(self.side, text=tr("Current &limit of each motor"), buddy=self._limit)
-        ui.column(1, self._choices, 1, into=self, margins=0)
+        ui.column(self._choices, into=self, margins=0)
         ui.column(title, self._limit, self._hint, into=self.side, margins=0)
 
     def refresh(self) -> None:
@@ -240,7 +240,8 @@ class TimeoutPage(Page):
         points = (0.0, 1.0), (1.0 + seconds, 1.0), (1.0 + seconds, 0.0), (9.0, 0.0)
         span = max(3.0, 2.0 + seconds)
         paint = partial(paint_curve, points, span=span, lowest=0, mark=1.0)
-        self._picture.setPixmap(picture(self, paint, (24, 12)))
+        size = QSize(24, 12) * self.fontMetrics().height()
+        self._picture.setPixmap(picture(self, paint, size))
         with QSignalBlocker(self._seconds):
             self._seconds.setValue(seconds)
         stop = TimeoutStop.EXPECTED if seconds else TimeoutStop.OFF
@@ -266,12 +267,15 @@ class SummaryPage(Page):
                 steps.addWidget(go, row, 0)
                 steps.addWidget(reason, row, 1)
                 self._open[step] = go, reason
-        self._pending = ui.label(self.side, "setupPending", size="heading")
-        self._changes = Muted(parent=self.side)
-        self._tasks = ui.label(self, "setupTasks", wrap=True)
-        by_hand = ui.label(self, text=tr("Then, by hand:"), bold=True)
-        ui.column(steps, by_hand, self._tasks, 1, into=self, margins=0, spacing=12)
-        ui.column(self._pending, self._changes, into=self.side, margins=0)
+        self._pending = ui.label(self, "setupPending", size="heading")
+        self._changes = Muted(parent=self)
+        by_hand = ui.label(self.side, text=tr("Then, by hand:"), size="heading")
+        self._tasks = ui.label(self.side, "setupTasks", wrap=True)
+        self._picture = JumperPicture(self.side)
+        middle = Qt.AlignmentFlag.AlignCenter
+        ui.column(steps, self._pending, self._changes, 1, into=self, margins=0, spacing=12)
+        items = by_hand, self._tasks, (self._picture, 1, middle)
+        ui.column(*items, into=self.side, margins=0, spacing=12)
 
     def refresh(self) -> None:
         device, pending = self._device, self._device.draft.pending
@@ -291,6 +295,10 @@ class SummaryPage(Page):
                 reason.setText(self._reason(step))
             for widget in (go, reason):
                 widget.setVisible(step in still_open)
+        driver = self._setup.driver
+        mode = device.calibrations.source.word if driver.uses_sticks else ""
+        is_mixed = driver is Driver.ONE_STICK if driver.uses_sticks else None
+        self._picture.show_jumpers(is_mixed, mode=mode)
         tasks = enumerate(self._task_texts(), 1)
         self._tasks.setText("\n\n".join(f"{number}. {task}" for number, task in tasks))
 

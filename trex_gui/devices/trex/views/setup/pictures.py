@@ -6,7 +6,7 @@ from functools import partial
 from typing import TypeVar
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QIcon, QPainter, QPen, QPixmap
+from PySide6.QtGui import QIcon, QPainter, QPen, QPixmap, QResizeEvent
 from PySide6.QtWidgets import QButtonGroup, QSizePolicy, QToolButton, QWidget
 
 from trex_gui.devices.trex.model.setup.wiring import Driver
@@ -22,15 +22,44 @@ Paint = Callable[[QPainter, QRectF], None]
 _AFTER_S, _REVERSAL_S = 4.0, 2.0  # seconds that a curve shows, and its change of direction
 
 
-def picture(widget: QWidget, paint: Paint, lines: tuple[int, int]) -> QPixmap:
-    """Return a picture as wide and high as so many lines of the widget's text."""
-    size, ratio = QSize(*lines) * widget.fontMetrics().height(), widget.devicePixelRatioF()
-    made = QPixmap(size * ratio)
-    made.setDevicePixelRatio(ratio)
+def picture(widget: QWidget, paint: Paint, size: QSize) -> QPixmap:
+    """Return a picture for a widget, `size` in logical pixels."""
+    made = QPixmap(size * widget.devicePixelRatioF())
+    made.setDevicePixelRatio(widget.devicePixelRatioF())
     made.fill(Qt.GlobalColor.transparent)
     with Painter(made) as painter:
         paint(painter, QRectF(8, 8, size.width() - 16, size.height() - 16))
     return made
+
+
+class _Choice(QToolButton):
+    """Picture with its name below, as large as its place allows."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._paint: Paint | None = None
+        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
+        self.setCheckable(True)
+        set_look(self, "choice")
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
+        follow_theme(self, "picture", self._draw)
+
+    def show_picture(self, paint: Paint) -> None:
+        self._paint = paint
+        self._draw()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._draw()
+
+    def _draw(self) -> None:
+        line = self.fontMetrics().height()
+        self.setMinimumSize(11 * line, 8 * line)
+        height = max(self.height() - 3 * line, 5 * line)
+        width = min(max(self.width() - 2 * line, 9 * line), 2 * height)
+        self.setIconSize(QSize(width, height))
+        if self._paint is not None:
+            self.setIcon(QIcon(picture(self, self._paint, self.iconSize())))
 
 
 class Choices(QWidget):
@@ -43,43 +72,32 @@ class Choices(QWidget):
     ) -> None:
         super().__init__(parent)
         self.setObjectName(name)
-        self._buttons: dict[object, QToolButton] = {}
+        self._buttons: dict[object, _Choice] = {}
         self._captions: dict[object, Muted] = {}
-        group, grid = QButtonGroup(self), ui.grid(self, margins=0, spacing=(12, 12))
+        group, grid = QButtonGroup(self), ui.grid(self, margins=0, spacing=(12, 6))
         for number, (choice, text) in enumerate(texts.items()):
             key = "Keep" if choice is None else choice.name.title().replace("_", "")
-            button = ui.tool_button(self, f"{name}{key}", text)
-            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
-            button.setCheckable(True)
-            set_look(button, "choice")
-            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+            button = self._buttons[choice] = ui.named(_Choice(self), f"{name}{key}")
+            button.setText(text)
             button.clicked.connect(partial(self.chosen.emit, choice))
             group.addButton(button)
             caption = self._captions[choice] = Muted(parent=self)
             caption.setAlignment(Qt.AlignmentFlag.AlignHCenter)
-            cell = ui.column(button, caption, margins=0, spacing=4)
-            grid.addLayout(cell, number // columns, number % columns)
-            self._buttons[choice] = button
-            if isinstance(choice, Driver):
-                self.show_picture(choice, partial(_paint_driver, choice), "")
+            row, column = divmod(number, columns)
+            grid.addWidget(button, 2 * row, column)
+            grid.addWidget(caption, 2 * row + 1, column)
+            grid.setRowStretch(2 * row, 1)
 
     def show_choice(self, choice: object) -> None:
         self._buttons[choice].setChecked(True)
 
     def show_picture(self, choice: object, paint: Paint, caption: str) -> None:
-        button = self._buttons[choice]
         self._captions[choice].setText(caption)
-        button.setAccessibleDescription(caption)
-
-        def show() -> None:
-            made = picture(button, paint, (10, 8 if isinstance(choice, Driver) else 6))
-            button.setIcon(QIcon(made))
-            button.setIconSize(made.deviceIndependentSize().toSize())
-
-        follow_theme(button, "picture", show)
+        self._buttons[choice].setAccessibleDescription(caption)
+        self._buttons[choice].show_picture(paint)
 
 
-def _paint_driver(driver: Driver, painter: QPainter, box: QRectF) -> None:
+def paint_driver(driver: Driver, painter: QPainter, box: QRectF) -> None:
     """Paint a transmitter with its sticks, or a computer."""
     color = theme().color
     unit = min(box.width() / 16, box.height() / 10)
