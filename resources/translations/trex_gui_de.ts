@@ -1213,8 +1213,6 @@
         <translation>Die Motoren drehen sich vielleicht noch.</translation></message>
     <message><source>The board should stop {0} after the last byte; if not, cut the power.</source>
         <translation>Das Board sollte die Motoren {0} nach dem letzten Byte stoppen; wenn nicht, trennen Sie die Motorversorgung.</translation></message>
-    <message><source>The board stops {0} after the last byte, as it did when this was tried; if not, cut the power.</source>
-        <translation>Das Board stoppt die Motoren {0} nach dem letzten Byte, wie bei dem Versuch; wenn nicht, trennen Sie die Motorversorgung.</translation></message>
     <message><source>The auxiliary motor may still be turning.</source>
         <translation>Der Hilfsmotor dreht sich vielleicht noch.</translation></message>
     <message><source>Motor {0} may still be turning.</source>
@@ -1429,8 +1427,8 @@
         <translation>Für ein anderes Board mit dieser Gerätenummer waren hier Änderungen, Notizen oder Einstellungen hinterlegt. Sie sind jetzt in {0}.</translation></message>
     <message numerus="yes"><source>%n edit(s) not applied to the previous {0}: kept, and offered when it is connected again.</source>
         <translation><numerusform>%n Änderung wurde nicht auf {0}, das vorige Board, angewendet: Sie bleibt erhalten und wird angeboten, wenn es wieder verbunden ist.</numerusform><numerusform>%n Änderungen wurden nicht auf {0}, das vorige Board, angewendet: Sie bleiben erhalten und werden angeboten, wenn es wieder verbunden ist.</numerusform></translation></message>
-    <message numerus="yes"><source>%n earlier change(s) still pending. Click Apply to write to this board.</source>
-        <translation><numerusform>%n frühere Änderung ist noch ausstehend. Klicken Sie auf „Einstellungen anwenden“, um sie auf dieses Board zu schreiben.</numerusform><numerusform>%n frühere Änderungen sind noch ausstehend. Klicken Sie auf „Einstellungen anwenden“, um sie auf dieses Board zu schreiben.</numerusform></translation></message>
+    <message numerus="yes"><source>%n earlier change(s) still pending. Review them to write to this board.</source>
+        <translation><numerusform>%n frühere Änderung ist noch ausstehend. Prüfen Sie sie, um sie auf dieses Board zu schreiben.</numerusform><numerusform>%n frühere Änderungen sind noch ausstehend. Prüfen Sie sie, um sie auf dieses Board zu schreiben.</numerusform></translation></message>
     <message><source>Nothing was written: another board was selected.</source>
         <translation>Es wurde nichts geschrieben: Ein anderes Board wurde ausgewählt.</translation></message>
     <message numerus="yes"><source>%n edit(s) of the former board kept: they return when it is selected again.</source>
@@ -4333,8 +4331,6 @@ bisher {1}</translation></message>
         <translation>T&amp;imeout</translation></message>
     <message><source>Write</source>
         <translation>Schreiben</translation></message>
-    <message><source>Review and &amp;apply…</source>
-        <translation>Prüfen und &amp;anwenden…</translation></message>
     <message><source>Each step can be skipped. Nothing is written before you apply it at the end.</source>
         <translation>Jeder Schritt kann übersprungen werden. Nichts wird geschrieben, bevor Sie es am Ende anwenden.</translation></message>
     <message><source>Schematic: the user's guide shows where your board has them.</source>
@@ -4347,8 +4343,6 @@ bisher {1}</translation></message>
         <translation>Stellen Sie ein, was Ihre Motoren dauernd aufnehmen dürfen: Die Vorgaben sind Beispiele. Ohne Rampe überschreitet der Strom die Grenze für einen Augenblick.</translation></message>
     <message><source>Have the computer send something at least twice in that time. UART-Error Shutdown is switched on with it, as the timeout may need it (twin).</source>
         <translation>Lassen Sie den Computer in dieser Zeit mindestens zweimal etwas senden. „Abschaltung bei UART-Fehlern“ wird mit eingeschaltet, da das Timeout sie vielleicht braucht (Zwilling).</translation></message>
-    <message numerus="yes"><source>%n change(s) not applied yet.</source>
-        <translation><numerusform>%n Änderung noch nicht angewendet.</numerusform><numerusform>%n Änderungen noch nicht angewendet.</numerusform></translation></message>
     <message><source>Its changes were not added: open the step and click Next.</source>
         <translation>Seine Änderungen wurden nicht übernommen: Öffnen Sie den Schritt und klicken Sie auf „Weiter“.</translation></message>
     <message><source>Drive first with the wheels off the ground: forward, back, left, right.</source>

@@ -21,8 +21,8 @@
         <translation><numerusform>%n board on this line.</numerusform><numerusform>%n boards on this line.</numerusform></translation></message>
     <message numerus="yes"><source>%n edit(s) not applied to the previous {0}: kept, and offered when it is connected again.</source>
         <translation><numerusform>%n edit not applied to the previous {0}: kept, and offered when it is connected again.</numerusform><numerusform>%n edits not applied to the previous {0}: kept, and offered when it is connected again.</numerusform></translation></message>
-    <message numerus="yes"><source>%n earlier change(s) still pending. Click Apply to write to this board.</source>
-        <translation><numerusform>%n earlier change still pending. Click Apply to write to this board.</numerusform><numerusform>%n earlier changes still pending. Click Apply to write to this board.</numerusform></translation></message>
+    <message numerus="yes"><source>%n earlier change(s) still pending. Review them to write to this board.</source>
+        <translation><numerusform>%n earlier change still pending. Review it to write to this board.</numerusform><numerusform>%n earlier changes still pending. Review them to write to this board.</numerusform></translation></message>
     <message numerus="yes"><source>%n edit(s) of the former board kept: they return when it is selected again.</source>
         <translation><numerusform>%n edit of the former board kept: it returns when that board is selected again.</numerusform><numerusform>%n edits of the former board kept: they return when that board is selected again.</numerusform></translation></message>
     <message numerus="yes"><source>and %n more packet(s)</source>
@@ -75,8 +75,6 @@
         <translation><numerusform>%n setting of this {0} differs from what was applied last ({1}): lost, changed by something else, or this is another board.</numerusform><numerusform>%n settings of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</numerusform></translation></message>
     <message numerus="yes"><source>Next adds %n change(s). Nothing is written before you apply them.</source>
         <translation><numerusform>Next adds %n change. Nothing is written before you apply them.</numerusform><numerusform>Next adds %n changes. Nothing is written before you apply them.</numerusform></translation></message>
-    <message numerus="yes"><source>%n change(s) not applied yet.</source>
-        <translation><numerusform>%n change not applied yet.</numerusform><numerusform>%n changes not applied yet.</numerusform></translation></message>
     <message numerus="yes"><source>&amp;Restore %n setting(s)…</source>
         <translation><numerusform>&amp;Restore %n setting…</numerusform><numerusform>&amp;Restore %n settings…</numerusform></translation></message>
     <message numerus="yes"><source>%n transaction(s): the simulated board replies the same.</source>

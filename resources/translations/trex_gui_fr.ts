@@ -1213,8 +1213,6 @@
         <translation>Les moteurs tournent peut-être encore.</translation></message>
     <message><source>The board should stop {0} after the last byte; if not, cut the power.</source>
         <translation>La carte devrait arrêter les moteurs {0} après le dernier octet ; sinon, coupez l'alimentation.</translation></message>
-    <message><source>The board stops {0} after the last byte, as it did when this was tried; if not, cut the power.</source>
-        <translation>La carte arrête les moteurs {0} après le dernier octet, comme lors de l'essai ; sinon, coupez l'alimentation.</translation></message>
     <message><source>The auxiliary motor may still be turning.</source>
         <translation>Le moteur auxiliaire tourne peut-être encore.</translation></message>
     <message><source>Motor {0} may still be turning.</source>
@@ -1429,8 +1427,8 @@
         <translation>Des modifications, des notes ou des réglages étaient conservés ici pour une autre carte ayant ce numéro d'appareil. Ils se trouvent maintenant dans {0}.</translation></message>
     <message numerus="yes"><source>%n edit(s) not applied to the previous {0}: kept, and offered when it is connected again.</source>
         <translation><numerusform>%n modification non appliquée à l'appareil précédent ({0}) : elle est conservée, et proposée quand il sera reconnecté.</numerusform><numerusform>%n modifications non appliquées à l'appareil précédent ({0}) : elles sont conservées, et proposées quand il sera reconnecté.</numerusform></translation></message>
-    <message numerus="yes"><source>%n earlier change(s) still pending. Click Apply to write to this board.</source>
-        <translation><numerusform>%n modification antérieure encore en attente. Cliquez sur « Appliquer les réglages » pour l'écrire dans cette carte.</numerusform><numerusform>%n modifications antérieures encore en attente. Cliquez sur « Appliquer les réglages » pour les écrire dans cette carte.</numerusform></translation></message>
+    <message numerus="yes"><source>%n earlier change(s) still pending. Review them to write to this board.</source>
+        <translation><numerusform>%n modification antérieure encore en attente. Vérifiez-la pour l'écrire dans cette carte.</numerusform><numerusform>%n modifications antérieures encore en attente. Vérifiez-les pour les écrire dans cette carte.</numerusform></translation></message>
     <message><source>Nothing was written: another board was selected.</source>
         <translation>Rien n'a été écrit : une autre carte a été sélectionnée.</translation></message>
     <message numerus="yes"><source>%n edit(s) of the former board kept: they return when it is selected again.</source>
@@ -4333,8 +4331,6 @@ avant {1}</translation></message>
         <translation>Déla&amp;i</translation></message>
     <message><source>Write</source>
         <translation>Écrire</translation></message>
-    <message><source>Review and &amp;apply…</source>
-        <translation>&amp;Vérifier et appliquer…</translation></message>
     <message><source>Each step can be skipped. Nothing is written before you apply it at the end.</source>
         <translation>Chaque étape peut être passée. Rien n'est écrit avant que vous l'appliquiez à la fin.</translation></message>
     <message><source>Schematic: the user's guide shows where your board has them.</source>
@@ -4347,8 +4343,6 @@ avant {1}</translation></message>
         <translation>Réglez ce que vos moteurs peuvent absorber en continu : les préréglages sont des exemples. Sans rampe, le courant dépasse la limite un instant.</translation></message>
     <message><source>Have the computer send something at least twice in that time. UART-Error Shutdown is switched on with it, as the timeout may need it (twin).</source>
         <translation>Faites envoyer quelque chose à l'ordinateur au moins deux fois pendant ce délai. « Arrêt sur erreur UART » est activé en même temps, car le délai peut en avoir besoin (jumeau).</translation></message>
-    <message numerus="yes"><source>%n change(s) not applied yet.</source>
-        <translation><numerusform>%n modification pas encore appliquée.</numerusform><numerusform>%n modifications pas encore appliquées.</numerusform></translation></message>
     <message><source>Its changes were not added: open the step and click Next.</source>
         <translation>Ses modifications n'ont pas été ajoutées : ouvrez l'étape et cliquez sur « Suivant ».</translation></message>
     <message><source>Drive first with the wheels off the ground: forward, back, left, right.</source>

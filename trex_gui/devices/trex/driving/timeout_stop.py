@@ -10,7 +10,7 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from enum import Enum, auto
 
-from trex_gui.core.translation import tr, tr_noop
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 
 _TIMEOUT, _SHUTDOWN = ParameterKey.SERIAL_TIMEOUT, ParameterKey.UART_ERROR_SHUTDOWN
@@ -72,17 +72,7 @@ def turning_text(motors: Collection[int]) -> str:
     return tr("Motors may still be turning.")
 
 
-_AFTER_SILENCE = {
-    TimeoutStop.EXPECTED: tr_noop(
-        "The board should stop {0} after the last byte; if not, cut the power."
-    ),
-    TimeoutStop.TRIED: tr_noop(
-        "The board stops {0} after the last byte, as it did when this was tried; if not, cut the "
-        "power."
-    ),
-}
-
-
 def remedy_for_silence(stop: TimeoutStop, timeout: str) -> str:
     """Return what to do when a driven board was lost; `timeout` is the serial timeout as text."""
-    return tr(_AFTER_SILENCE.get(stop, tr_noop("Cut the power."))).format(timeout)
+    text = tr("The board should stop {0} after the last byte; if not, cut the power.")
+    return text.format(timeout) if stop.is_reliable else tr("Cut the power.")

@@ -277,7 +277,7 @@ class Device(QObject):
             self.notifier.delayed_info.emit(text.format(f"{before.product.name} {before.firmware}"))
         if pending and is_same_kind and read.is_other:
             text = tr(
-                "%n earlier change(s) still pending. Click Apply to write to this board.",
+                "%n earlier change(s) still pending. Review them to write to this board.",
                 "",
                 pending,
             )

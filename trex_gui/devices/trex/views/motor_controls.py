@@ -256,7 +256,7 @@ class ArmButton(ConfirmButton):
 _MANY = 88  # changes, in a text that is as long as any
 
 
-def _apply_text(pending: int) -> str:
+def apply_text(pending: int) -> str:
     return tr("Review %n ch&ange(s)…", "", pending) if pending else tr("No ch&anges")
 
 
@@ -276,7 +276,7 @@ class ControlBar(MotorBar):
         self._state.setAlignment(Qt.AlignmentFlag.AlignVCenter)
         keep_room(self._state)
         tip = tr("Write the changed parameters into the board (Ctrl+Enter)")
-        self._apply = ui.button(self, "applyButton", _apply_text(_MANY), tip=tip, default=False)
+        self._apply = ui.button(self, "applyButton", apply_text(_MANY), tip=tip, default=False)
         ui.set_large(stop, run, self._apply)
         self._apply.setMinimumWidth(self._apply.sizeHint().width())  # nothing moves as it changes
 
@@ -315,7 +315,7 @@ class ControlBar(MotorBar):
         )
         is_said = self._is_said_above or self._state.text() in self._device.notifier.shown
         self._state.setVisible(motors.armed or self._is_beyond_reach or not is_said)
-        self._apply.setText(_apply_text(pending))
+        self._apply.setText(apply_text(pending))
         set_look(self._apply, "primary" if pending else "")
         self._apply.setEnabled(pending > 0 and self._device.writer.can_apply)
 

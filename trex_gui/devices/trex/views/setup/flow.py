@@ -12,6 +12,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
 from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup, SetupStep
 from trex_gui.devices.trex.views.learning.flow import LearnFlow
+from trex_gui.devices.trex.views.motor_controls import apply_text
 from trex_gui.devices.trex.views.setup.direction_pages import SticksPage, WiringPage
 from trex_gui.devices.trex.views.setup.pages import (
     DriverPage,
@@ -116,7 +117,8 @@ class SetupFlow(Flow):
         if step not in self._pages:
             self._pages[step] = self._makers[step]()
         is_last = step is SetupStep.REVIEW
-        can_apply = self._device.writer.can_apply and self._device.draft.pending > 0
+        pending = self._device.draft.pending
+        can_apply = self._device.writer.can_apply and pending > 0
         return Shown(
             title,
             titles,
@@ -125,7 +127,7 @@ class SetupFlow(Flow):
             note=setup.blocker or self._edits_text(),
             is_alarming=bool(setup.blocker),
             undone=undone,
-            next=tr("Review and &apply…") if is_last else tr("&Next"),
+            next=apply_text(pending) if is_last else tr("&Next"),
             may_go_on=can_apply if is_last else not setup.blocker,
             may_go_back=step is not SetupStep.DRIVER,
             may_skip=step is not SetupStep.DRIVER and not is_last,

@@ -279,7 +279,7 @@ class SummaryPage(Page):
 
     def refresh(self) -> None:
         device, pending = self._device, self._device.draft.pending
-        text = tr("%n change(s) not applied yet.", "", pending)
+        text = tr("There are unapplied changes.")
         if not device.is_connected:
             text = tr("No board is connected.")
         elif not pending:
