@@ -126,6 +126,7 @@ class _Body(QWidget):
         direction = QBoxLayout.Direction
         is_wide = self.width() >= sum(self._widths()) + _GAP
         self._row.setDirection(direction.LeftToRight if is_wide else direction.TopToBottom)
+        self._row.setStretch(1, 3 if is_wide else 0)
 
     def _widths(self) -> tuple[int, int]:
         side = self.side.minimumSizeHint().width() if self.side.isVisibleTo(self) else 0

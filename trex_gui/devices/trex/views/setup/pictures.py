@@ -10,9 +10,9 @@ from PySide6.QtGui import QIcon, QPainter, QPen, QPixmap, QResizeEvent
 from PySide6.QtWidgets import QButtonGroup, QSizePolicy, QToolButton, QWidget
 
 from trex_gui.devices.trex.model.setup.wiring import Driver
-from trex_gui.ui.theme.theme import follow_theme, set_look, theme
+from trex_gui.ui.theme.theme import follow_theme, set_look, set_text_color, theme
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.labels import Muted
+from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.painted import Painter
 
 ChoiceT = TypeVar("ChoiceT", bound=Enum | None)
@@ -73,7 +73,7 @@ class Choices(QWidget):
         super().__init__(parent)
         self.setObjectName(name)
         self._buttons: dict[object, _Choice] = {}
-        self._captions: dict[object, Muted] = {}
+        self._captions: dict[object, Note] = {}
         group, grid = QButtonGroup(self), ui.grid(self, margins=0, spacing=(12, 6))
         for number, (choice, text) in enumerate(texts.items()):
             key = "Keep" if choice is None else choice.name.title().replace("_", "")
@@ -81,8 +81,9 @@ class Choices(QWidget):
             button.setText(text)
             button.clicked.connect(partial(self.chosen.emit, choice))
             group.addButton(button)
-            caption = self._captions[choice] = Muted(parent=self)
+            caption = self._captions[choice] = Note(2, self)
             caption.setAlignment(Qt.AlignmentFlag.AlignHCenter)
+            set_text_color(caption, "muted")
             row, column = divmod(number, columns)
             grid.addWidget(button, 2 * row, column)
             grid.addWidget(caption, 2 * row + 1, column)
