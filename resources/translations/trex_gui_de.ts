@@ -1587,12 +1587,12 @@
         <translation>In Ruhe ist er aus.</translation></message>
     <message><source>Cannot continue: the motors could not be confirmed as stopped. {0}</source>
         <translation>Es kann nicht weitergehen: Für die Motoren ließ sich kein Stopp bestätigen. {0}</translation></message>
-    <message><source>Learn channels</source>
-        <translation>Kanäle einlernen</translation></message>
     <message><source>The test has ended; it changes nothing in the board.</source>
         <translation>Der Test ist beendet; er ändert nichts im Board.</translation></message>
     <message><source>Nothing was changed.</source>
         <translation>Es wurde nichts geändert.</translation></message>
+    <message><source>&amp;Learn channels…</source>
+        <translation>Kanäle &amp;einlernen…</translation></message>
     <message><source>These values are stored already.</source>
         <translation>Diese Werte sind schon gespeichert.</translation></message>
     <message><source>The board accepted the stop, but {0}. Check the motors: if one turns, something else drives it, such as another controller on this line; cut its power. Continue only if they are not turning.</source>
@@ -1743,6 +1743,10 @@
         <translation>Motor {0} {1}</translation></message>
     <message><source>Hexadecimal, such as 9F 07</source>
         <translation>Hexadezimal, zum Beispiel 9F 07</translation></message>
+    <message><source>Connect a board to send this.</source>
+        <translation>Verbinden Sie ein Board, um dies zu senden.</translation></message>
+    <message><source>Settings are being written; wait until that is done.</source>
+        <translation>Einstellungen werden geschrieben; warten Sie, bis das abgeschlossen ist.</translation></message>
     <message><source>A stop would not reach that board: address device {0}.</source>
         <translation>Ein Stopp würde dieses Board nicht erreichen: Adressieren Sie Gerät {0}.</translation></message>
     <message numerus="yes"><source>and %n more packet(s)</source>
@@ -2639,8 +2643,6 @@
         <translation>Rückwärts</translation></message>
     <message><source>Accelerate</source>
         <translation>Beschleunigen</translation></message>
-    <message><source>Set at once</source>
-        <translation>Sofort setzen</translation></message>
     <message><source> A</source>
         <translation> A</translation></message>
     <message><source>Stop when the board reports that its own current limit was exceeded.</source>
@@ -2649,6 +2651,8 @@
         <translation>Alle ausstehenden Änderungen prüfen und schreiben, auch diese</translation></message>
     <message><source>Limit P</source>
         <translation>P der Stromgrenze</translation></message>
+    <message><source>Se&amp;t at once</source>
+        <translation>Sofort set&amp;zen</translation></message>
     <message><source>Settings of motor {0}</source>
         <translation>Einstellungen von Motor {0}</translation></message>
     <message><source>Not applied: {0}</source>
@@ -2879,8 +2883,8 @@
         <translation>Board jetzt</translation></message>
     <message><source>After</source><comment>value</comment>
         <translation>Nachher</translation></message>
-    <message><source>nothing to write</source>
-        <translation>nichts zu schreiben</translation></message>
+    <message><source>Nothing to write.</source>
+        <translation>Nichts zu schreiben.</translation></message>
     <message><source>Boards to write to</source>
         <translation>Boards, auf die geschrieben wird</translation></message>
     <message numerus="yes"><source>&amp;Write to %n board(s)</source>
@@ -2931,6 +2935,10 @@
         <translation>{0}: jenseits einer Grenze, die kein Dokument bestätigt (erschlossen). Das Board entscheidet: Es lehnt den Wert vielleicht ab oder speichert einen anderen.</translation></message>
     <message><source>Write an&amp;yway</source>
         <translation>&amp;Trotzdem schreiben</translation></message>
+    <message><source>For a {0}: {1} carried over, {2} changed, {3} left out.</source>
+        <translation>Für einen {0}: {1} übernommen, {2} geändert, {3} ausgelassen.</translation></message>
+    <message><source>{0}, firmware {1}</source>
+        <translation>{0}, Firmware {1}</translation></message>
     <message><source>For a {0}; the board is a {1}. Checked changes become edits.</source>
         <translation>Für einen {0}; das Board ist ein {1}. Werte mit Häkchen werden als Änderungen übernommen.</translation></message>
     <message numerus="yes"><source>{0}: %n change(s) pending: review them to write them.</source>
@@ -2939,10 +2947,6 @@
         <translation>Stattdessen die Datei &amp;bearbeiten</translation></message>
     <message numerus="yes"><source>%n setting(s) differ, {0} match.</source>
         <translation><numerusform>%n Einstellung weicht ab, {0} gleich.</numerusform><numerusform>%n Einstellungen weichen ab, {0} gleich.</numerusform></translation></message>
-    <message><source>{0}, firmware {1}</source>
-        <translation>{0}, Firmware {1}</translation></message>
-    <message><source>Board to convert for</source>
-        <translation>Board, für das konvertiert wird</translation></message>
     <message><source>Opens the converted settings as a new file, with the comments of this one. {0} stays as it is.</source>
         <translation>Öffnet die konvertierten Einstellungen als neue Datei, mit den Kommentaren dieser Datei. {0} bleibt, wie sie ist.</translation></message>
     <message><source>&amp;Convert</source>
@@ -3021,6 +3025,10 @@
         <translation><numerusform>%n Einstellung &amp;schreiben</numerusform><numerusform>%n Einstellungen &amp;schreiben</numerusform></translation></message>
     <message><source>The channel calibrations stay.</source>
         <translation>Die Kalibrierungen der Kanäle bleiben.</translation></message>
+    <message><source>Restore factor&amp;y defaults…</source>
+        <translation>&amp;Werkseinstellungen wiederherstellen…</translation></message>
+    <message><source>Restore ser&amp;ial defaults…</source>
+        <translation>Serielle Standardwerte wieder&amp;herstellen…</translation></message>
     <message><source>The connection was lost.</source>
         <translation>Die Verbindung ist abgebrochen.</translation></message>
     <message><source>{0} of {1}: {2}</source>
@@ -3455,10 +3463,6 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Kanäle</translation></message>
     <message><source>No signal now: the output is 0.</source>
         <translation>Jetzt kein Signal: Der Ausgang ist 0.</translation></message>
-    <message><source>proposed {0}</source>
-        <translation>vorgeschlagen {0}</translation></message>
-    <message><source>as it was {0}</source>
-        <translation>bisher {0}</translation></message>
     <message><source>Nothing was learned.</source>
         <translation>Es wurde nichts eingelernt.</translation></message>
     <message><source>Keeps its old values.</source>
@@ -3467,8 +3471,6 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Prüfen Sie diesen Kanal.</translation></message>
     <message><source>Use &amp;channel {0}: {1}</source>
         <translation>&amp;Kanal {0} verwenden: {1}</translation></message>
-    <message><source>Nothing was learned. {0}</source>
-        <translation>Es wurde nichts eingelernt. {0}</translation></message>
     <message><source>Use {0} &amp;as neutral</source>
         <translation>{0} &amp;als Neutralstellung verwenden</translation></message>
     <message><source>{0}
@@ -3869,8 +3871,6 @@ bisher {1}</translation></message>
         <translation>auslaufen (0 %)</translation></message>
     <message><source>none (0 s)</source>
         <translation>keine (0 s)</translation></message>
-    <message><source>Se&amp;t at once</source>
-        <translation>Sofort set&amp;zen</translation></message>
     <message><source>How long arming stays locked after Stop or Esc, so that a slider or key that is still held cannot restart a motor (0 to {0:g} s)</source>
         <translation>Wie lange die Freigabe nach einem Stopp oder Esc gesperrt bleibt, damit ein noch gehaltener Schieberegler oder eine gehaltene Taste keinen Motor wieder startet (0 bis {0:g} s)</translation></message>
     <message><source>stop after {0}</source>
@@ -3941,8 +3941,6 @@ bisher {1}</translation></message>
         <translation>Parameter</translation></message>
     <message><source>Connect to a board to see its parameters.</source>
         <translation>Verbinden Sie ein Board, um seine Parameter zu sehen.</translation></message>
-    <message><source>No board is responding. Edits are kept until the same kind of board is connected.</source>
-        <translation>Kein Board antwortet. Die Änderungen bleiben erhalten, bis ein Board derselben Art verbunden ist.</translation></message>
     <message><source>Factory defaults take effect after the next power cycle.</source>
         <translation>Die Werkseinstellungen gelten nach dem nächsten Aus- und Einschalten.</translation></message>
     <message><source>Stored, but not active until the board is switched off and on: {0}.</source>
@@ -3981,8 +3979,8 @@ bisher {1}</translation></message>
         <translation>Anderen Byte&amp;wert versuchen…</translation></message>
     <message><source>Edit</source>
         <translation>Bearbeiten</translation></message>
-    <message><source>Leave out of the file</source>
-        <translation>In der Datei weglassen</translation></message>
+    <message><source>Leave out of the fi&amp;le</source>
+        <translation>In der Datei &amp;weglassen</translation></message>
     <message><source>Und&amp;o edit</source>
         <translation>Ve&amp;rwerfen</translation></message>
     <message><source>Pi&amp;n to the top</source>
@@ -4041,8 +4039,6 @@ bisher {1}</translation></message>
         <translation>Board aus- und einschalten</translation></message>
     <message><source>Power cycle completed.</source>
         <translation>Aus- und Einschalten abgeschlossen.</translation></message>
-    <message><source>Not active until the board is switched off and on: {0}.</source>
-        <translation>Erst nach dem Aus- und Einschalten des Boards aktiv: {0}.</translation></message>
     <message><source>The board is back, but these settings are still not active: {0}.</source>
         <translation>Das Board ist wieder da, aber diese Einstellungen sind noch nicht aktiv: {0}.</translation></message>
     <message><source>The program then reconnects at {0}.</source>
@@ -4103,8 +4099,6 @@ bisher {1}</translation></message>
         <translation>Verwerfen und neu laden</translation></message>
     <message><source>&amp;Add to the file</source>
         <translation>In die Datei &amp;aufnehmen</translation></message>
-    <message><source>Leave out of the fi&amp;le</source>
-        <translation>In der Datei &amp;weglassen</translation></message>
     <message><source>Not in the file: the board keeps its own.</source>
         <translation>Nicht in der Datei: Das Board behält seine.</translation></message>
     <message><source>Bold: differs from the factory default.</source>
@@ -4113,12 +4107,8 @@ bisher {1}</translation></message>
         <translation>Schlüssel</translation></message>
     <message><source>Value</source>
         <translation>Wert</translation></message>
-    <message><source>Default</source>
-        <translation>Standardwert</translation></message>
     <message><source>Channel</source>
         <translation>Kanal</translation></message>
-    <message><source>Deadband</source>
-        <translation>Totbereich</translation></message>
     <message><source>Printed {0} by TReX Studio.</source>
         <translation>Gedruckt {0} von TReX Studio.</translation></message>
     <message><source>Qt's printing is not installed here ({0}); save a PDF file instead.</source>
@@ -4167,8 +4157,14 @@ bisher {1}</translation></message>
         <translation>&amp;Vergleichen mit:</translation></message>
     <message><source>Tool bar</source>
         <translation>Werkzeugleiste</translation></message>
+    <message><source>&amp;Save settings file…</source>
+        <translation>Einstellungsdatei &amp;speichern…</translation></message>
     <message><source>It still has errors.</source>
         <translation>Sie hat noch Fehler.</translation></message>
+    <message><source>Save as P&amp;DF…</source>
+        <translation>&amp;Als PDF speichern…</translation></message>
+    <message><source>Compare &amp;with:</source>
+        <translation>&amp;Vergleichen mit:</translation></message>
     <message><source>Factory defaults</source>
         <translation>Werkseinstellungen</translation></message>
     <message><source>The text no longer has errors; all pages are available.</source>
@@ -4219,6 +4215,8 @@ bisher {1}</translation></message>
         <translation>Das Board, wie angezeigt: {0}, Firmware {1}</translation></message>
     <message><source>Applied</source>
         <translation>Angewendet</translation></message>
+    <message><source>&amp;Open settings file…</source>
+        <translation>Einstellungsdatei ö&amp;ffnen…</translation></message>
     <message><source>&amp;New settings file…</source>
         <translation>&amp;Neue Einstellungsdatei…</translation></message>
     <message><source>Beginnings</source>
@@ -4261,8 +4259,6 @@ bisher {1}</translation></message>
         <translation>Schalten Sie die Motorversorgung aus.</translation></message>
     <message><source>The board learns your sticks</source>
         <translation>Das Board lernt Ihre Knüppel</translation></message>
-    <message><source>&amp;Learn channels…</source>
-        <translation>Kanäle &amp;einlernen…</translation></message>
     <message><source>Each is connected to an output of your receiver.</source>
         <translation>Jeder Kanal ist mit einem Ausgang Ihres Empfängers verbunden.</translation></message>
     <message><source>Channel 1 (motor 1)</source>
@@ -4379,8 +4375,6 @@ bisher {1}</translation></message>
         <translation>Ro&amp;ver</translation></message>
     <message><source>&amp;Autonomous robot</source>
         <translation>Autonomer &amp;Roboter</translation></message>
-    <message><source>Current limit of each motor</source>
-        <translation>Stromgrenze jedes Motors</translation></message>
     <message><source>off</source><comment>limit</comment>
         <translation>aus</translation></message>
     <message><source>In joint mode the board measures no current, so it cannot limit it.</source>
@@ -4389,8 +4383,6 @@ bisher {1}</translation></message>
         <translation>Dieses Beispiel wurde für einen {0} erstellt, der den Strom in anderen Einheiten misst. Ihr Board behält seine Stromgrenze.</translation></message>
     <message><source>If the cable falls out, the board stops</source>
         <translation>Wenn sich das Kabel löst, stoppt das Board</translation></message>
-    <message><source>Serial timeout in seconds</source>
-        <translation>Serielles Timeout in Sekunden</translation></message>
     <message><source>What is left to do</source>
         <translation>Was noch zu tun ist</translation></message>
     <message><source>Not as they have to be, or not checked.</source>
@@ -4479,8 +4471,6 @@ bisher {1}</translation></message>
         <translation>Zum Wiederherstellen vergleichen Sie mit dem Board.</translation></message>
     <message><source>The board does not respond, so nothing can be restored.</source>
         <translation>Das Board antwortet nicht, daher kann nichts wiederhergestellt werden.</translation></message>
-    <message><source>Settings are being written; wait until that is done.</source>
-        <translation>Einstellungen werden geschrieben; warten Sie, bis das abgeschlossen ist.</translation></message>
     <message><source>No board is connected. Connect one to restore a snapshot.</source>
         <translation>Kein Board ist verbunden. Verbinden Sie eines, um eine Sicherungskopie wiederherzustellen.</translation></message>
     <message><source>Compare with a settings file</source>
@@ -4787,6 +4777,8 @@ bisher {1}</translation></message>
         <translation>&amp;Starten</translation></message>
     <message><source>C&amp;ancel</source>
         <translation>A&amp;bbrechen</translation></message>
+    <message><source>Probes each port for a supported device: each kind at its likely settings, then at every baud rate, with every parity and with CRC. A TReX or Aracna moves no motor and changes no setting. Other devices on the line may: enter their numbers in the line settings first. A TReX that receives probes at another rate counts UART errors, and stops its motors if it is set to do so.</source>
+        <translation>Prüft an jedem Port, ob ein unterstütztes Gerät antwortet: jede Art mit ihren wahrscheinlichen Einstellungen, dann mit jeder Baudrate, mit jeder Parität und mit CRC. Ein TReX oder Aracna bewegt dabei keinen Motor und ändert keine Einstellung. Andere Geräte an der Leitung vielleicht schon: Geben Sie deren Nummern zuerst in den Leitungseinstellungen ein. Ein TReX, der Anfragen mit einer anderen Baudrate empfängt, zählt UART-Fehler und stoppt seine Motoren, wenn er so eingestellt ist.</translation></message>
     <message><source>C&amp;heck the board…</source>
         <translation>Board &amp;prüfen…</translation></message>
     <message><source>{0} – connected to this window</source>
@@ -4945,6 +4937,8 @@ bisher {1}</translation></message>
         <translation>Aufzeichnung  {0}  {1}</translation></message>
     <message numerus="yes"><source>%n sample(s) lost: the disk is too slow</source>
         <translation><numerusform>%n Messwert verloren: Der Datenträger ist zu langsam</numerusform><numerusform>%n Messwerte verloren: Der Datenträger ist zu langsam</numerusform></translation></message>
+    <message><source>Save a cop&amp;y…</source>
+        <translation>&amp;Kopie speichern…</translation></message>
     <message><source>Recordings (*{0})</source>
         <translation>Aufzeichnungen (*{0})</translation></message>
     <message><source>Playback speed</source>
@@ -5049,8 +5043,6 @@ bisher {1}</translation></message>
         <translation>Ein ausgewähltes Ereignis wird im Diagramm gezeigt.</translation></message>
     <message><source>Curves and their figures</source>
         <translation>Kurven und ihre Kennwerte</translation></message>
-    <message><source>Events</source>
-        <translation>Ereignisse</translation></message>
     <message><source>No events yet. Stops, Apply, faults and limits will be listed here.</source>
         <translation>Noch keine Ereignisse. Stopps, „Anwenden“, Störungen und Grenzen werden hier aufgelistet.</translation></message>
     <message><source>Select the curves to draw</source>
@@ -5101,16 +5093,10 @@ bisher {1}</translation></message>
         <translation>Keine Ereignisse</translation></message>
     <message><source>La&amp;yout</source>
         <translation>La&amp;yout</translation></message>
-    <message><source>Layout</source>
-        <translation>Layout</translation></message>
     <message><source>Colours of the curves; save and open how the plot is shown</source>
         <translation>Farben der Kurven; speichern und öffnen, wie das Diagramm gezeigt wird</translation></message>
     <message><source>&amp;Colours</source>
         <translation>Fa&amp;rben</translation></message>
-    <message><source>Open layout</source>
-        <translation>Layout öffnen</translation></message>
-    <message><source>Save layout</source>
-        <translation>Layout speichern</translation></message>
     <message><source>&amp;Open layout…</source>
         <translation>&amp;Layout öffnen…</translation></message>
     <message><source>&amp;Save layout…</source>

@@ -1587,12 +1587,12 @@
         <translation>Au repos, elle est inactive.</translation></message>
     <message><source>Cannot continue: the motors could not be confirmed as stopped. {0}</source>
         <translation>Impossible de continuer : l'arrêt des moteurs n'a pas pu être confirmé. {0}</translation></message>
-    <message><source>Learn channels</source>
-        <translation>Apprendre les voies</translation></message>
     <message><source>The test has ended; it changes nothing in the board.</source>
         <translation>Le test est terminé ; il ne change rien dans la carte.</translation></message>
     <message><source>Nothing was changed.</source>
         <translation>Rien n'a été modifié.</translation></message>
+    <message><source>&amp;Learn channels…</source>
+        <translation>Apprendre les &amp;voies…</translation></message>
     <message><source>These values are stored already.</source>
         <translation>Ces valeurs sont déjà enregistrées.</translation></message>
     <message><source>The board accepted the stop, but {0}. Check the motors: if one turns, something else drives it, such as another controller on this line; cut its power. Continue only if they are not turning.</source>
@@ -1743,6 +1743,10 @@
         <translation>moteur {0} {1}</translation></message>
     <message><source>Hexadecimal, such as 9F 07</source>
         <translation>Hexadécimal, par exemple 9F 07</translation></message>
+    <message><source>Connect a board to send this.</source>
+        <translation>Connectez une carte pour envoyer ceci.</translation></message>
+    <message><source>Settings are being written; wait until that is done.</source>
+        <translation>Des réglages sont en cours d'écriture ; attendez la fin.</translation></message>
     <message><source>A stop would not reach that board: address device {0}.</source>
         <translation>Un arrêt n'atteindrait pas cette carte : adressez l'appareil {0}.</translation></message>
     <message numerus="yes"><source>and %n more packet(s)</source>
@@ -2639,8 +2643,6 @@
         <translation>Arrière</translation></message>
     <message><source>Accelerate</source>
         <translation>Accélérer</translation></message>
-    <message><source>Set at once</source>
-        <translation>Régler immédiatement</translation></message>
     <message><source> A</source>
         <translation> A</translation></message>
     <message><source>Stop when the board reports that its own current limit was exceeded.</source>
@@ -2649,6 +2651,8 @@
         <translation>Vérifier et écrire toutes les modifications en attente, y compris celles-ci</translation></message>
     <message><source>Limit P</source>
         <translation>Limite P</translation></message>
+    <message><source>Se&amp;t at once</source>
+        <translation>&amp;Régler immédiatement</translation></message>
     <message><source>Settings of motor {0}</source>
         <translation>Réglages du moteur {0}</translation></message>
     <message><source>Not applied: {0}</source>
@@ -2879,8 +2883,8 @@
         <translation>Carte actuelle</translation></message>
     <message><source>After</source><comment>value</comment>
         <translation>Après</translation></message>
-    <message><source>nothing to write</source>
-        <translation>rien à écrire</translation></message>
+    <message><source>Nothing to write.</source>
+        <translation>Rien à écrire.</translation></message>
     <message><source>Boards to write to</source>
         <translation>Cartes dans lesquelles écrire</translation></message>
     <message numerus="yes"><source>&amp;Write to %n board(s)</source>
@@ -2931,6 +2935,10 @@
         <translation>{0} : au-delà d'une limite qu'aucun document ne confirme (déduit). C'est la carte qui décide : elle peut rejeter la valeur, ou en enregistrer une autre.</translation></message>
     <message><source>Write an&amp;yway</source>
         <translation>Écrire &amp;quand même</translation></message>
+    <message><source>For a {0}: {1} carried over, {2} changed, {3} left out.</source>
+        <translation>Pour un {0} : {1} repris, {2} modifiés, {3} omis.</translation></message>
+    <message><source>{0}, firmware {1}</source>
+        <translation>{0}, firmware {1}</translation></message>
     <message><source>For a {0}; the board is a {1}. Checked changes become edits.</source>
         <translation>Pour un {0} ; la carte est un {1}. Les changements cochés deviennent des modifications.</translation></message>
     <message numerus="yes"><source>{0}: %n change(s) pending: review them to write them.</source>
@@ -2939,10 +2947,6 @@
         <translation>&amp;Modifier plutôt le fichier</translation></message>
     <message numerus="yes"><source>%n setting(s) differ, {0} match.</source>
         <translation><numerusform>%n réglage diffère, {0} identiques.</numerusform><numerusform>%n réglages diffèrent, {0} identiques.</numerusform></translation></message>
-    <message><source>{0}, firmware {1}</source>
-        <translation>{0}, firmware {1}</translation></message>
-    <message><source>Board to convert for</source>
-        <translation>Carte cible de la conversion</translation></message>
     <message><source>Opens the converted settings as a new file, with the comments of this one. {0} stays as it is.</source>
         <translation>Ouvre les réglages convertis dans un nouveau fichier, avec les commentaires de celui-ci. {0} reste inchangé.</translation></message>
     <message><source>&amp;Convert</source>
@@ -3021,6 +3025,10 @@
         <translation><numerusform>Écrire %n &amp;réglage</numerusform><numerusform>Écrire %n &amp;réglages</numerusform></translation></message>
     <message><source>The channel calibrations stay.</source>
         <translation>Les étalonnages des voies restent.</translation></message>
+    <message><source>Restore factor&amp;y defaults…</source>
+        <translation>Restaurer les réglages d'&amp;usine…</translation></message>
+    <message><source>Restore ser&amp;ial defaults…</source>
+        <translation>Restaurer les réglages série par &amp;défaut…</translation></message>
     <message><source>The connection was lost.</source>
         <translation>La connexion a été perdue.</translation></message>
     <message><source>{0} of {1}: {2}</source>
@@ -3455,10 +3463,6 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Voies</translation></message>
     <message><source>No signal now: the output is 0.</source>
         <translation>Pas de signal actuellement : la sortie est à 0.</translation></message>
-    <message><source>proposed {0}</source>
-        <translation>proposé {0}</translation></message>
-    <message><source>as it was {0}</source>
-        <translation>avant {0}</translation></message>
     <message><source>Nothing was learned.</source>
         <translation>Rien n'a été appris.</translation></message>
     <message><source>Keeps its old values.</source>
@@ -3467,8 +3471,6 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Vérifiez cette voie.</translation></message>
     <message><source>Use &amp;channel {0}: {1}</source>
         <translation>Utiliser la &amp;voie {0} : {1}</translation></message>
-    <message><source>Nothing was learned. {0}</source>
-        <translation>Rien n'a été appris. {0}</translation></message>
     <message><source>Use {0} &amp;as neutral</source>
         <translation>Utiliser {0} &amp;comme neutre</translation></message>
     <message><source>{0}
@@ -3869,8 +3871,6 @@ avant {1}</translation></message>
         <translation>roue libre (0 %)</translation></message>
     <message><source>none (0 s)</source>
         <translation>aucun (0 s)</translation></message>
-    <message><source>Se&amp;t at once</source>
-        <translation>&amp;Régler immédiatement</translation></message>
     <message><source>How long arming stays locked after Stop or Esc, so that a slider or key that is still held cannot restart a motor (0 to {0:g} s)</source>
         <translation>Durée pendant laquelle l'activation reste verrouillée après un arrêt ou Échap, pour qu'un curseur ou une touche encore maintenus ne puissent pas relancer un moteur (0 à {0:g} s)</translation></message>
     <message><source>stop after {0}</source>
@@ -3941,8 +3941,6 @@ avant {1}</translation></message>
         <translation>Paramètres</translation></message>
     <message><source>Connect to a board to see its parameters.</source>
         <translation>Connectez une carte pour voir ses paramètres.</translation></message>
-    <message><source>No board is responding. Edits are kept until the same kind of board is connected.</source>
-        <translation>Aucune carte ne répond. Les modifications sont conservées jusqu'à la connexion d'une carte du même type.</translation></message>
     <message><source>Factory defaults take effect after the next power cycle.</source>
         <translation>Les réglages d'usine prennent effet après avoir coupé et remis l'alimentation.</translation></message>
     <message><source>Stored, but not active until the board is switched off and on: {0}.</source>
@@ -3981,8 +3979,8 @@ avant {1}</translation></message>
         <translation>Essayer une autre valeur &amp;transmise…</translation></message>
     <message><source>Edit</source>
         <translation>Modifier</translation></message>
-    <message><source>Leave out of the file</source>
-        <translation>Ne pas inclure dans le fichier</translation></message>
+    <message><source>Leave out of the fi&amp;le</source>
+        <translation>&amp;Ne pas inclure dans le fichier</translation></message>
     <message><source>Und&amp;o edit</source>
         <translation>Annule&amp;r</translation></message>
     <message><source>Pi&amp;n to the top</source>
@@ -4041,8 +4039,6 @@ avant {1}</translation></message>
         <translation>Couper et remettre l'alimentation de la carte</translation></message>
     <message><source>Power cycle completed.</source>
         <translation>Alimentation coupée et remise.</translation></message>
-    <message><source>Not active until the board is switched off and on: {0}.</source>
-        <translation>Inactif tant que l'alimentation de la carte n'a pas été coupée puis remise : {0}.</translation></message>
     <message><source>The board is back, but these settings are still not active: {0}.</source>
         <translation>La carte est de retour, mais ces réglages ne sont toujours pas actifs : {0}.</translation></message>
     <message><source>The program then reconnects at {0}.</source>
@@ -4103,8 +4099,6 @@ avant {1}</translation></message>
         <translation>Abandonner et recharger</translation></message>
     <message><source>&amp;Add to the file</source>
         <translation>&amp;Ajouter au fichier</translation></message>
-    <message><source>Leave out of the fi&amp;le</source>
-        <translation>&amp;Ne pas inclure dans le fichier</translation></message>
     <message><source>Not in the file: the board keeps its own.</source>
         <translation>Absent du fichier : la carte garde le sien.</translation></message>
     <message><source>Bold: differs from the factory default.</source>
@@ -4113,12 +4107,8 @@ avant {1}</translation></message>
         <translation>Clé</translation></message>
     <message><source>Value</source>
         <translation>Valeur</translation></message>
-    <message><source>Default</source>
-        <translation>Valeur par défaut</translation></message>
     <message><source>Channel</source>
         <translation>Voie</translation></message>
-    <message><source>Deadband</source>
-        <translation>Zone morte</translation></message>
     <message><source>Printed {0} by TReX Studio.</source>
         <translation>Imprimé le {0} par TReX Studio.</translation></message>
     <message><source>Qt's printing is not installed here ({0}); save a PDF file instead.</source>
@@ -4167,8 +4157,14 @@ avant {1}</translation></message>
         <translation>Comparer &amp;avec :</translation></message>
     <message><source>Tool bar</source>
         <translation>Barre d'outils</translation></message>
+    <message><source>&amp;Save settings file…</source>
+        <translation>&amp;Enregistrer un fichier de réglages…</translation></message>
     <message><source>It still has errors.</source>
         <translation>Il contient encore des erreurs.</translation></message>
+    <message><source>Save as P&amp;DF…</source>
+        <translation>Enregistrer en P&amp;DF…</translation></message>
+    <message><source>Compare &amp;with:</source>
+        <translation>Comparer &amp;avec :</translation></message>
     <message><source>Factory defaults</source>
         <translation>Réglages d'usine</translation></message>
     <message><source>The text no longer has errors; all pages are available.</source>
@@ -4219,6 +4215,8 @@ avant {1}</translation></message>
         <translation>La carte telle qu'affichée : {0}, firmware {1}</translation></message>
     <message><source>Applied</source>
         <translation>Appliqué</translation></message>
+    <message><source>&amp;Open settings file…</source>
+        <translation>&amp;Ouvrir un fichier de réglages…</translation></message>
     <message><source>&amp;New settings file…</source>
         <translation>&amp;Nouveau fichier de réglages…</translation></message>
     <message><source>Beginnings</source>
@@ -4261,8 +4259,6 @@ avant {1}</translation></message>
         <translation>Coupez l'alimentation des moteurs.</translation></message>
     <message><source>The board learns your sticks</source>
         <translation>La carte apprend vos manches</translation></message>
-    <message><source>&amp;Learn channels…</source>
-        <translation>Apprendre les &amp;voies…</translation></message>
     <message><source>Each is connected to an output of your receiver.</source>
         <translation>Chacune est reliée à une sortie de votre récepteur.</translation></message>
     <message><source>Channel 1 (motor 1)</source>
@@ -4379,8 +4375,6 @@ avant {1}</translation></message>
         <translation>&amp;Rover</translation></message>
     <message><source>&amp;Autonomous robot</source>
         <translation>Robot &amp;autonome</translation></message>
-    <message><source>Current limit of each motor</source>
-        <translation>Limite de courant de chaque moteur</translation></message>
     <message><source>off</source><comment>limit</comment>
         <translation>désactivée</translation></message>
     <message><source>In joint mode the board measures no current, so it cannot limit it.</source>
@@ -4389,8 +4383,6 @@ avant {1}</translation></message>
         <translation>Cet exemple a été fait pour un {0}, qui mesure le courant dans d'autres unités. Votre carte garde sa limite de courant.</translation></message>
     <message><source>If the cable falls out, the board stops</source>
         <translation>Si le câble se débranche, la carte s'arrête</translation></message>
-    <message><source>Serial timeout in seconds</source>
-        <translation>Délai série en secondes</translation></message>
     <message><source>What is left to do</source>
         <translation>Ce qu'il reste à faire</translation></message>
     <message><source>Not as they have to be, or not checked.</source>
@@ -4479,8 +4471,6 @@ avant {1}</translation></message>
         <translation>Pour restaurer, comparez avec la carte.</translation></message>
     <message><source>The board does not respond, so nothing can be restored.</source>
         <translation>La carte ne répond pas : rien ne peut être restauré.</translation></message>
-    <message><source>Settings are being written; wait until that is done.</source>
-        <translation>Des réglages sont en cours d'écriture ; attendez la fin.</translation></message>
     <message><source>No board is connected. Connect one to restore a snapshot.</source>
         <translation>Aucune carte n'est connectée. Connectez-en une pour restaurer un instantané.</translation></message>
     <message><source>Compare with a settings file</source>
@@ -4787,6 +4777,8 @@ avant {1}</translation></message>
         <translation>&amp;Démarrer</translation></message>
     <message><source>C&amp;ancel</source>
         <translation>&amp;Annuler</translation></message>
+    <message><source>Probes each port for a supported device: each kind at its likely settings, then at every baud rate, with every parity and with CRC. A TReX or Aracna moves no motor and changes no setting. Other devices on the line may: enter their numbers in the line settings first. A TReX that receives probes at another rate counts UART errors, and stops its motors if it is set to do so.</source>
+        <translation>Sonde chaque port à la recherche d'un appareil pris en charge : chaque type avec ses réglages probables, puis à tous les débits, avec toutes les parités et avec CRC. Un TReX ou un Aracna ne fait alors bouger aucun moteur et ne change aucun réglage. D'autres appareils sur la liaison le peuvent : entrez d'abord leurs numéros dans les réglages de liaison. Un TReX qui reçoit ces sondages à un autre débit compte des erreurs UART, et arrête ses moteurs s'il est réglé ainsi.</translation></message>
     <message><source>C&amp;heck the board…</source>
         <translation>&amp;Vérifier la carte…</translation></message>
     <message><source>{0} – connected to this window</source>
@@ -4945,6 +4937,8 @@ avant {1}</translation></message>
         <translation>Enregistrement  {0}  {1}</translation></message>
     <message numerus="yes"><source>%n sample(s) lost: the disk is too slow</source>
         <translation><numerusform>%n échantillon perdu : le disque est trop lent</numerusform><numerusform>%n échantillons perdus : le disque est trop lent</numerusform></translation></message>
+    <message><source>Save a cop&amp;y…</source>
+        <translation>Enregistrer une cop&amp;ie…</translation></message>
     <message><source>Recordings (*{0})</source>
         <translation>Enregistrements (*{0})</translation></message>
     <message><source>Playback speed</source>
@@ -5049,8 +5043,6 @@ avant {1}</translation></message>
         <translation>En choisir un montre sa place dans le graphique.</translation></message>
     <message><source>Curves and their figures</source>
         <translation>Courbes et leurs valeurs</translation></message>
-    <message><source>Events</source>
-        <translation>Événements</translation></message>
     <message><source>No events yet. Stops, Apply, faults and limits will be listed here.</source>
         <translation>Aucun événement pour l'instant. Les arrêts, les réglages appliqués, les défauts et les limites apparaîtront ici.</translation></message>
     <message><source>Select the curves to draw</source>
@@ -5101,16 +5093,10 @@ avant {1}</translation></message>
         <translation>Aucun événement</translation></message>
     <message><source>La&amp;yout</source>
         <translation>Disp&amp;osition</translation></message>
-    <message><source>Layout</source>
-        <translation>Disposition</translation></message>
     <message><source>Colours of the curves; save and open how the plot is shown</source>
         <translation>Couleurs des courbes ; enregistrer et ouvrir la présentation du graphique</translation></message>
     <message><source>&amp;Colours</source>
         <translation>&amp;Couleurs</translation></message>
-    <message><source>Open layout</source>
-        <translation>Ouvrir une disposition</translation></message>
-    <message><source>Save layout</source>
-        <translation>Enregistrer la disposition</translation></message>
     <message><source>&amp;Open layout…</source>
         <translation>&amp;Ouvrir une disposition…</translation></message>
     <message><source>&amp;Save layout…</source>

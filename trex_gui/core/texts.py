@@ -11,6 +11,11 @@ def hex_text(data: bytes | bytearray) -> str:
     return data.hex(" ").upper()
 
 
+def name_of(text: str) -> str:
+    """Return the name of a control or menu entry: its text without letter, dots and colon."""
+    return text.replace("&", "").rstrip("…: \u00a0\u202f")
+
+
 def signed_text(number: int) -> str:
     """Return a number with its sign, `+60`, `−60`, or `0`."""
     return f"{number:+d}".replace("-", "−") if number else "0"

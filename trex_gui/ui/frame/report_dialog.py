@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.core.report import ReportFile, make_report, save_report, suggested_name
+from trex_gui.core.texts import name_of
 from trex_gui.core.translation import tr
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier

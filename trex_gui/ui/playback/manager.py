@@ -14,6 +14,7 @@ from trex_gui.core.errors import StudioError
 from trex_gui.core.recording.kept import kept_folder
 from trex_gui.core.recording.kinds import RecordingFormat
 from trex_gui.core.recording.store import SUFFIX, Recording, copy_recording
+from trex_gui.core.texts import name_of
 from trex_gui.core.translation import tr
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QFileDialog, QMainWindow, QProgressBar, QWidget
 from trex_gui.core.events import Event
 from trex_gui.core.optional_packages import install_command
 from trex_gui.core.recording.export import MCAP_SUFFIX, has_mcap
+from trex_gui.core.texts import name_of
 from trex_gui.core.translation import tr
 from trex_gui.ui.notifier import CopyCommand, Notifier
 from trex_gui.ui.playback.player import RecordingPlayer
@@ -92,7 +93,7 @@ class RecordingWindow(QMainWindow):
         self._cancel = builders.button(
             self,
             "cancelRecordingButton",
-            tr("&Cancel"),
+            tr("Cancel"),
             tip=tr("Stop loading or exporting"),
             on_click=self._on_cancelled,
         )

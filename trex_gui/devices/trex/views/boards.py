@@ -10,6 +10,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from trex_gui.core.texts import name_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.discovery import NUMBERS
 from trex_gui.devices.trex.model.boards import BoardList, LineBoard, Presence

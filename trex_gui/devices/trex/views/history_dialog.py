@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QAbstractItemView, QStackedWidget, QTableView, QWi
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import load, save
+from trex_gui.core.texts import name_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.snapshots import Listing, SnapshotColumn, SnapshotTable

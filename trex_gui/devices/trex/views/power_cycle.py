@@ -75,7 +75,7 @@ class PowerCyclePage(Page):
         if self._cycle.stage is Stage.BACK:
             return tr("Power cycle completed.")
         if self._waiting:
-            text = tr("Not active until the board is switched off and on: {0}.")
+            text = tr("Stored, but not active until the board is switched off and on: {0}.")
             return text.format(", ".join(self._waiting))
         return tr("The board has to be switched off and on.")
 

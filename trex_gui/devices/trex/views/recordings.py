@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.recording.kept import make_kept_folder
 from trex_gui.core.recording.store import Recording
+from trex_gui.core.texts import name_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.recorder import EventRecorder, Recorder

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QDialogButtonBox, QInputDialog, QListView, QWidget
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import SettingsError, load, reason_of
 from trex_gui.core.resource_files import resource
+from trex_gui.core.texts import name_of
 from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import SettingsDocument

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QDialog, QFileDialog, QWidget
 from trex_gui.core.code import Language
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import SettingsError, load, save
+from trex_gui.core.texts import name_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import text_of

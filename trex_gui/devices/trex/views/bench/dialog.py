@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import reason_of, save
+from trex_gui.core.texts import name_of
 from trex_gui.core.timing import FRAME_MS
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.bench.figures import BAND
@@ -191,9 +192,9 @@ class BenchDialog(ReusedDialog):
             return QImage()
         from trex_gui.ui.plotting.export import with_heading  # noqa: PLC0415 - as the plot
 
-        heading = tr("Bench test of motor {0}: {1}, {2:%Y-%m-%d %H:%M}")
+        heading = tr("Bench test of motor {0}: {1}").format(run.motor, run.title)
         picture = self._plot.grab().toImage()
-        return with_heading(picture, heading.format(run.motor, run.title, run.started))
+        return with_heading(picture, f"{heading}, {run.started:%Y-%m-%d %H:%M}")
 
     # --- What is shown ------------------------------------------------------------------
 

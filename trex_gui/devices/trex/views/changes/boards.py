@@ -189,7 +189,7 @@ def _texts(plan: BoardPlan) -> tuple[str, str]:
     changes = ""
     if plan.changes is not None:
         changes = tr("%n setting(s)", "", plan.to_write) if plan.to_write else tr("none")
-    read = tr("nothing to write")
+    read = tr("Nothing to write.")
     if plan.to_write:
         read = tr("read, with warnings") if plan.findings else tr("read")
     state = {

@@ -193,10 +193,10 @@ def show_conversion(
 ) -> None:
     """Show what becomes of a document on another board. `on_converted` gets that as a new one."""
     boards = [(m, firmware) for m in device_table().models for firmware in m.firmware[::-1]]
-    text, title = tr("{0}, firmware {1}"), tr("Board to convert for")
+    text = tr("{0}, firmware {1}")
     items = [(text.format(board.name, firmware), (board, firmware)) for board, firmware in boards]
     above = QWidget(parent)
-    choice = combo_box(above, "convertBoard", title, items=items)
+    choice = combo_box(above, "convertBoard", "", items=items)
     row(label(above, text=tr("Convert &for:"), buddy=choice), choice, 1, into=above, margins=0)
     # First the board that is connected, or the other model.
     before, state = document.settings, device.state if device.is_connected else None

@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, Slot
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import NoReply, PortUnavailable, StudioError
+from trex_gui.core.texts import name_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.model.boards import BoardList

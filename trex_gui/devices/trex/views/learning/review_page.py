@@ -111,7 +111,7 @@ class ChannelForm(QWidget):
         problems = problems_text(channel.result_problems)
         if choice is None:
             reason = problems or tr("The channel was left out.")
-            text = tr("Nothing was learned. {0}").format(reason)
+            text = f"{tr('Nothing was learned.')} {reason}"
             self._problem.show_note(text, alarming=True)
             self._rest.setVisible(False)
             return
@@ -215,11 +215,11 @@ class ReviewPage(Page):
             self._live.setText(tr("No signal now: the output is 0."))
             return
         curves = (
-            (tr("proposed {0}"), channel.curve_after),
-            (tr("as it was {0}"), channel.curve_before),
+            (tr("proposed"), channel.curve_after),
+            (tr("as it was"), channel.curve_before),
         )
         outputs = [
-            text.format(signed_text(curve.output(channel.raw))) for text, curve in curves if curve
+            f"{text} {signed_text(curve.output(channel.raw))}" for text, curve in curves if curve
         ]
         text = tr("Input now {0}; output {1}.")
         self._live.setText(text.format(channel.source.text(channel.raw), ", ".join(outputs)))

@@ -135,7 +135,7 @@ class LimitsPage(Page):
         self._limit = ui.double_spin_box(
             self.side,
             "setupCurrentLimit",
-            tr("Current limit of each motor"),
+            "",
             0.0,
             1.0,
             decimals=2,
@@ -217,7 +217,7 @@ class TimeoutPage(Page):
         self._seconds = ui.double_spin_box(
             side,
             "setupTimeout",
-            tr("Serial timeout in seconds"),
+            "",
             0.1,
             12.7,
             decimals=1,

@@ -48,7 +48,7 @@ class ParametersPage(QWidget):
             return tr("Connect to a board to see its parameters.")
         if not connected:
             return tr(
-                "No board is responding. Edits are kept until the same kind of board is connected."
+                "No board responds. Edits are kept until a board of the same kind is connected."
             )
         if blocker := self._device.writer.blocker:
             return blocker

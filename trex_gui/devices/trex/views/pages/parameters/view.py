@@ -329,7 +329,7 @@ class ParameterView(QTableView):
         self._edit = self._action("editParameter", self._begin_edit, tr("Edit"))
         text = tr("Try another &wire value…")
         self._try = self._action("tryParameter", lambda _key: self.wire_wanted.emit(), text)
-        keys, leave_out = "Ctrl+Backspace", tr("Leave out of the file")
+        keys, leave_out = "Ctrl+Backspace", tr("Leave out of the fi&le")
         self._reset = self._action("resetParameter", model.reset, icon="default", shortcut=keys)
         self._restore = self._action(
             "restoreParameter", model.restore, tr("Und&o edit"), icon="undo"
