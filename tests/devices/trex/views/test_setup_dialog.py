@@ -20,6 +20,7 @@ from trex_gui.devices.trex.model.setup.pulses import WEAK
 from trex_gui.devices.trex.model.setup.robot_setup import SetupStep
 from trex_gui.devices.trex.model.setup.wiring import Driver
 from trex_gui.devices.trex.views.learning.live_pages import InputStrip
+from trex_gui.devices.trex.views.motor_controls import ActionBar
 from trex_gui.devices.trex.views.setup.flow import SetupFlow
 from trex_gui.devices.trex.views.steps import Steps
 from trex_gui.ui.theme.theme import theme
@@ -146,6 +147,23 @@ def test_stick_that_is_not_seen_is_named_beside_its_input(assistant: Assistant) 
     robot.push(2)
     assistant.click("setupForwardButton")
     assert "the value rises" in assistant.text("setupStick2Note")
+
+
+def test_buttons_are_on_amber_while_armed(assistant: Assistant) -> None:
+    bar = assistant.find_only(ActionBar)
+    middle = bar.rect().center()
+    assert bar.grab().toImage().pixelColor(middle) != theme().color("armed")
+    assistant.arm()
+    assistant.wait(lambda: assistant.robot.device.motors.armed)
+    assert bar.grab().toImage().pixelColor(middle) == theme().color("armed")
+
+
+def test_enter_after_learning_has_begun_does_not_skip_it(assistant: Assistant) -> None:
+    go_to(assistant, assistant.root, SetupStep.STICKS)
+    assistant.click("setupLearnButton")
+    assert assistant.root.focusWidget() is not assistant.button("setupSkipButton")
+    assistant.wait(lambda: assistant.has("learnRestPage"))
+    assistant.wait(lambda: assistant.root.focusWidget() is assistant.button("setupNextButton"))
 
 
 def test_motors_need_no_scrolling_sideways_with_large_fonts(assistant: Assistant) -> None:

@@ -221,8 +221,9 @@ class Steps(ReusedDialog):
             isinstance(focused, QAbstractButton) and self._is_usable(focused)
         )
         if is_free or (is_new and focused not in bar):
-            # While Next is disabled, Enter must not press Close.
-            wanted = (self._close,) if shown.closes else (self._next, self._skip)
+            # While Next is disabled, Enter must not press Close, and Skip only where it is stuck.
+            skip = [self._skip] if shown.is_alarming else []
+            wanted = [self._close] if shown.closes else [self._next, *skip]
             next((each for each in wanted if self._is_usable(each)), self).setFocus()
 
     def _show_next(self, shown: Shown) -> None:
