@@ -2541,8 +2541,6 @@
         <translation>Diesen Prüflauf für spätere Vergleiche oder als Bild speichern</translation></message>
     <message><source>Bench tests (*.csv);;All files (*)</source>
         <translation>Prüfläufe (*.csv);;Alle Dateien (*)</translation></message>
-    <message><source>Bench test of motor {0}: {1}, {2:%Y-%m-%d %H:%M}</source>
-        <translation>Prüflauf von Motor {0}: {1}, {2:%Y-%m-%d %H:%M}</translation></message>
     <message><source>{0:%H:%M:%S}, motor {1}: {2}</source>
         <translation>{0:%H:%M:%S}, Motor {1}: {2}</translation></message>
     <message><source>&amp;Open…</source>
@@ -2661,8 +2659,6 @@
         <translation>{0} (gespeichert: {1})</translation></message>
     <message><source>The table of figures has the results as numbers.</source>
         <translation>Die Tabelle der Kennwerte enthält die Ergebnisse als Zahlen.</translation></message>
-    <message><source>Speed setpoint and current drawn, against time</source>
-        <translation>Geschwindigkeitssollwert und Stromaufnahme über der Zeit</translation></message>
     <message><source>Speed setpoint, against time</source>
         <translation>Geschwindigkeitssollwert über der Zeit</translation></message>
     <message><source>Current drawn, against time</source>
@@ -2849,8 +2845,6 @@
         <translation>Es hat schon geantwortet. Prüfen Sie seine Stromversorgung und seine Leitungen.</translation></message>
     <message><source>Several boards seem to have this number. Switch off all but one, and give it a number of its own.</source>
         <translation>Mehrere Boards scheinen diese Nummer zu haben. Schalten Sie alle bis auf eines aus und geben Sie diesem eine eigene Nummer.</translation></message>
-    <message><source>New device number</source>
-        <translation>Neue Gerätenummer</translation></message>
     <message><source>The board has this number already.</source>
         <translation>Das Board hat diese Nummer schon.</translation></message>
     <message><source>being left …</source>
@@ -2885,10 +2879,10 @@
         <translation>Nachher</translation></message>
     <message><source>Nothing to write.</source>
         <translation>Nichts zu schreiben.</translation></message>
-    <message><source>Boards to write to</source>
-        <translation>Boards, auf die geschrieben wird</translation></message>
     <message numerus="yes"><source>&amp;Write to %n board(s)</source>
         <translation><numerusform>Auf %n Board &amp;schreiben</numerusform><numerusform>Auf %n Boards &amp;schreiben</numerusform></translation></message>
+    <message><source>&amp;Write to boards</source>
+        <translation>Auf Boards &amp;schreiben</translation></message>
     <message><source>&amp;End after this board</source>
         <translation>&amp;Nach diesem Board beenden</translation></message>
     <message><source>This file cannot be used: it has errors. Nothing was changed.</source>
@@ -2925,8 +2919,6 @@
         <translation>{0} auf mehrere Boards anwenden</translation></message>
     <message><source>File</source>
         <translation>Datei</translation></message>
-    <message><source>&amp;Write to boards</source>
-        <translation>Auf Boards &amp;schreiben</translation></message>
     <message><source>Board {0}: {1}</source>
         <translation>Board {0}: {1}</translation></message>
     <message><source>Board {0}</source>
@@ -3029,6 +3021,10 @@
         <translation>&amp;Werkseinstellungen wiederherstellen…</translation></message>
     <message><source>Restore ser&amp;ial defaults…</source>
         <translation>Serielle Standardwerte wieder&amp;herstellen…</translation></message>
+    <message numerus="yes"><source>&amp;Write %n setting(s)</source>
+        <translation><numerusform>%n Einstellung &amp;schreiben</numerusform><numerusform>%n Einstellungen &amp;schreiben</numerusform></translation></message>
+    <message><source>The channel calibrations stay.</source>
+        <translation>Die Kalibrierungen der Kanäle bleiben.</translation></message>
     <message><source>The connection was lost.</source>
         <translation>Die Verbindung ist abgebrochen.</translation></message>
     <message><source>{0} of {1}: {2}</source>
@@ -4195,8 +4191,6 @@ bisher {1}</translation></message>
         <translation>{0}[*] – TReX-Einstellungsdatei</translation></message>
     <message><source>Repaired: {0}.</source>
         <translation>Repariert: {0}.</translation></message>
-    <message><source>The pages were saved in {0}.</source>
-        <translation>Die Seiten wurden in {0} gespeichert.</translation></message>
     <message><source>Not compared. {0}</source>
         <translation>Nicht verglichen. {0}</translation></message>
     <message><source>A robot without a driver: a computer on board drives it, and no one can catch it</source>
@@ -4449,8 +4443,6 @@ bisher {1}</translation></message>
         <translation>enthält Einstellungen eines {0}.</translation></message>
     <message><source>Select a snapshot to see what it would restore.</source>
         <translation>Wählen Sie eine Sicherungskopie aus, um zu sehen, was sie wiederherstellen würde.</translation></message>
-    <message><source>{0} is damaged and cannot be restored. {1}</source>
-        <translation>{0} ist beschädigt und kann nicht wiederhergestellt werden. {1}</translation></message>
     <message><source>This snapshot is of a {0}, and the board here is a {1}: it cannot be restored.</source>
         <translation>Diese Sicherungskopie ist von einem {0}, und das Board hier ist ein {1}: Sie kann nicht wiederhergestellt werden.</translation></message>
     <message><source>Note: this snapshot is of device number {0}, the board here is number {1}.</source>
@@ -4473,8 +4465,6 @@ bisher {1}</translation></message>
         <translation>Das Board antwortet nicht, daher kann nichts wiederhergestellt werden.</translation></message>
     <message><source>No board is connected. Connect one to restore a snapshot.</source>
         <translation>Kein Board ist verbunden. Verbinden Sie eines, um eine Sicherungskopie wiederherzustellen.</translation></message>
-    <message><source>Compare with a settings file</source>
-        <translation>Mit einer Einstellungsdatei vergleichen</translation></message>
     <message><source>{0} cannot be compared with: {1}</source>
         <translation>Vergleich mit {0} nicht möglich: {1}</translation></message>
     <message><source>Select one snapshot, or two to compare them.</source>

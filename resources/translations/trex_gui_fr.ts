@@ -2541,8 +2541,6 @@
         <translation>Enregistrer cet essai pour le comparer plus tard, ou une image de celui-ci</translation></message>
     <message><source>Bench tests (*.csv);;All files (*)</source>
         <translation>Essais au banc (*.csv);;Tous les fichiers (*)</translation></message>
-    <message><source>Bench test of motor {0}: {1}, {2:%Y-%m-%d %H:%M}</source>
-        <translation>Essai au banc du moteur {0} : {1}, {2:%Y-%m-%d %H:%M}</translation></message>
     <message><source>{0:%H:%M:%S}, motor {1}: {2}</source>
         <translation>{0:%H:%M:%S}, moteur {1} : {2}</translation></message>
     <message><source>&amp;Open…</source>
@@ -2661,8 +2659,6 @@
         <translation>{0} (enregistré : {1})</translation></message>
     <message><source>The table of figures has the results as numbers.</source>
         <translation>Le tableau des valeurs donne les résultats en chiffres.</translation></message>
-    <message><source>Speed setpoint and current drawn, against time</source>
-        <translation>Consigne de vitesse et courant consommé, en fonction du temps</translation></message>
     <message><source>Speed setpoint, against time</source>
         <translation>Consigne de vitesse, en fonction du temps</translation></message>
     <message><source>Current drawn, against time</source>
@@ -2849,8 +2845,6 @@
         <translation>Elle a répondu auparavant. Vérifiez son alimentation et son câblage.</translation></message>
     <message><source>Several boards seem to have this number. Switch off all but one, and give it a number of its own.</source>
         <translation>Plusieurs cartes semblent avoir ce numéro. Coupez l'alimentation de toutes sauf une, et donnez à celle-ci son propre numéro.</translation></message>
-    <message><source>New device number</source>
-        <translation>Nouveau numéro d'appareil</translation></message>
     <message><source>The board has this number already.</source>
         <translation>La carte a déjà ce numéro.</translation></message>
     <message><source>being left …</source>
@@ -2885,10 +2879,10 @@
         <translation>Après</translation></message>
     <message><source>Nothing to write.</source>
         <translation>Rien à écrire.</translation></message>
-    <message><source>Boards to write to</source>
-        <translation>Cartes dans lesquelles écrire</translation></message>
     <message numerus="yes"><source>&amp;Write to %n board(s)</source>
         <translation><numerusform>Écrire &amp;dans %n carte</numerusform><numerusform>Écrire &amp;dans %n cartes</numerusform></translation></message>
+    <message><source>&amp;Write to boards</source>
+        <translation>Écrire &amp;dans les cartes</translation></message>
     <message><source>&amp;End after this board</source>
         <translation>&amp;Terminer après cette carte</translation></message>
     <message><source>This file cannot be used: it has errors. Nothing was changed.</source>
@@ -2925,8 +2919,6 @@
         <translation>Appliquer {0} à plusieurs cartes</translation></message>
     <message><source>File</source>
         <translation>Fichier</translation></message>
-    <message><source>&amp;Write to boards</source>
-        <translation>Écrire &amp;dans les cartes</translation></message>
     <message><source>Board {0}: {1}</source>
         <translation>Carte {0} : {1}</translation></message>
     <message><source>Board {0}</source>
@@ -3029,6 +3021,10 @@
         <translation>Restaurer les réglages d'&amp;usine…</translation></message>
     <message><source>Restore ser&amp;ial defaults…</source>
         <translation>Restaurer les réglages série par &amp;défaut…</translation></message>
+    <message numerus="yes"><source>&amp;Write %n setting(s)</source>
+        <translation><numerusform>Écrire %n &amp;réglage</numerusform><numerusform>Écrire %n &amp;réglages</numerusform></translation></message>
+    <message><source>The channel calibrations stay.</source>
+        <translation>Les étalonnages des voies restent.</translation></message>
     <message><source>The connection was lost.</source>
         <translation>La connexion a été perdue.</translation></message>
     <message><source>{0} of {1}: {2}</source>
@@ -4195,8 +4191,6 @@ avant {1}</translation></message>
         <translation>{0}[*] – Fichier de réglages TReX</translation></message>
     <message><source>Repaired: {0}.</source>
         <translation>Réparé : {0}.</translation></message>
-    <message><source>The pages were saved in {0}.</source>
-        <translation>Les pages ont été enregistrées dans {0}.</translation></message>
     <message><source>Not compared. {0}</source>
         <translation>Non comparé. {0}</translation></message>
     <message><source>A robot without a driver: a computer on board drives it, and no one can catch it</source>
@@ -4449,8 +4443,6 @@ avant {1}</translation></message>
         <translation>contient les réglages d'un {0}.</translation></message>
     <message><source>Select a snapshot to see what it would restore.</source>
         <translation>Sélectionnez un instantané pour voir ce qu'il restaurerait.</translation></message>
-    <message><source>{0} is damaged and cannot be restored. {1}</source>
-        <translation>{0} est endommagé et ne peut pas être restauré. {1}</translation></message>
     <message><source>This snapshot is of a {0}, and the board here is a {1}: it cannot be restored.</source>
         <translation>Cet instantané est celui d'un {0}, et la carte ici est un {1} : il ne peut pas être restauré.</translation></message>
     <message><source>Note: this snapshot is of device number {0}, the board here is number {1}.</source>
@@ -4473,8 +4465,6 @@ avant {1}</translation></message>
         <translation>La carte ne répond pas : rien ne peut être restauré.</translation></message>
     <message><source>No board is connected. Connect one to restore a snapshot.</source>
         <translation>Aucune carte n'est connectée. Connectez-en une pour restaurer un instantané.</translation></message>
-    <message><source>Compare with a settings file</source>
-        <translation>Comparer avec un fichier de réglages</translation></message>
     <message><source>{0} cannot be compared with: {1}</source>
         <translation>{0} ne peut pas être comparé : {1}</translation></message>
     <message><source>Select one snapshot, or two to compare them.</source>

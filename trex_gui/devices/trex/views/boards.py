@@ -166,7 +166,7 @@ class NumberDialog(QObject):
         self._boards = boards
         self._device = device
         field = QWidget(parent)
-        self._number = ui.spin_box(field, "newNumberField", tr("New device number"), 0, NUMBERS - 1)
+        self._number = ui.spin_box(field, "newNumberField", "", 0, NUMBERS - 1)
         title = ui.label(field, text=tr("&New number:"), buddy=self._number)
         self._known = ui.named(Muted("", field), "numberKnown")
         ui.row(title, self._number, (self._known, 1), into=field, margins=0)

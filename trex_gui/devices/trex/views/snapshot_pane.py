@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import BadRequest, StudioError
 from trex_gui.core.files import load
+from trex_gui.core.texts import name_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.draft import diff_against_draft
@@ -131,8 +132,8 @@ class SnapshotPane(QWidget):
     def _unread(self, snapshot: Snapshot) -> str:
         """Return why the settings of a snapshot cannot be shown."""
         problem = self._table.content_of(snapshot)
-        text = tr("{0} is damaged and cannot be restored. {1}")
-        return text.format(snapshot.path.name, problem) if problem else tr("Reading…")
+        text = tr("This snapshot is damaged and cannot be restored. {0}")
+        return text.format(problem) if problem else tr("Reading…")
 
     def _present_for(
         self, snapshot: Snapshot, settings: Settings, other: Snapshot | None
@@ -232,7 +233,7 @@ class SnapshotPane(QWidget):
         self.present_chosen.emit()
 
     def _ask_for_file(self) -> None:
-        path = file_questions.ask_to_open(self, tr("Compare with a settings file"))
+        path = file_questions.ask_to_open(self, name_of(tr("&Open settings file…")))
         if path is None:
             return
 

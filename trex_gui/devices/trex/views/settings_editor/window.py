@@ -204,7 +204,7 @@ class SettingsEditor(QMainWindow):
         in_background(
             self,
             partial(save, path, printed.pdf()),
-            lambda _: self._banner.show_news(tr("The pages were saved in {0}.").format(path)),
+            lambda _: self._banner.show_news(tr("Saved in {0}.").format(path)),
             self._on_not_saved,
         )
 
