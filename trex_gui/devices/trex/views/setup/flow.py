@@ -131,6 +131,7 @@ class SetupFlow(Flow):
             may_go_on=can_apply if is_last else not setup.blocker,
             may_go_back=step is not SetupStep.DRIVER,
             may_skip=step is not SetupStep.DRIVER and not is_last,
+            closes=is_last and not pending,
         )
 
     def _edits_text(self) -> str:
