@@ -3075,8 +3075,6 @@
         <translation>Jumper</translation></message>
     <message><source>Switch the board off. Remove the mode jumper. Put the mix and SO–G jumpers on.</source>
         <translation>Schalten Sie das Board aus. Ziehen Sie den Modus-Jumper ab. Stecken Sie Mix- und SO–G-Jumper auf.</translation></message>
-    <message><source>Both are off.</source>
-        <translation>Beide sind aus.</translation></message>
     <message><source>Nothing: the board has no power.</source>
         <translation>Nichts: Das Board hat keinen Strom.</translation></message>
     <message><source>Switch on</source>
@@ -3087,18 +3085,12 @@
         <translation>Rot und Grün abwechselnd, etwa einmal pro Sekunde.</translation></message>
     <message><source>Nothing: the SO–G jumper holds its line to ground.</source>
         <translation>Nichts: Der SO–G-Jumper hält seine Leitung auf Masse.</translation></message>
-    <message><source>Mix off</source>
-        <translation>Mix ab</translation></message>
     <message><source>Remove the mix jumper. Leave the power on.</source>
         <translation>Ziehen Sie den Mix-Jumper ab. Lassen Sie das Board eingeschaltet.</translation></message>
     <message><source>Red and green alternate, four times as fast.</source>
         <translation>Rot und Grün abwechselnd, viermal so schnell.</translation></message>
-    <message><source>SO–G off</source>
-        <translation>SO–G ab</translation></message>
     <message><source>Remove the SO–G jumper. Leave the power on.</source>
         <translation>Ziehen Sie den SO–G-Jumper ab. Lassen Sie das Board eingeschaltet.</translation></message>
-    <message><source>Green flashes briefly, once a second.</source>
-        <translation>Grün blitzt einmal pro Sekunde kurz auf.</translation></message>
     <message><source>The boot loader answers each byte with a question mark. The serial settings should be those of the factory now.</source>
         <translation>Der Bootloader beantwortet jedes Byte mit einem Fragezeichen. Die seriellen Einstellungen sollten jetzt die Werkseinstellungen sein.</translation></message>
     <message><source>Connect</source>
@@ -3975,8 +3967,6 @@ bisher {1}</translation></message>
         <translation>Anderen Byte&amp;wert versuchen…</translation></message>
     <message><source>Edit</source>
         <translation>Bearbeiten</translation></message>
-    <message><source>Leave out of the fi&amp;le</source>
-        <translation>In der Datei &amp;weglassen</translation></message>
     <message><source>Und&amp;o edit</source>
         <translation>Ve&amp;rwerfen</translation></message>
     <message><source>Pi&amp;n to the top</source>
@@ -3985,6 +3975,8 @@ bisher {1}</translation></message>
         <translation>Anh&amp;eften</translation></message>
     <message><source>Defa&amp;ult</source>
         <translation>&amp;Standardwert</translation></message>
+    <message><source>Leave out of the fi&amp;le</source>
+        <translation>In der Datei &amp;weglassen</translation></message>
     <message><source>U&amp;npin</source>
         <translation>&amp;Lösen</translation></message>
     <message><source>Copy as “{0}”</source>

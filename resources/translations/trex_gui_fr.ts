@@ -3075,8 +3075,6 @@
         <translation>Cavaliers</translation></message>
     <message><source>Switch the board off. Remove the mode jumper. Put the mix and SO–G jumpers on.</source>
         <translation>Coupez l'alimentation de la carte. Retirez le cavalier de mode. Mettez les cavaliers Mix et SO–G.</translation></message>
-    <message><source>Both are off.</source>
-        <translation>Les deux sont éteintes.</translation></message>
     <message><source>Nothing: the board has no power.</source>
         <translation>Rien : la carte n'est pas alimentée.</translation></message>
     <message><source>Switch on</source>
@@ -3087,18 +3085,12 @@
         <translation>Rouge et verte en alternance, environ une fois par seconde.</translation></message>
     <message><source>Nothing: the SO–G jumper holds its line to ground.</source>
         <translation>Rien : le cavalier SO–G maintient sa ligne à la masse.</translation></message>
-    <message><source>Mix off</source>
-        <translation>Retirer Mix</translation></message>
     <message><source>Remove the mix jumper. Leave the power on.</source>
         <translation>Retirez le cavalier Mix. Laissez l'alimentation en marche.</translation></message>
     <message><source>Red and green alternate, four times as fast.</source>
         <translation>Rouge et verte en alternance, quatre fois plus vite.</translation></message>
-    <message><source>SO–G off</source>
-        <translation>Retirer SO–G</translation></message>
     <message><source>Remove the SO–G jumper. Leave the power on.</source>
         <translation>Retirez le cavalier SO–G. Laissez l'alimentation en marche.</translation></message>
-    <message><source>Green flashes briefly, once a second.</source>
-        <translation>La verte clignote brièvement, une fois par seconde.</translation></message>
     <message><source>The boot loader answers each byte with a question mark. The serial settings should be those of the factory now.</source>
         <translation>Le chargeur d'amorçage répond à chaque octet par un point d'interrogation. Les réglages série devraient maintenant être ceux d'usine.</translation></message>
     <message><source>Connect</source>
@@ -3975,8 +3967,6 @@ avant {1}</translation></message>
         <translation>Essayer une autre valeur &amp;transmise…</translation></message>
     <message><source>Edit</source>
         <translation>Modifier</translation></message>
-    <message><source>Leave out of the fi&amp;le</source>
-        <translation>&amp;Ne pas inclure dans le fichier</translation></message>
     <message><source>Und&amp;o edit</source>
         <translation>Annule&amp;r</translation></message>
     <message><source>Pi&amp;n to the top</source>
@@ -3985,6 +3975,8 @@ avant {1}</translation></message>
         <translation>Épin&amp;gler</translation></message>
     <message><source>Defa&amp;ult</source>
         <translation>Valeur par défa&amp;ut</translation></message>
+    <message><source>Leave out of the fi&amp;le</source>
+        <translation>&amp;Ne pas inclure dans le fichier</translation></message>
     <message><source>U&amp;npin</source>
         <translation>Déséping&amp;ler</translation></message>
     <message><source>Copy as “{0}”</source>

@@ -62,7 +62,7 @@ def test_jumpers_bring_back_lost_serial_settings(
         window.wait(partial(shows, board, step.leds))
         jumpers = board.show()["jumpers"]
         assert (jumpers["mix"], jumpers["so_ground"]) == step.jumpers[:2]
-        if step.title == "SO–G off":
+        if step.title == "SO–G: off":
             dialog.click("checkConnectButton")
             dialog.wait_for_text("checkNote", "is in its boot loader")
             assert window.has("bannerReconnect")

@@ -119,7 +119,7 @@ _STEPS = (
         ),
         (True, True, "mode", "mix", "so_ground"),
         ("off", "off"),
-        tr_noop("Both are off."),
+        tr_noop("Both off"),
         tr_noop("Nothing: the board has no power."),
     ),
     _Step(
@@ -131,7 +131,7 @@ _STEPS = (
         tr_noop("Nothing: the SO–G jumper holds its line to ground."),
     ),
     _Step(
-        tr_noop("Mix off"),
+        tr_noop("Mix: off"),
         tr_noop("Remove the mix jumper. Leave the power on."),
         (False, True, "mix"),
         ("alternate 4/s", "alternate 4/s"),
@@ -139,11 +139,11 @@ _STEPS = (
         tr_noop("Nothing: the SO–G jumper holds its line to ground."),
     ),
     _Step(
-        tr_noop("SO–G off"),
+        tr_noop("SO–G: off"),
         tr_noop("Remove the SO–G jumper. Leave the power on."),
         (False, False, "so_ground"),
         ("off", "short flash 1/s"),
-        tr_noop("Green flashes briefly, once a second."),
+        tr_noop("Green flashes once a second"),
         tr_noop(
             "The boot loader answers each byte with a question mark. The serial settings should "
             "be those of the factory now.",
