@@ -108,12 +108,19 @@ def _texts(widget: QWidget) -> Iterator[tuple[str, QColor, list[QColor]]]:
         yield "placeholder", palette.color(QPalette.ColorRole.PlaceholderText), []
 
 
+def _base(widget: QWidget) -> QColor:
+    """Return what is behind the rows of a view, which may be transparent."""
+    brush, parent = widget.palette().brush(QPalette.ColorRole.Base), widget.parentWidget()
+    is_transparent = brush.style() is Qt.BrushStyle.NoBrush
+    return _base(parent) if is_transparent and parent is not None else brush.color()
+
+
 def _cells(view: QAbstractItemView) -> Iterator[tuple[str, QColor, list[QColor]]]:
     """Yield the rows that can be seen; the colours of a selection are one pair."""
     model, palette, role = view.model(), view.palette(), QPalette.ColorRole
     selected = palette.color(role.Highlight)
     yield "selection", palette.color(role.HighlightedText), [selected]
-    rows = [palette.color(role.Base)]
+    rows = [_base(view)]
     if view.alternatingRowColors():
         rows.append(palette.color(role.AlternateBase))
     columns = 1 if isinstance(model, QAbstractListModel) else model.columnCount()

@@ -123,6 +123,7 @@ class HistoryDialog(ReusedDialog):
         header = view.horizontalHeader()
         header.setStretchLastSection(True)
         header.setResizeContentsPrecision(50)  # rows that are measured for a width
+        view.resizeColumnsToContents()
         keys, context = QKeySequence.StandardKey.Delete, Qt.ShortcutContext.WidgetShortcut
         QShortcut(keys, view, self._on_delete_clicked, context=context)
         view.selectionModel().selectionChanged.connect(self._on_selection_changed)
