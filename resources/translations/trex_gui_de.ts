@@ -597,8 +597,6 @@
         <translation>Die Sequenz beenden, nichts mehr senden, den Roboter dort lassen, wo er ist (Esc, überall)</translation></message>
     <message><source>End afte&amp;r this step</source>
         <translation>Nach diesem Schritt &amp;beenden</translation></message>
-    <message><source>The motion continues by itself for about {0:.0f} s.</source>
-        <translation>Die Bewegung geht noch etwa {0:.0f} s von selbst weiter.</translation></message>
     <message><source>&amp;Stop sequence</source>
         <translation>&amp;Sequenz stoppen</translation></message>
     <message><source>Let the step finish, then blend out</source>
@@ -619,18 +617,12 @@
         <translation>Geschwindigkeit</translation></message>
     <message><source>Draw the position of this motor in the plot</source>
         <translation>Die Position dieses Motors im Diagramm zeichnen</translation></message>
-    <message><source>Save pose file</source>
-        <translation>Posendatei speichern</translation></message>
-    <message><source>Open pose file</source>
-        <translation>Posendatei öffnen</translation></message>
-    <message><source>{0}: draw its curve</source>
-        <translation>{0}: Kurve zeichnen</translation></message>
     <message><source>&amp;Save pose file</source>
         <translation>Posendatei &amp;speichern</translation></message>
-    <message><source>Not saved. {0}.</source>
-        <translation>Nicht gespeichert. {0}.</translation></message>
     <message><source>&amp;Open pose file…</source>
         <translation>&amp;Posendatei öffnen…</translation></message>
+    <message><source>Not saved. {0}.</source>
+        <translation>Nicht gespeichert. {0}.</translation></message>
     <message><source>Pose files (*{0});;All files (*)</source>
         <translation>Posendateien (*{0});;Alle Dateien (*)</translation></message>
     <message><source>Not opened. {0}.</source>
@@ -689,10 +681,6 @@
         <translation>Umbenennen</translation></message>
     <message><source>Duplicate</source>
         <translation>Duplizieren</translation></message>
-    <message><source>Move up</source>
-        <translation>Nach oben</translation></message>
-    <message><source>Move down</source>
-        <translation>Nach unten</translation></message>
     <message><source>Uses the authors' poses, but was not made by them.</source>
         <translation>Nutzt die Posen der Autoren, stammt aber nicht von ihnen.</translation></message>
     <message><source>&amp;Delete…</source>
@@ -1085,14 +1073,8 @@
         <translation> Es sendet außerdem ein Echo des Gesendeten.</translation></message>
     <message><source>Switched off and on, it will run at {0}.</source>
         <translation>Nach dem Aus- und Einschalten läuft es mit {0}.</translation></message>
-    <message><source>no parity and no CRC</source>
-        <translation>ohne Parität und ohne CRC</translation></message>
     <message><source>Something is connected to {0}, but it does not respond like a TReX: it sent {1} at {2}{3}. It is another device, or the line is noisy.</source>
         <translation>An {0} ist etwas angeschlossen, das aber nicht wie ein TReX antwortet: Es hat {1} mit {2} gesendet{3}. Es ist ein anderes Gerät, oder die Leitung ist gestört.</translation></message>
-    <message><source>Switched off and on, it will run at {0}.</source>
-        <translation>Nach dem Aus- und Einschalten läuft es mit {0}.</translation></message>
-    <message><source> It also echoes what is sent.</source>
-        <translation> Es sendet außerdem ein Echo des Gesendeten.</translation></message>
     <message><source>It is set to {0} baud, which firmware {1} runs at half the rate: connect at {2}.</source>
         <translation>Es ist auf {0} Baud eingestellt; Firmware {1} läuft dabei mit der Hälfte: Verbinden Sie mit {2}.</translation></message>
     <message><source>It is set to {0} stop bits; both numbers work on this line.</source>
@@ -1101,10 +1083,10 @@
         <translation> Der Port lässt sich nicht auf {0} Baud einstellen, daher wurde damit nicht gesucht.</translation></message>
     <message><source>No TReX responds on {0} at any baud rate, with any parity or with CRC. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), and that ground is connected. A board with a custom CRC polynomial is only found by the full scan.</source>
         <translation>An {0} antwortet kein TReX, bei keiner Baudrate, mit keiner Parität und nicht mit CRC. Prüfen Sie, ob das Board Strom hat (eine LED leuchtet), ob TX des Adapters mit SI und RX mit SO verbunden ist (oder beide mit den RS-232-Pins, nie gemischt) und ob die Masse verbunden ist. Ein Board mit eigenem CRC-Polynom findet nur die vollständige Suche.</translation></message>
-    <message><source>Its UART settings hold {0:#04x}, which is not a known setting.</source>
-        <translation>Seine UART-Einstellungen enthalten {0:#04x}; das ist keine bekannte Einstellung.</translation></message>
     <message><source>, and something at {0} more</source>
         <translation>, und bei {0} weiteren ebenfalls etwas</translation></message>
+    <message><source>Its UART settings hold {0:#04x}, which is not a known setting.</source>
+        <translation>Seine UART-Einstellungen enthalten {0:#04x}; das ist keine bekannte Einstellung.</translation></message>
     <message><source>No TReX responds on {0}: everything sent comes back, and nothing else, at every rate. Either this is the RS-232 side of a board that is off, or the adapter's TX and RX are joined.</source>
         <translation>An {0} antwortet kein TReX: Alles Gesendete kommt zurück, und sonst nichts, bei jeder Baudrate. Entweder ist das die RS-232-Seite eines ausgeschalteten Boards, oder TX und RX des Adapters sind verbunden.</translation></message>
     <message><source>No TReX responds on {0}. Its baud rate is set at the other end of the network, so only that one could be tried, without parity and without CRC.</source>
@@ -1231,10 +1213,6 @@
         <translation>Im Parallelbetrieb misst das Board keinen Strom; ein Prüflauf ließe sich nicht abbrechen.</translation></message>
     <message><source>No current has been read yet.</source>
         <translation>Es wurde noch kein Strom gelesen.</translation></message>
-    <message><source>The connection was closed.</source>
-        <translation>Die Verbindung wurde geschlossen.</translation></message>
-    <message><source>Serial commands no longer control the motors.</source>
-        <translation>Serielle Befehle steuern die Motoren nicht mehr.</translation></message>
     <message><source>Serial commands no longer reach the motors.</source>
         <translation>Serielle Befehle erreichen die Motoren nicht mehr.</translation></message>
     <message><source>Stop was pressed.</source>
@@ -1743,10 +1721,6 @@
         <translation>Motor {0} {1}</translation></message>
     <message><source>Hexadecimal, such as 9F 07</source>
         <translation>Hexadezimal, zum Beispiel 9F 07</translation></message>
-    <message><source>Connect a board to send this.</source>
-        <translation>Verbinden Sie ein Board, um dies zu senden.</translation></message>
-    <message><source>Settings are being written; wait until that is done.</source>
-        <translation>Einstellungen werden geschrieben; warten Sie, bis das abgeschlossen ist.</translation></message>
     <message><source>A stop would not reach that board: address device {0}.</source>
         <translation>Ein Stopp würde dieses Board nicht erreichen: Adressieren Sie Gerät {0}.</translation></message>
     <message numerus="yes"><source>and %n more packet(s)</source>
@@ -2927,8 +2901,6 @@
         <translation>{0}: jenseits einer Grenze, die kein Dokument bestätigt (erschlossen). Das Board entscheidet: Es lehnt den Wert vielleicht ab oder speichert einen anderen.</translation></message>
     <message><source>Write an&amp;yway</source>
         <translation>&amp;Trotzdem schreiben</translation></message>
-    <message><source>For a {0}: {1} carried over, {2} changed, {3} left out.</source>
-        <translation>Für einen {0}: {1} übernommen, {2} geändert, {3} ausgelassen.</translation></message>
     <message><source>{0}, firmware {1}</source>
         <translation>{0}, Firmware {1}</translation></message>
     <message><source>For a {0}; the board is a {1}. Checked changes become edits.</source>
@@ -3007,16 +2979,6 @@
         <translation>Diese Kalibrierungen bleiben ausstehend, bis das Board ihre Eingangsquelle wieder verwendet: {0}.</translation></message>
     <message><source>Active only after the board is switched off and on: {0}.</source>
         <translation>Erst nach dem Aus- und Einschalten des Boards aktiv: {0}.</translation></message>
-    <message><source>Restore factor&amp;y defaults…</source>
-        <translation>&amp;Werkseinstellungen wiederherstellen…</translation></message>
-    <message><source>Restore ser&amp;ial defaults…</source>
-        <translation>Serielle Standardwerte wieder&amp;herstellen…</translation></message>
-    <message><source>Nothing to write.</source>
-        <translation>Nichts zu schreiben.</translation></message>
-    <message numerus="yes"><source>&amp;Write %n setting(s)</source>
-        <translation><numerusform>%n Einstellung &amp;schreiben</numerusform><numerusform>%n Einstellungen &amp;schreiben</numerusform></translation></message>
-    <message><source>The channel calibrations stay.</source>
-        <translation>Die Kalibrierungen der Kanäle bleiben.</translation></message>
     <message><source>Restore factor&amp;y defaults…</source>
         <translation>&amp;Werkseinstellungen wiederherstellen…</translation></message>
     <message><source>Restore ser&amp;ial defaults…</source>
@@ -4145,14 +4107,8 @@ bisher {1}</translation></message>
         <translation>&amp;Vergleichen mit:</translation></message>
     <message><source>Tool bar</source>
         <translation>Werkzeugleiste</translation></message>
-    <message><source>&amp;Save settings file…</source>
-        <translation>Einstellungsdatei &amp;speichern…</translation></message>
     <message><source>It still has errors.</source>
         <translation>Sie hat noch Fehler.</translation></message>
-    <message><source>Save as P&amp;DF…</source>
-        <translation>&amp;Als PDF speichern…</translation></message>
-    <message><source>Compare &amp;with:</source>
-        <translation>&amp;Vergleichen mit:</translation></message>
     <message><source>Factory defaults</source>
         <translation>Werkseinstellungen</translation></message>
     <message><source>The text no longer has errors; all pages are available.</source>
@@ -4201,8 +4157,6 @@ bisher {1}</translation></message>
         <translation>Das Board, wie angezeigt: {0}, Firmware {1}</translation></message>
     <message><source>Applied</source>
         <translation>Angewendet</translation></message>
-    <message><source>&amp;Open settings file…</source>
-        <translation>Einstellungsdatei ö&amp;ffnen…</translation></message>
     <message><source>&amp;New settings file…</source>
         <translation>&amp;Neue Einstellungsdatei…</translation></message>
     <message><source>Beginnings</source>
@@ -4455,6 +4409,8 @@ bisher {1}</translation></message>
         <translation>Zum Wiederherstellen vergleichen Sie mit dem Board.</translation></message>
     <message><source>The board does not respond, so nothing can be restored.</source>
         <translation>Das Board antwortet nicht, daher kann nichts wiederhergestellt werden.</translation></message>
+    <message><source>Settings are being written; wait until that is done.</source>
+        <translation>Einstellungen werden geschrieben; warten Sie, bis das abgeschlossen ist.</translation></message>
     <message><source>No board is connected. Connect one to restore a snapshot.</source>
         <translation>Kein Board ist verbunden. Verbinden Sie eines, um eine Sicherungskopie wiederherzustellen.</translation></message>
     <message><source>{0} cannot be compared with: {1}</source>
@@ -4759,8 +4715,6 @@ bisher {1}</translation></message>
         <translation>&amp;Starten</translation></message>
     <message><source>C&amp;ancel</source>
         <translation>A&amp;bbrechen</translation></message>
-    <message><source>Probes each port for a supported device: each kind at its likely settings, then at every baud rate, with every parity and with CRC. A TReX or Aracna moves no motor and changes no setting. Other devices on the line may: enter their numbers in the line settings first. A TReX that receives probes at another rate counts UART errors, and stops its motors if it is set to do so.</source>
-        <translation>Prüft an jedem Port, ob ein unterstütztes Gerät antwortet: jede Art mit ihren wahrscheinlichen Einstellungen, dann mit jeder Baudrate, mit jeder Parität und mit CRC. Ein TReX oder Aracna bewegt dabei keinen Motor und ändert keine Einstellung. Andere Geräte an der Leitung vielleicht schon: Geben Sie deren Nummern zuerst in den Leitungseinstellungen ein. Ein TReX, der Anfragen mit einer anderen Baudrate empfängt, zählt UART-Fehler und stoppt seine Motoren, wenn er so eingestellt ist.</translation></message>
     <message><source>C&amp;heck the board…</source>
         <translation>Board &amp;prüfen…</translation></message>
     <message><source>{0} – connected to this window</source>
@@ -4919,8 +4873,6 @@ bisher {1}</translation></message>
         <translation>Aufzeichnung  {0}  {1}</translation></message>
     <message numerus="yes"><source>%n sample(s) lost: the disk is too slow</source>
         <translation><numerusform>%n Messwert verloren: Der Datenträger ist zu langsam</numerusform><numerusform>%n Messwerte verloren: Der Datenträger ist zu langsam</numerusform></translation></message>
-    <message><source>Save a cop&amp;y…</source>
-        <translation>&amp;Kopie speichern…</translation></message>
     <message><source>Recordings (*{0})</source>
         <translation>Aufzeichnungen (*{0})</translation></message>
     <message><source>Playback speed</source>
@@ -4935,8 +4887,6 @@ bisher {1}</translation></message>
         <translation>&amp;Alles zeigen</translation></message>
     <message><source>&amp;Export span…</source>
         <translation>&amp;Zeitbereich exportieren…</translation></message>
-    <message><source>&amp;Cancel</source>
-        <translation>A&amp;bbrechen</translation></message>
     <message><source>Exporting, %p %</source>
         <translation>Exportieren, %p %</translation></message>
     <message><source>Reading, %p %</source>

@@ -597,8 +597,6 @@
         <translation>Terminer la séquence, ne plus rien envoyer, laisser le robot où il est (Échap, partout)</translation></message>
     <message><source>End afte&amp;r this step</source>
         <translation>Ter&amp;miner après cette étape</translation></message>
-    <message><source>The motion continues by itself for about {0:.0f} s.</source>
-        <translation>Le mouvement continue de lui-même pendant {0:.0f} s environ.</translation></message>
     <message><source>&amp;Stop sequence</source>
         <translation>&amp;Arrêter la séquence</translation></message>
     <message><source>Let the step finish, then blend out</source>
@@ -619,18 +617,12 @@
         <translation>Vitesse</translation></message>
     <message><source>Draw the position of this motor in the plot</source>
         <translation>Tracer la position de ce moteur dans le graphique</translation></message>
-    <message><source>Save pose file</source>
-        <translation>Enregistrer le fichier de poses</translation></message>
-    <message><source>Open pose file</source>
-        <translation>Ouvrir un fichier de poses</translation></message>
-    <message><source>{0}: draw its curve</source>
-        <translation>{0} : tracer sa courbe</translation></message>
     <message><source>&amp;Save pose file</source>
         <translation>&amp;Enregistrer le fichier de poses</translation></message>
-    <message><source>Not saved. {0}.</source>
-        <translation>Non enregistré. {0}.</translation></message>
     <message><source>&amp;Open pose file…</source>
         <translation>&amp;Ouvrir un fichier de poses…</translation></message>
+    <message><source>Not saved. {0}.</source>
+        <translation>Non enregistré. {0}.</translation></message>
     <message><source>Pose files (*{0});;All files (*)</source>
         <translation>Fichiers de poses (*{0});;Tous les fichiers (*)</translation></message>
     <message><source>Not opened. {0}.</source>
@@ -689,10 +681,6 @@
         <translation>Renommer</translation></message>
     <message><source>Duplicate</source>
         <translation>Dupliquer</translation></message>
-    <message><source>Move up</source>
-        <translation>Monter</translation></message>
-    <message><source>Move down</source>
-        <translation>Descendre</translation></message>
     <message><source>Uses the authors' poses, but was not made by them.</source>
         <translation>Utilise les poses des auteurs du robot, mais n'a pas été faite par eux.</translation></message>
     <message><source>&amp;Delete…</source>
@@ -1085,14 +1073,8 @@
         <translation> Il renvoie aussi l'écho de ce qui est envoyé.</translation></message>
     <message><source>Switched off and on, it will run at {0}.</source>
         <translation>Une fois l'alimentation coupée et remise, elle fonctionnera à {0}.</translation></message>
-    <message><source>no parity and no CRC</source>
-        <translation>sans parité ni CRC</translation></message>
     <message><source>Something is connected to {0}, but it does not respond like a TReX: it sent {1} at {2}{3}. It is another device, or the line is noisy.</source>
         <translation>Quelque chose est connecté à {0}, mais ne répond pas comme un TReX : il a envoyé {1} à {2}{3}. C'est un autre appareil, ou la liaison est bruitée.</translation></message>
-    <message><source>Switched off and on, it will run at {0}.</source>
-        <translation>Une fois l'alimentation coupée et remise, elle fonctionnera à {0}.</translation></message>
-    <message><source> It also echoes what is sent.</source>
-        <translation> Il renvoie aussi l'écho de ce qui est envoyé.</translation></message>
     <message><source>It is set to {0} baud, which firmware {1} runs at half the rate: connect at {2}.</source>
         <translation>Elle est réglée sur {0} bauds, que le firmware {1} fait fonctionner à la moitié : connectez à {2}.</translation></message>
     <message><source>It is set to {0} stop bits; both numbers work on this line.</source>
@@ -1101,10 +1083,10 @@
         <translation> Le port ne peut pas être réglé sur {0} bauds ; rien n'y a donc été cherché.</translation></message>
     <message><source>No TReX responds on {0} at any baud rate, with any parity or with CRC. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), and that ground is connected. A board with a custom CRC polynomial is only found by the full scan.</source>
         <translation>Aucun TReX ne répond sur {0}, quels que soient le débit et la parité, ni avec CRC. Vérifiez que la carte est alimentée (une LED est allumée), que TX de l'adaptateur va à SI et son RX à SO (ou aux deux broches RS-232, sans jamais mélanger), et que la masse est reliée. Une carte dont le polynôme CRC est personnalisé n'est trouvée que par la recherche complète.</translation></message>
-    <message><source>Its UART settings hold {0:#04x}, which is not a known setting.</source>
-        <translation>Ses réglages UART contiennent {0:#04x}, qui n'est pas un réglage connu.</translation></message>
     <message><source>, and something at {0} more</source>
         <translation>, et quelque chose à {0} autres réglages</translation></message>
+    <message><source>Its UART settings hold {0:#04x}, which is not a known setting.</source>
+        <translation>Ses réglages UART contiennent {0:#04x}, qui n'est pas un réglage connu.</translation></message>
     <message><source>No TReX responds on {0}: everything sent comes back, and nothing else, at every rate. Either this is the RS-232 side of a board that is off, or the adapter's TX and RX are joined.</source>
         <translation>Aucun TReX ne répond sur {0} : tout ce qui est envoyé revient, et rien d'autre, à tous les débits. Soit c'est le côté RS-232 d'une carte hors tension, soit TX et RX de l'adaptateur sont reliés.</translation></message>
     <message><source>No TReX responds on {0}. Its baud rate is set at the other end of the network, so only that one could be tried, without parity and without CRC.</source>
@@ -1231,10 +1213,6 @@
         <translation>En mode jumelé, la carte ne mesure pas de courant : un essai ne pourrait pas être interrompu.</translation></message>
     <message><source>No current has been read yet.</source>
         <translation>Aucun courant n'a encore été lu.</translation></message>
-    <message><source>The connection was closed.</source>
-        <translation>La connexion a été fermée.</translation></message>
-    <message><source>Serial commands no longer control the motors.</source>
-        <translation>Les commandes série ne commandent plus les moteurs.</translation></message>
     <message><source>Serial commands no longer reach the motors.</source>
         <translation>Les commandes série n'atteignent plus les moteurs.</translation></message>
     <message><source>Stop was pressed.</source>
@@ -1743,10 +1721,6 @@
         <translation>moteur {0} {1}</translation></message>
     <message><source>Hexadecimal, such as 9F 07</source>
         <translation>Hexadécimal, par exemple 9F 07</translation></message>
-    <message><source>Connect a board to send this.</source>
-        <translation>Connectez une carte pour envoyer ceci.</translation></message>
-    <message><source>Settings are being written; wait until that is done.</source>
-        <translation>Des réglages sont en cours d'écriture ; attendez la fin.</translation></message>
     <message><source>A stop would not reach that board: address device {0}.</source>
         <translation>Un arrêt n'atteindrait pas cette carte : adressez l'appareil {0}.</translation></message>
     <message numerus="yes"><source>and %n more packet(s)</source>
@@ -2927,8 +2901,6 @@
         <translation>{0} : au-delà d'une limite qu'aucun document ne confirme (déduit). C'est la carte qui décide : elle peut rejeter la valeur, ou en enregistrer une autre.</translation></message>
     <message><source>Write an&amp;yway</source>
         <translation>Écrire &amp;quand même</translation></message>
-    <message><source>For a {0}: {1} carried over, {2} changed, {3} left out.</source>
-        <translation>Pour un {0} : {1} repris, {2} modifiés, {3} omis.</translation></message>
     <message><source>{0}, firmware {1}</source>
         <translation>{0}, firmware {1}</translation></message>
     <message><source>For a {0}; the board is a {1}. Checked changes become edits.</source>
@@ -3007,16 +2979,6 @@
         <translation>Ces étalonnages restent en attente jusqu'à ce que la carte utilise de nouveau leur source des entrées : {0}.</translation></message>
     <message><source>Active only after the board is switched off and on: {0}.</source>
         <translation>Actif seulement après avoir coupé et remis l'alimentation de la carte : {0}.</translation></message>
-    <message><source>Restore factor&amp;y defaults…</source>
-        <translation>Restaurer les réglages d'&amp;usine…</translation></message>
-    <message><source>Restore ser&amp;ial defaults…</source>
-        <translation>Restaurer les réglages série par &amp;défaut…</translation></message>
-    <message><source>Nothing to write.</source>
-        <translation>Rien à écrire.</translation></message>
-    <message numerus="yes"><source>&amp;Write %n setting(s)</source>
-        <translation><numerusform>Écrire %n &amp;réglage</numerusform><numerusform>Écrire %n &amp;réglages</numerusform></translation></message>
-    <message><source>The channel calibrations stay.</source>
-        <translation>Les étalonnages des voies restent.</translation></message>
     <message><source>Restore factor&amp;y defaults…</source>
         <translation>Restaurer les réglages d'&amp;usine…</translation></message>
     <message><source>Restore ser&amp;ial defaults…</source>
@@ -4145,14 +4107,8 @@ avant {1}</translation></message>
         <translation>Comparer &amp;avec :</translation></message>
     <message><source>Tool bar</source>
         <translation>Barre d'outils</translation></message>
-    <message><source>&amp;Save settings file…</source>
-        <translation>&amp;Enregistrer un fichier de réglages…</translation></message>
     <message><source>It still has errors.</source>
         <translation>Il contient encore des erreurs.</translation></message>
-    <message><source>Save as P&amp;DF…</source>
-        <translation>Enregistrer en P&amp;DF…</translation></message>
-    <message><source>Compare &amp;with:</source>
-        <translation>Comparer &amp;avec :</translation></message>
     <message><source>Factory defaults</source>
         <translation>Réglages d'usine</translation></message>
     <message><source>The text no longer has errors; all pages are available.</source>
@@ -4201,8 +4157,6 @@ avant {1}</translation></message>
         <translation>La carte telle qu'affichée : {0}, firmware {1}</translation></message>
     <message><source>Applied</source>
         <translation>Appliqué</translation></message>
-    <message><source>&amp;Open settings file…</source>
-        <translation>&amp;Ouvrir un fichier de réglages…</translation></message>
     <message><source>&amp;New settings file…</source>
         <translation>&amp;Nouveau fichier de réglages…</translation></message>
     <message><source>Beginnings</source>
@@ -4455,6 +4409,8 @@ avant {1}</translation></message>
         <translation>Pour restaurer, comparez avec la carte.</translation></message>
     <message><source>The board does not respond, so nothing can be restored.</source>
         <translation>La carte ne répond pas : rien ne peut être restauré.</translation></message>
+    <message><source>Settings are being written; wait until that is done.</source>
+        <translation>Des réglages sont en cours d'écriture ; attendez la fin.</translation></message>
     <message><source>No board is connected. Connect one to restore a snapshot.</source>
         <translation>Aucune carte n'est connectée. Connectez-en une pour restaurer un instantané.</translation></message>
     <message><source>{0} cannot be compared with: {1}</source>
@@ -4759,8 +4715,6 @@ avant {1}</translation></message>
         <translation>&amp;Démarrer</translation></message>
     <message><source>C&amp;ancel</source>
         <translation>&amp;Annuler</translation></message>
-    <message><source>Probes each port for a supported device: each kind at its likely settings, then at every baud rate, with every parity and with CRC. A TReX or Aracna moves no motor and changes no setting. Other devices on the line may: enter their numbers in the line settings first. A TReX that receives probes at another rate counts UART errors, and stops its motors if it is set to do so.</source>
-        <translation>Sonde chaque port à la recherche d'un appareil pris en charge : chaque type avec ses réglages probables, puis à tous les débits, avec toutes les parités et avec CRC. Un TReX ou un Aracna ne fait alors bouger aucun moteur et ne change aucun réglage. D'autres appareils sur la liaison le peuvent : entrez d'abord leurs numéros dans les réglages de liaison. Un TReX qui reçoit ces sondages à un autre débit compte des erreurs UART, et arrête ses moteurs s'il est réglé ainsi.</translation></message>
     <message><source>C&amp;heck the board…</source>
         <translation>&amp;Vérifier la carte…</translation></message>
     <message><source>{0} – connected to this window</source>
@@ -4919,8 +4873,6 @@ avant {1}</translation></message>
         <translation>Enregistrement  {0}  {1}</translation></message>
     <message numerus="yes"><source>%n sample(s) lost: the disk is too slow</source>
         <translation><numerusform>%n échantillon perdu : le disque est trop lent</numerusform><numerusform>%n échantillons perdus : le disque est trop lent</numerusform></translation></message>
-    <message><source>Save a cop&amp;y…</source>
-        <translation>Enregistrer une cop&amp;ie…</translation></message>
     <message><source>Recordings (*{0})</source>
         <translation>Enregistrements (*{0})</translation></message>
     <message><source>Playback speed</source>
@@ -4935,8 +4887,6 @@ avant {1}</translation></message>
         <translation>&amp;Tout afficher</translation></message>
     <message><source>&amp;Export span…</source>
         <translation>&amp;Exporter la plage…</translation></message>
-    <message><source>&amp;Cancel</source>
-        <translation>&amp;Annuler</translation></message>
     <message><source>Exporting, %p %</source>
         <translation>Exportation, %p %</translation></message>
     <message><source>Reading, %p %</source>

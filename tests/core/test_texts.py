@@ -1,6 +1,6 @@
 import pytest
 
-from trex_gui.core.texts import name_of
+from trex_gui.core.texts import title_of
 
 
 @pytest.mark.parametrize(
@@ -12,4 +12,4 @@ from trex_gui.core.texts import name_of
     ],
 )
 def test_name_has_neither_letter_nor_dots(text: str, name: str) -> None:
-    assert name_of(text) == name
+    assert title_of(text) == name

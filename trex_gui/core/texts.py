@@ -11,9 +11,9 @@ def hex_text(data: bytes | bytearray) -> str:
     return data.hex(" ").upper()
 
 
-def name_of(text: str) -> str:
-    """Return the name of a control or menu entry: its text without letter, dots and colon."""
-    return text.replace("&", "").rstrip("…: \u00a0\u202f")
+def title_of(text: str) -> str:
+    """Return the text of a menu entry, button or label without its mnemonic and its end."""
+    return text.replace("&", "").rstrip("…: \N{NO-BREAK SPACE}\N{NARROW NO-BREAK SPACE}")
 
 
 def signed_text(number: int) -> str:

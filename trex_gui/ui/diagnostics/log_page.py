@@ -6,7 +6,7 @@ from PySide6.QtCore import Signal, Slot
 from PySide6.QtGui import QTextCursor
 from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
-from trex_gui.core.texts import name_of
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.ui.help.messages import MessageHelp
 from trex_gui.ui.log import MOST_ENTRIES, Log, LogEntry
@@ -37,7 +37,7 @@ class LogPage(View):
             tip=tr("Show the help on the message in the line with the cursor"),
             on_click=lambda: self.help_wanted.emit(self._topic),
         )
-        self._text = ui.named(QPlainTextEdit(self), f"{key}Log", accessible=ui.title_of(tr("Lo&g")))
+        self._text = ui.named(QPlainTextEdit(self), f"{key}Log", accessible=title_of(tr("Lo&g")))
         self._text.setReadOnly(True)
         self._text.setUndoRedoEnabled(False)
         self._text.setMaximumBlockCount(MOST_ENTRIES)

@@ -9,6 +9,7 @@ from PySide6.QtCore import QPointF, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QPaintEvent, QPen
 from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
 
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.theme import set_look, set_style_property, set_text_color, theme
@@ -65,7 +66,7 @@ class ProblemCard(ui.Card):
             ui.button(self, f"{key}{name}", text.replace("&", ""), confirms=True)
             for name, text in (
                 ("Show", tr("Show it")),
-                ("Clear", ui.title_of(tr("C&lear"))),
+                ("Clear", title_of(tr("C&lear"))),
                 ("Explain", tr("E&xplain")),
             )
         ]

@@ -6,6 +6,7 @@ from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Signal, Slot
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QComboBox, QFrame, QInputDialog, QSizePolicy, QWidget
 
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
@@ -73,7 +74,7 @@ class ConnectionBar(QFrame):
         self._on_link_changed()
 
     def _create_widgets(self) -> None:
-        self._combo = ui.named(ui.ComboBox(self), "portCombo", accessible=ui.title_of(tr("&Port:")))
+        self._combo = ui.named(ui.ComboBox(self), "portCombo", accessible=title_of(tr("&Port:")))
         self._combo.setMinimumContentsLength(_PORT)
         self._combo.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
@@ -86,7 +87,7 @@ class ConnectionBar(QFrame):
             self,
             "lineButton",
             " ",  # the line settings follow
-            accessible=ui.title_of(tr("&Line settings…")),
+            accessible=title_of(tr("&Line settings…")),
             tip=tr("How this computer talks to the board"),
             on_click=self.line_settings_requested,
         )
@@ -94,7 +95,7 @@ class ConnectionBar(QFrame):
             self,
             "findButton",
             tr("F&ind…"),
-            accessible=ui.title_of(tr("&Find a board…")),
+            accessible=title_of(tr("&Find a board…")),
             tip=tr("Find a board whose line settings are unknown"),
             on_click=self.find_board,
         )
@@ -187,7 +188,7 @@ class ConnectionBar(QFrame):
                     "Settings are still being written. Disconnect anyway? Unwritten settings stay "
                     "pending."
                 ),
-                Answer("disconnectYes", ui.title_of(tr("&Disconnect")), then),
+                Answer("disconnectYes", title_of(tr("&Disconnect")), then),
                 still=lambda: self._manager.current.is_busy,
             )
         else:
@@ -260,7 +261,7 @@ class ConnectionBar(QFrame):
     def _ask_for_address(self) -> None:
         address, given = QInputDialog.getText(
             self,
-            ui.title_of(tr("Other port or address…")),
+            title_of(tr("Other port or address…")),
             tr(
                 "A device such as /dev/ttyUSB0 or COM3, or a network port such as "
                 "socket://host:port or rfc2217://host:port:"

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
@@ -56,7 +57,7 @@ class FindDialog(ReusedDialog):
         """
         super().__init__(parent)
         self.setObjectName("findDialog")
-        self.setWindowTitle(ui.title_of(tr("&Find a board…")))
+        self.setWindowTitle(title_of(tr("&Find a board…")))
         resize_with_font(self, 620, 480)
         self._ports = ports
         self._manager = device_manager
@@ -291,7 +292,7 @@ class FindDialog(ReusedDialog):
             connect = ui.button(
                 row,
                 f"connectFound{index}",
-                ui.title_of(tr("&Connect")),
+                title_of(tr("&Connect")),
                 icon="connect",
                 accessible=tr("Connect to {0}").format(finding.text),
                 default=False,

@@ -6,7 +6,7 @@ from pathlib import Path
 from PySide6.QtCore import QSignalBlocker, QTimer, Slot
 from PySide6.QtWidgets import QFileDialog, QFormLayout, QWidget
 
-from trex_gui.core.texts import name_of
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.ui.devices.auto_connect import connects_automatically, set_automatic
 from trex_gui.ui.theme.theme import (
@@ -35,7 +35,7 @@ class PreferencesDialog(ReusedDialog):
         super().__init__(parent)
         self._reopen = reopen
         self.setObjectName("preferencesDialog")
-        self.setWindowTitle(ui.title_of(tr("&Preferences…")))
+        self.setWindowTitle(title_of(tr("&Preferences…")))
         names: dict[Scheme, str] = {
             "system": tr("As the system"),
             "light": tr("Light"),

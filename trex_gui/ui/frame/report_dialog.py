@@ -13,7 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.core.report import ReportFile, make_report, save_report, suggested_name
-from trex_gui.core.texts import name_of
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
@@ -35,7 +35,7 @@ class ReportDialog(ReusedDialog):
         super().__init__(parent)
         self._notifier = notifier
         self.setObjectName("reportDialog")
-        self.setWindowTitle(ui.title_of(tr("&Save report for support…")))
+        self.setWindowTitle(title_of(tr("&Save report for support…")))
         resize_with_font(self, 860, 520)
         about = Muted(
             tr(

@@ -7,6 +7,7 @@ from PySide6.QtGui import QStandardItem, QStandardItemModel
 from PySide6.QtWidgets import QCompleter, QLineEdit, QTreeView, QWidget
 from shiboken6 import Shiboken
 
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.ui.help.search import Findable, Kind, SearchIndex
 from trex_gui.ui.theme.icons import icon
@@ -31,7 +32,7 @@ class SearchField(QLineEdit):
     def __init__(self, findables: Callable[[], Iterable[Findable]], parent: QWidget) -> None:
         """`findables` returns what can be found now, when a search begins."""
         super().__init__(parent)
-        ui.named(self, "searchField", accessible=ui.title_of(tr("Search every&thing")))
+        ui.named(self, "searchField", accessible=title_of(tr("Search every&thing")))
         self.setPlaceholderText(tr("Search everything (Ctrl+K)"))
         self._findables = findables
         self._index: SearchIndex | None = None  # while a search goes on

@@ -8,6 +8,7 @@ from itertools import zip_longest
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtWidgets import QLabel, QPushButton, QStackedWidget, QWidget
 
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.frame.main_window import MainWindow
@@ -47,7 +48,7 @@ class PortRow(QWidget):
         self._name, self._about = ElidedLabel("", self), ElidedLabel("", self)
         ui.set_bold(self._name)
         set_text_color(self._about, "muted")
-        self.button = ui.button(self, name, ui.title_of(tr("&Connect")))
+        self.button = ui.button(self, name, title_of(tr("&Connect")))
         texts = ui.column(self._name, self._about, margins=0, spacing=0)
         ui.row((texts, 1), self.button, into=self, margins=0)
 
@@ -97,7 +98,7 @@ class StartPanel(QWidget):
             button.setToolTip(ui.plain(text))
             ui.column(Muted(text, card), (button, 0, Qt.AlignmentFlag.AlignLeft), into=card)
 
-        recent = ui.named(ui.Card(ui.title_of(tr("&Files:")), self), f"{prefix}startFiles")
+        recent = ui.named(ui.Card(title_of(tr("&Files:")), self), f"{prefix}startFiles")
         self._files = [ui.button(recent, f"{prefix}startRecent") for _ in range(_MOST_FILES)]
         for at, button in enumerate(self._files):
             button.clicked.connect(partial(self._on_file_clicked, at))

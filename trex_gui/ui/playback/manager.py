@@ -14,7 +14,7 @@ from trex_gui.core.errors import StudioError
 from trex_gui.core.recording.kept import kept_folder
 from trex_gui.core.recording.kinds import RecordingFormat
 from trex_gui.core.recording.store import SUFFIX, Recording, copy_recording
-from trex_gui.core.texts import name_of
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
@@ -53,7 +53,7 @@ class RecordIndicator(QWidget):
         stop = builders.button(
             self,
             f"{prefix}stopRecordingButton",
-            builders.title_of(tr("Stop &recording")),
+            title_of(tr("Stop &recording")),
             tip=tr("End the recording; motors and connection are not affected"),
             on_click=recorder.stop,
         )
@@ -177,7 +177,7 @@ class RecordingManager(QObject, Generic[WindowT]):
         """Let the user choose a recording to open, by default from the last folder."""
         path, _ = QFileDialog.getOpenFileName(
             self._window,
-            title or builders.title_of(tr("Ope&n recording…")),
+            title or title_of(tr("Ope&n recording…")),
             str(folder or last_folder(self._folder_key)),
             self._filter(),
         )

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QFileDialog, QMainWindow, QProgressBar, QWidget
 from trex_gui.core.events import Event
 from trex_gui.core.optional_packages import install_command
 from trex_gui.core.recording.export import MCAP_SUFFIX, has_mcap
-from trex_gui.core.texts import name_of
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.ui.notifier import CopyCommand, Notifier
 from trex_gui.ui.playback.player import RecordingPlayer
@@ -232,7 +232,7 @@ class RecordingWindow(QMainWindow):
         path = self.player.path
         proposal = str(path.with_name(f"{path.stem}_span{_CSV_SUFFIX}"))
         chosen, kind = QFileDialog.getSaveFileName(
-            self, builders.title_of(tr("&Export span…")), proposal, ";;".join(kinds)
+            self, title_of(tr("&Export span…")), proposal, ";;".join(kinds)
         )
         if chosen:
             target = Path(chosen)

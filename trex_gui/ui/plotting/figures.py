@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.core.events import Event
-from trex_gui.core.texts import name_of
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.ui.plotting.history import Statistics
 from trex_gui.ui.plotting.marks import EVENT_COLORS, charge_text, mean_text, value_text
@@ -304,7 +304,7 @@ class EventList(QListWidget):
         self._origin: float | None = None
         self._placeholder = ""
         self.setObjectName("eventList")
-        self.setAccessibleName(name_of(tr("E&vents")))
+        self.setAccessibleName(title_of(tr("E&vents")))
         self.setUniformItemSizes(True)
         self.setTextElideMode(Qt.TextElideMode.ElideRight)
         self.itemActivated.connect(self._on_chosen)

@@ -9,7 +9,7 @@ from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QMenu, QToolButton, QWidget
 
 from trex_gui.core.files import load, save
-from trex_gui.core.texts import name_of
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.ui.files import in_background, save_in_background
 from trex_gui.ui.notifier import Notifier
@@ -51,7 +51,7 @@ class LayoutButton(QToolButton):
         self._use = use
         self.setObjectName("layoutButton")
         self.setText(tr("La&yout"))
-        self.setAccessibleName(name_of(tr("La&yout")))
+        self.setAccessibleName(title_of(tr("La&yout")))
         self.setToolTip(tr("Colours of the curves; save and open how the plot is shown"))
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
@@ -96,7 +96,7 @@ class LayoutButton(QToolButton):
 
     def _ask_and_open(self) -> None:
         path = file_questions.ask_to_open(
-            self.window(), name_of(tr("&Open layout…")), self._filter()
+            self.window(), title_of(tr("&Open layout…")), self._filter()
         )
         if path is not None:
             self.open(path)
@@ -119,7 +119,7 @@ class LayoutButton(QToolButton):
     def _ask_and_save(self) -> None:
         proposal = file_questions.last_folder() / f"plot_layout{_SUFFIX}"
         path = file_questions.ask_to_save(
-            self.window(), name_of(tr("&Save layout…")), proposal, self._filter(), _SUFFIX
+            self.window(), title_of(tr("&Save layout…")), proposal, self._filter(), _SUFFIX
         )
         if path is not None:
             self.save(path)

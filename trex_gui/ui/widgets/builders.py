@@ -107,11 +107,6 @@ def no_mnemonic(text: str) -> str:
     return text.replace("&", "&&")
 
 
-def title_of(text: str) -> str:
-    """Return a text of a menu, button or label as a title: without its mnemonic and end."""
-    return text.replace("&", "").rstrip(" …:\N{NO-BREAK SPACE}\N{NARROW NO-BREAK SPACE}")
-
-
 def named(widget: WidgetT, name: str, *, accessible: str = "", tip: str = "") -> WidgetT:
     """Give a widget its object name, accessible name and tool tip, and return it."""
     widget.setObjectName(name)

@@ -6,9 +6,10 @@ from pathlib import Path
 from PySide6.QtCore import QStandardPaths
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.ui.preferences import Preferences
-from trex_gui.ui.widgets.builders import plain, title_of
+from trex_gui.ui.widgets.builders import plain
 
 _FOLDER = "settings/folder"
 _DEFAULT_FOLDER = "files/default_folder"

@@ -20,7 +20,7 @@ from trex_gui.devices.trex.model.setup.pulses import WEAK
 from trex_gui.devices.trex.model.setup.robot_setup import SetupStep
 from trex_gui.devices.trex.model.setup.wiring import Driver
 from trex_gui.devices.trex.views.learning.live_pages import InputStrip
-from trex_gui.devices.trex.views.motor_controls import ActionBar
+from trex_gui.devices.trex.views.motor_controls import MotorBar
 from trex_gui.devices.trex.views.setup.flow import SetupFlow
 from trex_gui.devices.trex.views.steps import Steps
 from trex_gui.ui.theme.theme import theme
@@ -150,7 +150,7 @@ def test_stick_that_is_not_seen_is_named_beside_its_input(assistant: Assistant) 
 
 
 def test_buttons_are_on_amber_while_armed(assistant: Assistant) -> None:
-    bar = assistant.find_only(ActionBar)
+    bar = assistant.find_only(MotorBar)
     middle = bar.rect().center()
     assert bar.grab().toImage().pixelColor(middle) != theme().color("armed")
     assistant.arm()

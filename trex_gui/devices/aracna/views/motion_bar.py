@@ -3,6 +3,7 @@
 from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QWidget
 
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.texts import activity_text, ending_text
@@ -20,7 +21,7 @@ class StopSequenceButton(RedButton):
     """Halts the robot, as Esc does; also in windows that may cover the pages."""
 
     def __init__(self, robot: Robot, name: str, parent: QWidget | None = None) -> None:
-        super().__init__(name, ui.title_of(tr("&Stop sequence")), robot.halt, parent)
+        super().__init__(name, title_of(tr("&Stop sequence")), robot.halt, parent)
         self.setToolTip(
             tr("End the sequence, send nothing more, stay where the robot is (Esc, anywhere)")
         )

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.core.texts import name_of
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.discovery import NUMBERS
 from trex_gui.devices.trex.model.boards import BoardList, LineBoard, Presence
@@ -207,7 +207,7 @@ class NumberDialog(QObject):
             "noticed. The new number takes effect at once, and a snapshot is saved first."
         )
         return Changes(
-            ui.title_of(tr("Change device nu&mber…")),
+            title_of(tr("Change device nu&mber…")),
             caption=text,
             rows=Comparison(compare(stored, wanted).differing),
             sides=(tr("Board now"), tr("After", "value")),

@@ -7,7 +7,7 @@ from functools import partial
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtWidgets import QPushButton, QWidget
 
-from trex_gui.core.texts import name_of
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -228,7 +228,7 @@ class CheckBoardFlow(Flow):
             hand_shake.show_step(_STEPS[self._at - 1])
         note, is_alarming = self._result
         return Shown(
-            ui.title_of(tr("&Board does not respond…")),
+            title_of(tr("&Board does not respond…")),
             [tr("LEDs"), *(tr(step.title) for step in _STEPS)],
             self._at,
             hand_shake if self._at else sights,

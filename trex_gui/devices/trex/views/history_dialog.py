@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QAbstractItemView, QStackedWidget, QTableView, QWi
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import load, save
-from trex_gui.core.texts import name_of
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.snapshots import Listing, SnapshotColumn, SnapshotTable
@@ -38,7 +38,7 @@ class HistoryDialog(ReusedDialog):
     def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("historyDialog")
-        self.setWindowTitle(ui.title_of(tr("&History…")))
+        self.setWindowTitle(title_of(tr("&History…")))
         set_look(self, "sheet")
         self.setWindowFlags(Qt.WindowType.Window)
         self._history = device.writer.history
@@ -255,7 +255,7 @@ class HistoryDialog(ReusedDialog):
         text = tr("Permanently delete %n snapshot(s), the newest of {0}?", "", len(chosen))
         self._question.ask(
             text.format(self._table.time_text(chosen[0])),
-            Answer("historyQuestionYes", ui.title_of(tr("&Delete…")), lambda: self._remove(chosen)),
+            Answer("historyQuestionYes", title_of(tr("&Delete…")), lambda: self._remove(chosen)),
         )
 
     def _remove(self, snapshots: tuple[Snapshot, ...]) -> None:

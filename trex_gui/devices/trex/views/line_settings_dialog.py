@@ -7,6 +7,7 @@ from PySide6.QtGui import QRegularExpressionValidator
 from PySide6.QtWidgets import QDialogButtonBox, QFormLayout, QLineEdit, QWidget
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings, numbers_in
 from trex_gui.devices.trex.protocol.line_settings import Detection
@@ -25,7 +26,7 @@ class LineSettingsDialog(ReusedDialog):
         super().__init__(parent)
         self.setObjectName("lineSettingsDialog")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setWindowTitle(ui.title_of(tr("&Line settings…")))
+        self.setWindowTitle(title_of(tr("&Line settings…")))
         text = tr(
             "These must be the settings that the board has now. A new board talks at 19200 baud, "
             "without error detection, with one stop bit. Changing them here changes nothing in the "

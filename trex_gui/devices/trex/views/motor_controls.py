@@ -4,6 +4,7 @@ from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QDialog, QFrame, QWidget
 
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.board.drive_status import drive_statuses
 from trex_gui.devices.trex.driving.blockers import DriveBlocker
@@ -174,7 +175,7 @@ class StopButton(RedButton):
     """The same text, colour and effect everywhere. Esc does the same."""
 
     def __init__(self, device: Device, name: str, parent: QWidget | None = None) -> None:
-        super().__init__(name, ui.title_of(tr("&Stop motors")), device.press_stop, parent)
+        super().__init__(name, title_of(tr("&Stop motors")), device.press_stop, parent)
         self.setToolTip(tr("Stop both motors and the auxiliary now (Esc, anywhere)"))
         self._device = device
         device.link_changed.connect(self._on_link_changed)

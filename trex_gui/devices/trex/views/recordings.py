@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.recording.kept import make_kept_folder
 from trex_gui.core.recording.store import Recording
-from trex_gui.core.texts import name_of
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.recorder import EventRecorder, Recorder
@@ -18,7 +18,6 @@ from trex_gui.ui.files import in_background
 from trex_gui.ui.frame.workspace import Entries, Entry
 from trex_gui.ui.playback.manager import RecordingManager, RecordingTexts
 from trex_gui.ui.preferences import Preferences
-from trex_gui.ui.widgets.builders import title_of
 
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.playback import PlaybackWindow

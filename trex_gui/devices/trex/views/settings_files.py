@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QDialogButtonBox, QInputDialog, QListView, QWidget
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import SettingsError, load, reason_of
 from trex_gui.core.resource_files import resource
-from trex_gui.core.texts import name_of
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
@@ -22,7 +22,7 @@ from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 from trex_gui.devices.trex.views.shown_settings import ShownSettings
 from trex_gui.ui.files import in_background
 from trex_gui.ui.widgets import file_questions
-from trex_gui.ui.widgets.builders import named, tab_order, title_of
+from trex_gui.ui.widgets.builders import named, tab_order
 from trex_gui.ui.widgets.file_questions import SaveAnswer
 from trex_gui.ui.widgets.placement import keep_on_screen, resize_with_font
 

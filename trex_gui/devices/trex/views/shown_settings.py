@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QDialog, QFileDialog, QWidget
 from trex_gui.core.code import Language
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import SettingsError, load, save
-from trex_gui.core.texts import name_of
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import text_of
@@ -25,7 +25,6 @@ from trex_gui.devices.trex.settings.writer import write_settings
 from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
 from trex_gui.ui.files import in_background
 from trex_gui.ui.widgets import file_questions
-from trex_gui.ui.widgets.builders import title_of
 
 
 class ShownSettings(QObject):

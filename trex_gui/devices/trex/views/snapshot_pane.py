@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import BadRequest, StudioError
 from trex_gui.core.files import load
-from trex_gui.core.texts import name_of
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.draft import diff_against_draft
@@ -233,7 +233,7 @@ class SnapshotPane(QWidget):
         self.present_chosen.emit()
 
     def _ask_for_file(self) -> None:
-        path = file_questions.ask_to_open(self, name_of(tr("&Open settings file…")))
+        path = file_questions.ask_to_open(self, title_of(tr("&Open settings file…")))
         if path is None:
             return
 

@@ -17,7 +17,6 @@ from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.behaviour import take_typed
-from trex_gui.ui.widgets.builders import title_of
 from trex_gui.ui.widgets.document_saver import DocumentSaver
 
 _FOLDER = "aracna/folder"

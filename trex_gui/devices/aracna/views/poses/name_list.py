@@ -5,6 +5,7 @@ from PySide6.QtGui import QAction, QDropEvent, QPaintEvent
 from PySide6.QtWidgets import QAbstractItemView, QListWidget, QListWidgetItem, QToolButton, QWidget
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.aracna.model.library import ItemKey, ItemKind, Library
 from trex_gui.devices.aracna.poses.gaits import GAITS, Gait
@@ -51,7 +52,7 @@ class NameList(QListWidget):
         self.setMinimumHeight(_LINES * (self.fontMetrics().height() + 6))
         self._rename = row_action(self, tr("Rename"), "F2", self.edit_name)
         self._duplicate = row_action(self, tr("Duplicate"), "", self._on_duplicate, "copy")
-        self._delete = row_action(self, ui.title_of(tr("&Delete…")), "Del", self._on_delete, "clear")
+        self._delete = row_action(self, title_of(tr("&Delete…")), "Del", self._on_delete, "clear")
         self._up = row_action(self, tr("Move up"), "Alt+Up", lambda: self._move(-1))
         self._down = row_action(self, tr("Move down"), "Alt+Down", lambda: self._move(1))
 

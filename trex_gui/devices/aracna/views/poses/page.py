@@ -4,6 +4,7 @@ from PySide6.QtCore import Slot
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QWidget
 
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.library import Library
 from trex_gui.devices.aracna.model.robot import Robot
@@ -25,7 +26,7 @@ class PosesPage(QWidget):
         self.setObjectName("aracnaPosesPage")
         self._library = library
         self.files = PoseFiles(library, robot.notifier, self)
-        self._head = PageHead(ui.title_of(tr("Pos&es")), self)
+        self._head = PageHead(title_of(tr("Pos&es")), self)
         panel = QWidget(self)
         poses = PoseBox(robot, library, panel)
         motions = MotionBox(library, robot.notifier, panel)

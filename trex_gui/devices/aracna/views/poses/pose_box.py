@@ -3,6 +3,7 @@
 from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtWidgets import QSpinBox, QWidget
 
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.library import ItemKind, Library
 from trex_gui.devices.aracna.model.robot import Robot
@@ -21,7 +22,7 @@ class PoseBox(ui.Card):
     pose_chosen = Signal(str)  # name of the current pose; empty for none
 
     def __init__(self, robot: Robot, library: Library, parent: QWidget | None = None) -> None:
-        super().__init__(ui.title_of(tr("Pos&es")), parent)
+        super().__init__(title_of(tr("Pos&es")), parent)
         self.setObjectName("aracnaPoseBox")
         set_look(self, "compact")
         self._robot = robot
@@ -31,7 +32,7 @@ class PoseBox(ui.Card):
         self._list = ui.named(
             NameList(library, ItemKind.POSE, robot.notifier, empty, self),
             "aracnaPoses",
-            accessible=ui.title_of(tr("Pos&es")),
+            accessible=title_of(tr("Pos&es")),
         )
         self._take = small_button(
             self,

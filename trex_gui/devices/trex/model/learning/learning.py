@@ -7,7 +7,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.core.texts import name_of
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.calibration.neutral import SAMPLING_SECONDS, Sample, measure_neutral
 from trex_gui.devices.trex.model.device import Device
@@ -206,7 +206,7 @@ class Learning(QObject):
         if not self.can_use_values:
             return False
         choices = {c.number: c.choice for c in self.channels if c.can_be_used and c.choice}
-        is_pending = self.pending.edit(choices, name_of(tr("&Learn channels…")))
+        is_pending = self.pending.edit(choices, title_of(tr("&Learn channels…")))
         self._go(LearningStep.ENDED)
         if is_pending:
             self.edited.emit()

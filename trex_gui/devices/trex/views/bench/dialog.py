@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import reason_of, save
-from trex_gui.core.texts import name_of
+from trex_gui.core.texts import title_of
 from trex_gui.core.timing import FRAME_MS
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.bench.figures import BAND
@@ -53,7 +53,7 @@ class BenchDialog(ReusedDialog):
     def __init__(self, device: Device, bench: Bench, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("benchDialog")
-        self.setWindowTitle(ui.title_of(tr("&Bench test…")))
+        self.setWindowTitle(title_of(tr("&Bench test…")))
         resize_with_font(self, 1040, 700)
         self._device = device
         self.bench = bench

@@ -8,7 +8,7 @@ from PySide6.QtCore import QSignalBlocker, Slot
 from PySide6.QtWidgets import QDoubleSpinBox, QFormLayout, QLabel, QSizePolicy, QSpinBox, QWidget
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.texts import name_of
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.bench.run import LONGEST, SHORTEST, Profile, Shape
 from trex_gui.devices.trex.model.bench import Bench
@@ -78,7 +78,7 @@ class PlanForm(ui.Card):
         self._period = seconds("benchPeriod")
         self._period_name = ui.label(self, buddy=self._period)
         form.addRow(self._period_name, self._period)
-        ways = [(tr("Accelerate"), True), (name_of(tr("Se&t at once")), False)]
+        ways = [(tr("Accelerate"), True), (title_of(tr("Se&t at once")), False)]
         tip = tr(
             "Accelerate uses the board's acceleration, brake duration and current limit; "
             "Set at once bypasses the first two and, for a moment, the limit, too."

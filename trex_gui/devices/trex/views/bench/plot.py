@@ -7,7 +7,7 @@ from PySide6.QtCore import QSize, Qt, Slot
 from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import QWidget
 
-from trex_gui.core.texts import name_of
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.bench.run import Profile, Run
 from trex_gui.ui.plotting.axes import count_labels, round_up, ticks, value_labels
@@ -34,7 +34,7 @@ class BenchPlot(Painted):
         super().__init__(parent)
         self.setObjectName("benchPlot")
         self.setAccessibleDescription(tr("The table of figures has the results as numbers."))
-        self.setAccessibleName(name_of(tr("&Bench test…")))
+        self.setAccessibleName(title_of(tr("&Bench test…")))
         self._run: Run | None = None
         self._before: Run | None = None
         self._profile: Profile | None = None

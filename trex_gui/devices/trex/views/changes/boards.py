@@ -5,7 +5,7 @@ from dataclasses import replace
 from PySide6.QtCore import QObject, QSignalBlocker, Qt, Slot
 from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
-from trex_gui.core.texts import name_of
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.apply_to_boards import ApplyToBoards, BoardPlan, BoardStep
 from trex_gui.devices.trex.model.boards import BoardList
@@ -33,7 +33,7 @@ class ApplyToSeveral(QObject):
         self.work = ApplyToBoards(boards, device, self)
         self._name = self._trouble = ""
 
-        title = name_of(tr("&Write to boards"))
+        title = title_of(tr("&Write to boards"))
         self._table = table = ui.flat_table(QTableWidget(0, 3, parent), "boardsToWrite", title)
         table.setHorizontalHeaderLabels([tr("Board"), tr("Changes"), tr("Result")])
         header = table.horizontalHeader()

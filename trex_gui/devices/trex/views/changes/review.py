@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Slot
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import NoReply, PortUnavailable, StudioError
-from trex_gui.core.texts import name_of
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.model.boards import BoardList
@@ -25,7 +25,7 @@ from trex_gui.devices.trex.views.power_cycle import PowerCyclePanel
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.notifier import Answer
 from trex_gui.ui.translations import error_sentence
-from trex_gui.ui.widgets.builders import button, progress_bar, title_of
+from trex_gui.ui.widgets.builders import button, progress_bar
 
 
 class _Phase(Enum):

@@ -6,7 +6,7 @@ from functools import partial
 from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtWidgets import QPushButton, QWidget
 
-from trex_gui.core.texts import name_of
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
 from trex_gui.devices.trex.protocol.flags import CHANNELS
@@ -128,10 +128,10 @@ class LearnFlow(Flow):
 
     def shown(self) -> Shown:
         learning, step = self.learning, self.learning.step
-        title = name_of(tr("&Learn channels…"))
+        title = title_of(tr("&Learn channels…"))
         titles = [tr("Stop the motors"), tr("Hands off"), tr("All ends"), tr("Review")]
         if learning.is_test or self._offers_test:
-            title, titles[1:] = ui.title_of(tr("&Test the sticks…")), [tr("Test")]
+            title, titles[1:] = title_of(tr("&Test the sticks…")), [tr("Test")]
         if step is not LearningStep.FAILED:
             self._place = _PLACES.get(step, int(step is LearningStep.TEST))
         self.show_buttons()

@@ -9,7 +9,7 @@ from PySide6.QtCore import QBuffer, QIODevice, Qt
 from PySide6.QtGui import QPageSize, QPdfWriter, QTextDocument
 from PySide6.QtWidgets import QDialog, QWidget
 
-from trex_gui.core.texts import name_of
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_FIELDS
 from trex_gui.devices.trex.settings.document import Settings
@@ -87,7 +87,7 @@ def _parameters(settings: Settings) -> str:
         tr("Key"): 29,
         tr("Value"): 20,
         tr("Wire"): 6,
-        name_of(tr("Defa&ult")): 16,
+        title_of(tr("Defa&ult")): 16,
     }
     rows = []
     specs = sorted(settings.specs.readable, key=lambda spec: spec.group)
@@ -117,7 +117,7 @@ def _calibrations(settings: Settings) -> str:
         tr("Minimum"): 16,
         tr("Neutral"): 16,
         tr("Maximum"): 16,
-        name_of(tr("&Deadband")): 16,
+        title_of(tr("&Deadband")): 16,
     }
     return _table(titles, rows) if rows else f"<p>{escape(tr('None are given.'))}</p>"
 

@@ -9,7 +9,6 @@ from PySide6.QtWidgets import QDialog, QMainWindow, QPlainTextEdit, QTabWidget, 
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import load, save
-from trex_gui.core.texts import name_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.linter import SettingsLinter

@@ -38,7 +38,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.core.texts import name_of
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.parameters.parameters import Index, ParameterModel, Role
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn
@@ -330,7 +330,7 @@ class ParameterView(QTableView):
         self._edit = self._action("editParameter", self._begin_edit, tr("Edit"))
         text = tr("Try another &wire value…")
         self._try = self._action("tryParameter", lambda _key: self.wire_wanted.emit(), text)
-        keys, leave_out = "Ctrl+Backspace", name_of(tr("Leave out of the fi&le"))
+        keys, leave_out = "Ctrl+Backspace", title_of(tr("Leave out of the fi&le"))
         self._reset = self._action("resetParameter", model.reset, icon="default", shortcut=keys)
         self._restore = self._action(
             "restoreParameter", model.restore, tr("Und&o edit"), icon="undo"
