@@ -33,6 +33,7 @@ from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode, Status, UartError
+from trex_gui.devices.trex.protocol.line_settings import Detection
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,
@@ -312,6 +313,25 @@ def test_bits_after_a_corrupted_reply_are_doubtful_without_a_crc(watched: Watche
 
 
 # --- The line ---------------------------------------------------------------------------
+
+
+def test_current_that_no_sample_confirms_is_dropped_on_a_failing_line(watched: Watched) -> None:
+    def currents(*counts: tuple[int, int], **failed: int) -> list[tuple[int, int]]:
+        samples = (Currents(float(time), pair) for time, pair in enumerate(counts))
+        found = watched.sample(*samples, **failed)
+        return [event.counts for event in found if isinstance(event, Currents)]
+
+    peak = [(9, 9), (200, 9), (9, 9)]
+    watched.read(state())
+    assert currents(*peak) == peak
+    assert currents(*peak, missing=1) == [(9, 9), (9, 9)]
+    rise = [(9, 9), (20, 9), (60, 40), (61, 41)]
+    assert currents(*rise, missing=1) == rise
+    assert currents((9, 9), missing=1) == []
+    assert currents((8, 10), missing=1) == [(9, 9), (8, 10)]
+    secured = replace(LINE, line=replace(LINE.line, detection=Detection.CRC7))
+    watched.read(state(), line=secured)
+    assert currents(*peak, missing=2) == peak
 
 
 def test_noisy_line_is_an_event_at_its_beginning_and_its_end(watched: Watched) -> None:

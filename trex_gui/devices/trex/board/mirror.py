@@ -1,6 +1,6 @@
 """What is known of a board, from the reports of its session: no Qt, no threads, no I/O."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from functools import reduce
@@ -12,7 +12,7 @@ from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.board.errors import ErrorCounts
 from trex_gui.devices.trex.board.events import StatusEvents, read_event
 from trex_gui.devices.trex.board.memory import BoardMemory
-from trex_gui.devices.trex.board.quality import ConnectionQuality
+from trex_gui.devices.trex.board.quality import ConnectionQuality, SpikeFilter
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.reading import DeviceState, may_be_same_board
@@ -159,6 +159,7 @@ class BoardMirror:
         self.last: DeviceState | None = None  # what was read last, also after the line was closed
         self._safe_start = SafeStart()
         self._events = StatusEvents()
+        self._currents = SpikeFilter()
         self._joint: dict[str, bool] = {}  # of boards on the line that are not selected
         self._was_read = False  # since the line was opened
 
@@ -332,6 +333,7 @@ class BoardMirror:
         self.restarts += occasion is ReadReason.RESTARTED
         if opened or occasion is ReadReason.SELECTED:
             self.newest.samples.clear()
+            self._currents = SpikeFilter()
         self.newest.take(Control(now, state.serial_controls))
         yield BoardRead(report, is_changed, is_other, is_new)
         if (event := read_event(report, now)) is not None:
@@ -356,16 +358,21 @@ class BoardMirror:
         self.counters = batch.counters
         has_failed = self.quality.has_failed_lately(now, batch.counters)
         has_crc = self.settings is not None and self.settings.line.has_crc
+        is_doubtful = has_failed and not has_crc
         for sample in batch.samples:
             if isinstance(sample, LatchedStatus):
                 yield from self._events.of(sample, self.errors.entries)
-                self.errors.take(sample, now, utc, is_doubtful=has_failed and not has_crc)
+                self.errors.take(sample, now, utc, is_doubtful=is_doubtful)
                 if reason := self._why_stopped(sample):
                     yield MotorsShutDown(reason)
         yield from self._judge(batch)
         for sample in batch.samples:
-            self.newest.take(sample)
-            yield sample
+            passed: Sequence[Sample] = (sample,)
+            if isinstance(sample, Currents):
+                passed = self._currents.passed(sample, is_doubtful=is_doubtful)
+            for one in passed:
+                self.newest.take(one)
+                yield one
         if self.state is not None and not self.state.mode.is_serial:
             self._safe_start.take(self.state, self.newest, self.inputs(now), joint=self.is_joint)
 
@@ -400,7 +407,7 @@ class BoardMirror:
 
     def _forget(self) -> Iterator[BoardEvent]:
         self.newest.samples.clear()
-        self._safe_start = SafeStart()
+        self._safe_start, self._currents = SafeStart(), SpikeFilter()
         if self.quality.reset():
             yield LineJudged()
 

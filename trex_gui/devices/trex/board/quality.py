@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.client.client import Counters
+from trex_gui.devices.trex.client.telemetry import Currents
+from trex_gui.devices.trex.driving.board_reasons import NOISE_COUNTS
 
 _WINDOW = 10.0  # seconds that count, on the session's clock
 _FEWEST = 500
@@ -26,7 +28,7 @@ _STRAY_BYTES = 10  # bytes that belong to no reply and count as one failure: the
 
 
 _NOISE_LASTS = 5.0
-"""Seconds after a failed transaction in which a status without CRC may be corrupted as well."""
+"""Seconds after a failed transaction in which other replies without CRC may be corrupted, too."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,6 +92,32 @@ class ConnectionQuality:
             self._failed_at = time
         self._failures = failures
         return time - self._failed_at < _NOISE_LASTS
+
+
+class SpikeFilter:
+    """Drops currents that no sample beside them confirms, which corrupted replies make."""
+
+    def __init__(self) -> None:
+        self._last: Currents | None = None
+        self._held: Currents | None = None  # waits for the next sample
+
+    def passed(self, sample: Currents, *, is_doubtful: bool) -> list[Currents]:
+        """Return the samples to be shown now: a doubtful jump is held until the next sample."""
+        last, held = self._last, self._held
+        confirmed = [held] if held and last and _is_between(held, last, sample) else []
+        last = held if confirmed else last
+        if is_doubtful and last is not None and not _is_between(sample, last, last):
+            self._last, self._held = last, sample
+            return confirmed
+        self._last, self._held = sample, None
+        return [*confirmed, sample]
+
+
+def _is_between(sample: Currents, first: Currents, second: Currents) -> bool:
+    return all(
+        min(ends) - NOISE_COUNTS <= count <= max(ends) + NOISE_COUNTS
+        for count, *ends in zip(sample.counts, first.counts, second.counts, strict=True)
+    )
 
 
 def quality_text(quality: ConnectionQuality) -> str:
