@@ -9,6 +9,7 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.plotting.export import ExportButton
+from trex_gui.ui.plotting.plot import TracePlot
 
 
 def test_errors_are_shown_until_they_are_cleared_and_reset(
@@ -87,6 +88,17 @@ def test_card_leads_to_more_about_the_problem(
     page.click("FRAMINGShow")
     assert window.find(QTabWidget, "diagnosticsTabs").currentIndex() == 2
     assert window.find(QPlainTextEdit, "transcriptDetails").toPlainText(), "a row is selected"
+
+    page = window.open_page("errorsPage")
+    quick_simulator.do("fault 2 on")
+    page.wait(lambda: window.has("MOTOR2_FAULTShow"))
+    began = window.device.events.all[-1].time
+    quick_simulator.do("fault 2 off")
+    page.wait(lambda: window.device.telemetry.latest > began + 40, timeout=60_000)
+    page.click("MOTOR2_FAULTShow")
+    plot = window.find_only(TracePlot)
+    assert plot.cursor_time == began
+    assert plot.span.start < began < plot.span.end
 
 
 def test_log_keeps_what_happened_over_disconnects(

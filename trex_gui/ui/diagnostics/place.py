@@ -11,6 +11,7 @@ from trex_gui.ui.diagnostics.log_page import LogPage
 from trex_gui.ui.diagnostics.problems import Problem, ProblemsPage
 from trex_gui.ui.frame.places import Place
 from trex_gui.ui.frame.workspace import PageInfo, Workspace
+from trex_gui.ui.plotting.page import PlotPage
 from trex_gui.ui.theme.theme import follow_theme, set_look
 from trex_gui.ui.traffic.page import TrafficPage
 from trex_gui.ui.widgets import builders as ui
@@ -111,9 +112,12 @@ class Diagnostics(Place):
 
     @Slot(object)
     def _show_more(self, problem: Problem) -> None:
-        self._workspace.show_page(problem.page)
-        if isinstance(self._view, TrafficPage):
-            self._view.show_moment(problem.seen_at, problem.name)
+        workspace = self._workspace
+        workspace.show_page(problem.page)
+        box = workspace.page_at(workspace.current)
+        page = box.widget() if isinstance(box, ScrollBox) else None
+        if isinstance(page, TrafficPage | PlotPage):
+            page.show_moment(problem.seen_at, problem.name)
 
     @Slot()
     def _copy(self) -> None:

@@ -24,6 +24,9 @@ class PlotPage(QWidget):
     def add_plot(self) -> None:
         raise NotImplementedError
 
+    def show_moment(self, time: float, text: str) -> None:
+        """Show the event that says `text`, or a time, where the plot is one over time."""
+
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self.need_plot()

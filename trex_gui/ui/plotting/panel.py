@@ -3,6 +3,8 @@
 Importing it loads pyqtgraph: do so when a plot is to be shown.
 """
 
+import math
+
 from PySide6.QtCore import QPoint, Qt, Slot
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QSplitter, QWidget
@@ -231,7 +233,7 @@ class TracePanel(QWidget):
     def _on_hold_toggled(self, hold: bool) -> None:
         span = self.plot.source.span if self.plot.source is not None else None
         # From the newest sample on, not from the beginning of the history.
-        self.plot.peaks_since = (span[1] if span is not None else float("-inf")) if hold else None
+        self.plot.peaks_since = (span[1] if span is not None else -math.inf) if hold else None
         self.refresh()
 
     @Slot()
@@ -243,9 +245,24 @@ class TracePanel(QWidget):
         self._window.setCurrentIndex(self._window.findData(span.length))
         self._window.setPlaceholderText(duration_text(span.length))
 
+    def show_moment(self, time: float, text: str) -> None:
+        """Show the last event up to a time that says `text`; without one, the time."""
+        self.refresh()
+        source = self.plot.source
+        events = [] if source is None else source.events_between(-math.inf, time)
+        for event in reversed(events):
+            if event.text == text:
+                self._list.choose(event)
+                self._on_event_chosen(event)
+                return
+        self._show_time(time)
+
     @Slot(object)
     def _on_event_chosen(self, event: Event) -> None:
-        """Show an event in the middle, at the present zoom."""
+        self._show_time(event.time)
+
+    def _show_time(self, time: float) -> None:
+        """Show a time in the middle, at the present zoom."""
         half = self.plot.span.length / 2
-        self.plot.show_span(event.time - half, event.time + half)
-        self.plot.set_cursor(event.time)
+        self.plot.show_span(time - half, time + half)
+        self.plot.set_cursor(time)

@@ -19,4 +19,9 @@ class CurrentsPage(PlotPage):
             CurrentsPanel,
         )
 
-        column(CurrentsPanel(self._device, self), into=self, margins=PAGE_MARGINS)
+        panel = CurrentsPanel(self._device, self)
+        self._show_moment = panel.show_moment
+        column(panel, into=self, margins=PAGE_MARGINS)
+
+    def show_moment(self, time: float, text: str) -> None:
+        self._show_moment(time, text)
