@@ -1321,6 +1321,18 @@
         <translation>Minimum</translation></message>
     <message><source>Maximum</source>
         <translation>Maximum</translation></message>
+    <message><source>Neutral ({1}) is beyond the input: {3}. No stick position gives 0.</source>
+        <translation>Die Neutralstellung ({1}) liegt außerhalb des Eingangsbereichs: {3}. Keine Knüppelstellung ergibt 0.</translation></message>
+    <message><source>a pulse is {0} to {1}</source>
+        <translation>ein Impuls dauert {0} bis {1}</translation></message>
+    <message><source>a voltage is {0} to {1}</source>
+        <translation>eine Spannung beträgt {0} bis {1}</translation></message>
+    <message><source>The deadband ({0} to each side of neutral) reaches minimum and maximum: there is nothing between 0 and full output.</source>
+        <translation>Der Totbereich ({0} auf jeder Seite der Neutralstellung) reicht bis zum Minimum und zum Maximum: Zwischen 0 und vollem Ausgang liegt nichts.</translation></message>
+    <message><source>no signal</source>
+        <translation>kein Signal</translation></message>
+    <message><source>{0}, output {1}</source>
+        <translation>{0}, Ausgang {1}</translation></message>
     <message><source>is ignored: it is held off, whatever its input is</source>
         <translation>wird ignoriert: er bleibt aus, was auch immer am Eingang anliegt</translation></message>
     <message><source>Does not drive now: serial commands override it. Otherwise it {1}.</source>
@@ -2019,6 +2031,8 @@
         <translation>kein TReX</translation></message>
     <message><source>no signal</source>
         <translation>kein Signal</translation></message>
+    <message><source>Serial commands control the motors (serial mode).</source>
+        <translation>Serielle Befehle steuern die Motoren (serieller Modus).</translation></message>
     <message><source>Serial commands control the motors: channel 5 overrides the other inputs.</source>
         <translation>Serielle Befehle steuern die Motoren: Kanal 5 hat Vorrang vor den anderen Eingängen.</translation></message>
     <message><source>motor {0}: {1:.2f} A</source>
@@ -3603,8 +3617,6 @@ bisher {1}</translation></message>
         <translation>Verbinden Sie ein Board, um seine Kalibrierungen zu sehen und zu ändern.</translation></message>
     <message><source>Inputs are read as {0}. Serial commands override them now.</source>
         <translation>Die Eingänge werden als {0} gelesen. Jetzt haben serielle Befehle Vorrang.</translation></message>
-    <message><source>input now {0} ({1}), output {2}</source>
-        <translation>Eingang jetzt {0} ({1}), Ausgang {2}</translation></message>
     <message><source>Discard edits of channel {0}</source>
         <translation>Änderungen an Kanal {0} verwerfen</translation></message>
     <message><source>learned</source>
@@ -3617,8 +3629,6 @@ bisher {1}</translation></message>
         <translation>Problem</translation></message>
     <message><source>{0:.0f} to {1:.0f} counts</source>
         <translation>{0:.0f} bis {1:.0f} Counts</translation></message>
-    <message><source>{0}, remapped {1}</source>
-        <translation>{0}, umgerechnet {1}</translation></message>
     <message><source>Connect to a board to see its motor currents.</source>
         <translation>Verbinden Sie ein Board, um seine Motorströme zu sehen.</translation></message>
     <message><source>Motor currents</source>
@@ -3961,6 +3971,8 @@ bisher {1}</translation></message>
         <translation>{0}; serielle Befehle erreichen die Motoren.</translation></message>
     <message><source>{0}, setpoint {1}</source>
         <translation>{0}, Sollwert {1}</translation></message>
+    <message><source>{0}, remapped {1}</source>
+        <translation>{0}, umgerechnet {1}</translation></message>
     <message><source>brake {0}</source>
         <translation>Bremse {0}</translation></message>
     <message><source>Switch the board off for at least one second. Waiting for the board to stop responding …</source>

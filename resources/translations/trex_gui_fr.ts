@@ -1321,6 +1321,18 @@
         <translation>Minimum</translation></message>
     <message><source>Maximum</source>
         <translation>Maximum</translation></message>
+    <message><source>Neutral ({1}) is beyond the input: {3}. No stick position gives 0.</source>
+        <translation>Le neutre ({1}) est hors de la plage de l'entrée : {3}. Aucune position du manche ne donne 0.</translation></message>
+    <message><source>a pulse is {0} to {1}</source>
+        <translation>une impulsion dure de {0} à {1}</translation></message>
+    <message><source>a voltage is {0} to {1}</source>
+        <translation>une tension va de {0} à {1}</translation></message>
+    <message><source>The deadband ({0} to each side of neutral) reaches minimum and maximum: there is nothing between 0 and full output.</source>
+        <translation>La zone morte ({0} de chaque côté du neutre) atteint le minimum et le maximum : il n'y a rien entre 0 et la sortie maximale.</translation></message>
+    <message><source>no signal</source>
+        <translation>pas de signal</translation></message>
+    <message><source>{0}, output {1}</source>
+        <translation>{0}, sortie {1}</translation></message>
     <message><source>is ignored: it is held off, whatever its input is</source>
         <translation>est ignorée : elle est maintenue inactive, quelle que soit son entrée</translation></message>
     <message><source>Does not drive now: serial commands override it. Otherwise it {1}.</source>
@@ -2019,6 +2031,8 @@
         <translation>aucun TReX</translation></message>
     <message><source>no signal</source>
         <translation>pas de signal</translation></message>
+    <message><source>Serial commands control the motors (serial mode).</source>
+        <translation>Les commandes série commandent les moteurs (mode série).</translation></message>
     <message><source>Serial commands control the motors: channel 5 overrides the other inputs.</source>
         <translation>Les commandes série commandent les moteurs : la voie 5 leur donne la priorité sur les autres entrées.</translation></message>
     <message><source>motor {0}: {1:.2f} A</source>
@@ -3603,8 +3617,6 @@ avant {1}</translation></message>
         <translation>Connectez une carte pour voir et modifier ses étalonnages.</translation></message>
     <message><source>Inputs are read as {0}. Serial commands override them now.</source>
         <translation>Les entrées sont lues comme {0}. Les commandes série ont maintenant priorité.</translation></message>
-    <message><source>input now {0} ({1}), output {2}</source>
-        <translation>entrée actuelle {0} ({1}), sortie {2}</translation></message>
     <message><source>Discard edits of channel {0}</source>
         <translation>Abandonner les modifications de la voie {0}</translation></message>
     <message><source>learned</source>
@@ -3617,8 +3629,6 @@ avant {1}</translation></message>
         <translation>problème</translation></message>
     <message><source>{0:.0f} to {1:.0f} counts</source>
         <translation>{0:.0f} à {1:.0f} counts</translation></message>
-    <message><source>{0}, remapped {1}</source>
-        <translation>{0}, converti : {1}</translation></message>
     <message><source>Connect to a board to see its motor currents.</source>
         <translation>Connectez une carte pour voir les courants de ses moteurs.</translation></message>
     <message><source>Motor currents</source>
@@ -3961,6 +3971,8 @@ avant {1}</translation></message>
         <translation>{0} ; les commandes série atteignent les moteurs.</translation></message>
     <message><source>{0}, setpoint {1}</source>
         <translation>{0}, consigne : {1}</translation></message>
+    <message><source>{0}, remapped {1}</source>
+        <translation>{0}, converti : {1}</translation></message>
     <message><source>brake {0}</source>
         <translation>freinage {0}</translation></message>
     <message><source>Switch the board off for at least one second. Waiting for the board to stop responding …</source>

@@ -74,7 +74,7 @@ def test_title_and_pages_show_board_data_until_disconnect(
     simulator.do("channel 1 1800us")
     channels.wait(lambda: input_of(channels, 1).startswith("1800 µs (4500)"))
     remapped = simulator.show()["channels"][0]["remapped"]
-    channels.wait(lambda: f"remapped +{remapped}" in input_of(channels, 1))
+    channels.wait(lambda: f"output +{remapped}" in input_of(channels, 1))
     simulator.do("channel 2 invalid")
     channels.wait(lambda: input_of(channels, 2).startswith("no signal"))
 

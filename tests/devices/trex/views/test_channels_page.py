@@ -127,11 +127,14 @@ def test_disconnected_page_is_read_only(page: ChannelsDriver) -> None:
 
 def test_live_dot_follows_the_stick(page: ChannelsDriver, quick_simulator: SimulatedDevice) -> None:
     quick_simulator.do("channel 1 1800us")
-    page.wait(lambda: "1800 µs (4500 counts)" in page.live)
+    page.wait(lambda: "1800 µs (4500)" in page.live)
     remapped = ChannelSetup((FACTORY,) * 5).remapped([4500] * 5)[0]
     assert page.plot.dot == (4500, remapped)
     assert f"output {signed_text(remapped)}" in page.live
-    assert "1800 µs" in page.input(1)
+    assert page.input(1).startswith(page.live)
+    quick_simulator.do("channel 4 1000us")  # flip: what a motor does with it is no output of it
+    page.wait(lambda: "1000 µs" in page.input(4))
+    assert page.input(1).startswith(page.live)
     page.click("parabolicBox")
     gentle = ChannelSetup((FACTORY,) * 5, parabolic=1).remapped([4500] * 5)[0]
     assert page.plot.dot == (4500, gentle)

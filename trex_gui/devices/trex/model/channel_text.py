@@ -1,6 +1,7 @@
 """Sentences about one channel: what it does, and why its calibration may not work."""
 
 from trex_gui.core.errors import StudioError
+from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import Number, tr, tr_noop, with_decimal_point
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.protocol.calibration import Calibration
@@ -48,6 +49,14 @@ def input_text(source: InputSource, count: int) -> str:
     """Return a raw count with its physical value, in the user's order: `1500 µs (3750)`."""
     first, second = units().ordered(source.text(count), str(count))
     return f"{first} ({second})"
+
+
+def live_text(source: InputSource, count: int | None, curve: ChannelCurve | None) -> str:
+    """Return a raw count and what its channel makes of it, before mixing and flip."""
+    if count is None or curve is None:
+        return tr("no signal") if count is None else input_text(source, count)
+    output = signed_text(curve.output(count))
+    return tr("{0}, output {1}").format(input_text(source, count), output)
 
 
 def function_text(

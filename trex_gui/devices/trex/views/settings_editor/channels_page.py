@@ -64,7 +64,7 @@ class DocumentChannels(PlotPage):
             shown = calibrations.shown(key)
             problem = "" if shown is None else concern(shown, self._source)
             edited = shown != calibrations.stored(key) or options.is_edited(channel)
-            strip.set_scale(self._source, shown)
+            strip.set_curve(self._source, options.curve(channel, shown))
             strip.show_mark("warning" if problem else "edited" if edited else "", problem)
         key, shown = self._key, calibrations.shown(self._key)
         after = options.curve(self._strips.channel, shown)

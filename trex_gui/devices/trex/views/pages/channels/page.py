@@ -4,7 +4,6 @@ from PySide6.QtCore import Signal, Slot
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.model import channel_text
@@ -217,7 +216,7 @@ class ChannelsPage(PlotPage):
         calibrations = self._device.calibrations
         for channel, strip in self._strips.of.items():
             shown = calibrations.shown(channel)
-            strip.set_scale(calibrations.source, shown)
+            strip.set_curve(calibrations.source, self._options.curve(channel, shown))
             problem = self._failure(channel)
             if shown is not None and not problem:
                 problem = channel_text.concern(shown, calibrations.source)
@@ -275,14 +274,8 @@ class ChannelsPage(PlotPage):
     def _live_text(self, raw: int | None) -> str:
         if self._device.telemetry.raw is None or not self._is_active:
             return ""
-        if raw is None:
-            return tr("no signal")
         curve = self._card.plot.curve if self._card.plot is not None else None
-        output = curve.output(raw) if curve is not None else 0
-        counts = tr("%n count(s)", "", raw)
-        return tr("input now {0} ({1}), output {2}").format(
-            *units().ordered(self.source.text(raw), counts), signed_text(output)
-        )
+        return channel_text.live_text(self.source, raw, curve)
 
     # --- Edits --------------------------------------------------------------------------
 

@@ -20,7 +20,8 @@ from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
 
 from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.model.channel_text import CHANNEL_NAMES, input_text
+from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
+from trex_gui.devices.trex.model.channel_text import CHANNEL_NAMES, live_text
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
@@ -60,6 +61,7 @@ class ChannelStrip(QAbstractButton, Spoken):
         self.setCheckable(True)
         self.setAutoExclusive(True)  # arrow keys go from one to the next
         self._axis = USUAL_AXIS[InputSource.RC]
+        self._curve: ChannelCurve | None = None
         self._calibration: Calibration | None = None
         self._count: int | None = None
         self._value = self._output = self._spoken = self._mark = ""
@@ -68,13 +70,22 @@ class ChannelStrip(QAbstractButton, Spoken):
         self.lines: list[QPolygonF] = []  # of points (time, count); gaps are between them
         theme().changed.connect(self.update)
 
-    def set_scale(self, source: InputSource, calibration: Calibration | None) -> None:
+    def set_curve(self, source: InputSource, curve: ChannelCurve | None) -> None:
         """Set whose minimum, neutral and maximum are marked. The scale contains them."""
-        self._calibration = calibration
-        self._axis = input_axis(source, calibration)
+        self._curve, self._calibration = curve, curve.calibration if curve else None
+        self._axis = input_axis(source, self._calibration)
         self.update()
 
-    def show_value(self, value: str, output: str, spoken: str) -> None:
+    def show_value(self, source: InputSource, raw: int | None) -> None:
+        """Show an input as a value, and what its curve makes of it."""
+        output = "" if raw is None or self._curve is None else signed_text(self._curve.output(raw))
+        value = "" if raw is None else units().ordered(source.text(raw), str(raw))[0]
+        self._show_texts(value or tr("no signal"), output, live_text(source, raw, self._curve))
+
+    def show_unknown(self) -> None:
+        self._show_texts(tr("N/A"), "", tr("N/A"))
+
+    def _show_texts(self, value: str, output: str, spoken: str) -> None:
         if (value, output, spoken) != (self._value, self._output, self._spoken):
             self._value, self._output, self._spoken = value, output, spoken
             self.update(0, 0, self.width(), self._bar_top())
@@ -193,7 +204,7 @@ class ChannelStrip(QAbstractButton, Spoken):
         pen.setCosmetic(True)
         painter.setPen(pen)
         base = painter.worldTransform()
-        for shift in (0, 0.5):  # twice a pen of one pixel, which is faster than one of 1.5
+        for shift in (0, 1):  # twice a pen of one pixel, which is faster than one of two
             painter.setWorldTransform(base * QTransform.fromTranslate(0, shift))
             for _ in strokes(painter):
                 for line in self.lines:
@@ -265,14 +276,7 @@ class ChannelStrips(QWidget):
         if telemetry.raw is None and self._drawn_until > -math.inf:
             self._clear()
         for channel, strip in self.of.items():
-            raw, remapped = telemetry.raw_of(channel), telemetry.remapped_of(channel)
-            value = spoken = tr("N/A") if telemetry.raw is None else tr("no signal")
-            output = ""
-            if raw is not None:
-                value = units().ordered(source.text(raw), str(raw))[0]
-                spoken = input_text(source, raw)
-                # Without a signal the board reports 0, which is no measurement.
-                output = "" if remapped is None else signed_text(remapped)
-            if output:
-                spoken = tr("{0}, remapped {1}").format(spoken, output)
-            strip.show_value(value, output, spoken)
+            if telemetry.raw is None:
+                strip.show_unknown()
+            else:
+                strip.show_value(source, telemetry.raw_of(channel))
