@@ -106,12 +106,15 @@ class ValueAxis:
         margin = (high - low) * 0.012
         return low - margin, high + margin
 
-    def labels(self) -> Labels:
-        """Label round values. The highest has the unit."""
+    def labels(self, most: int) -> Labels:
+        """Label at most so many round values, and six; at least the ends. The last has the unit."""
+        low, high = self.ends
+        if most < 5 and (most < 2 or self._is_fixed):
+            return value_labels([low, high], self.unit)
         if self._is_fixed:
             return count_labels()
-        low, high = self.ends
-        return value_labels(ticks(low, high, round_up((high - low) / 5.5)), self.unit)
+        step = round_up((high - low) / (min(most, 6) - 0.5))
+        return value_labels(ticks(low, high, step), self.unit)
 
     def onto(self, other: "ValueAxis", value: float) -> float:
         """Return the value of another axis of the same height beside a value of this one."""

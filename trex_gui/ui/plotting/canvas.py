@@ -274,6 +274,10 @@ class PlotCanvas(QWidget):
         frame, (low, high) = self.frame, self._x_range
         return low + (pixel - frame.left()) / max(frame.width(), 1.0) * (high - low)
 
+    def labels_in_height(self) -> int:
+        """Return the labels of the y axis that have space."""
+        return int(self.frame.height() / (1.4 * QFontMetrics(self.small_font()).height()))
+
     def small_font(self) -> QFont:
         return scaled_font(self.font(), 0.9)
 

@@ -227,8 +227,9 @@ class TracePlot(Painted):
 
     def _show_axes(self, *, has_right: bool) -> None:
         span, origin, left, right = self.span, self.origin or 0.0, self._left, self._right
+        most = self._canvas.labels_in_height()
         axes = (
-            *(span.live, span.length, left.reach, has_right, right.reach),
+            *(span.live, span.length, left.reach, has_right, right.reach, most),
             None if span.live else (span.start, origin),
         )
         if axes == self._drawn_axes:
@@ -237,9 +238,9 @@ class TracePlot(Painted):
         since = since_labels(span.start - origin, span.end - origin)
         x_labels = ago_labels(span.length) if span.live else since
         # First the axis that takes room from the plot.
-        labels = right.labels() if has_right else []
+        labels = right.labels(most) if has_right else []
         self._canvas.set_right_axis([(right.onto(left, value), text) for value, text in labels])
-        self._canvas.set_axes((-span.length, 0.0), left.reach, x_labels, left.labels())
+        self._canvas.set_axes((-span.length, 0.0), left.reach, x_labels, left.labels(most))
 
     def _draw_curves(self, source: Traces, lines: dict[str, Points]) -> dict[str, float]:
         """Draw the curves, and return the pixel from the top at which each ends."""

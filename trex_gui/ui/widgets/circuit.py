@@ -125,14 +125,14 @@ def write_lines(painter: QPainter, place: QRectF, lines: Sequence[str], *, alarm
         is_alarm = bool(alarm) and number == len(lines) - 1
         font = _font(painter.font(), bold=not number or is_alarm)
         color = alarm if is_alarm else "muted" if number else "window_text"
-        room = QRect(0, 0, round(place.width()), _HIGHEST)
+        room = QRect(0, 0, int(place.width()), _HIGHEST)
         rows.append((text, font, color, QFontMetrics(font).boundingRect(room, wrap, text).height()))
     top = place.center().y() - sum(height for *_, height in rows) / 2
     painter.save()
     for text, font, color, height in rows:
         painter.setFont(font)
         painter.setPen(theme().color(color))
-        painter.drawText(QRectF(place.left(), top, place.width(), height), wrap, text)
+        painter.drawText(QRectF(place.left(), top, int(place.width()), height), wrap, text)
         top += height
     painter.restore()
 

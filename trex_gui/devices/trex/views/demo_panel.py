@@ -32,7 +32,7 @@ from trex_gui.ui.devices.demo_panel import Columns, DemoDock, DemoPanelBody, Row
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.circuit import paint_block, paint_body
+from trex_gui.ui.widgets.circuit import paint_block, paint_body, text_width
 from trex_gui.ui.widgets.labels import LiveLabel
 from trex_gui.ui.widgets.leds import Leds
 from trex_gui.ui.widgets.painted import Painter, never_mirror, wants_motion
@@ -272,7 +272,8 @@ class Drawing(BoardRows):
             jumper.setMinimumHeight(2 * line)
         for motor in self._motors.values():
             motor.setMinimumSize(8 * line, round(4.6 * line))
-        self._body.setMinimumWidth(round(7.7 * line))
+        words = f"{tr('Mode: off')} {tr('Mix: off')} {tr('SO–G: off')}".split(" ")
+        self._body.setMinimumWidth(round(3.7 * line) + 20 + text_width(self.font(), *words))
         self._body.setContentsMargins(8, round(2.3 * line), 4, round(1.4 * line))
 
     def _part(
@@ -419,8 +420,10 @@ class Drawing(BoardRows):
             turns = {"forward": 1, "reverse": -1}.get(motor.direction, 0)
             made.speed = 0 if motor.fault else turns * motor.speed
             current = f"{Number(motor.current):.1f}\u00a0A"
-            fault, alarm = (tr("Fault"), "danger") if motor.fault else (tr("no fault"), "")
-            made.show_lines(name, motor_text(motor), current, fault, alarm=alarm)
+            fault = (tr("Fault"),) if motor.fault else ()
+            made.show_lines(
+                name, motor_text(motor), current, *fault, alarm="danger" if fault else ""
+            )
 
         self.on_snapshot(update)
         return made

@@ -94,7 +94,7 @@ class ChannelPart(BoardPart):
     @property
     def height_of_bar(self) -> int:
         """Return where the middle of the bar is."""
-        return self.fontMetrics().height() + 11
+        return round(1.7 * self.fontMetrics().height())
 
     def show_input(
         self, axis: tuple[int, int], count: int | None, calibration: Calibration | None
@@ -110,7 +110,8 @@ class ChannelPart(BoardPart):
         write(painter, line, title, "window_text", bold=True)
         write(painter, line.adjusted(beside, 0, -taken, 0), role, "muted")
         write(painter, line, value, "window_text", bold=True, align=Qt.AlignmentFlag.AlignRight)
-        track = QRectF(room.left(), self.height_of_bar - 5, room.width(), 10)
+        high = 0.6 * line.height()
+        track = QRectF(room.left(), self.height_of_bar - high / 2, room.width(), high)
         paint_input(painter, track, self._axis, self._count, self._calibration)
 
 
@@ -147,7 +148,8 @@ class JumperPart(BoardPart):
         self.show_lines(*lines)
 
     def paint(self, painter: QPainter) -> None:
-        width, height = jumper_size(self.fontMetrics().height())
+        line = self.fontMetrics().height()
+        width, height = jumper_size(max(0.7 * line, min(1.3 * line, self.width() / 12)))
         paint_jumper(painter, QRectF(4, (self.height() - height) / 2, width, height), self.is_on)
         self.write_beside(painter, width + 14)
 
@@ -164,8 +166,10 @@ class MotorPart(BoardPart):
             self.update(0, 0, self._wheel().toRect().right() + 12, self.height())
 
     def _wheel(self) -> QRectF:
-        side = min(self.height() - 22.0, WHEEL * self.fontMetrics().height())
-        return QRectF(10, (self.height() - side) / 2 + 5, side, side)
+        line = self.fontMetrics().height()
+        wanted = min(max(WHEEL * line, 0.6 * self.height()), 7 * line, 0.38 * self.width())
+        side = min(self.height() - 22.0, wanted)
+        return QRectF(10, (self.height() - side) / 2, side, side)
 
     def paint(self, painter: QPainter) -> None:
         wheel = self._wheel()

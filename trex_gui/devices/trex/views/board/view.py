@@ -55,8 +55,10 @@ _SOURCES = {
 }
 
 _WIRE = 1.4  # lines of text from the body to what is beside it
-_LOWEST, _HIGHEST = 21, 26  # lines
-_LARGEST = 1.5  # times the size of the font, where there is room
+_LOWEST, _HIGHEST = 20, 26  # lines: the least height, and the one of the size hint
+_SERIAL = 3.4  # lines: height of the serial line, 0.8 of it on the body
+_LARGEST = 1.5  # times the size of the font, where there is room for no more than the next
+_PLENTY = 30  # lines
 
 
 class BoardView(QWidget):
@@ -131,7 +133,8 @@ class BoardView(QWidget):
     def _place(self) -> None:
         self.updateGeometry()
         least, base, width = self.minimumSizeHint(), self.fontMetrics().height(), self.width()
-        larger = min(width / least.width(), self.height() / least.height(), _LARGEST)
+        most = max(_LARGEST, self.height() / base / _PLENTY)
+        larger = min(width / least.width(), self.height() / least.height(), most)
         line = round(base * max(1.0, larger))
         for part in self.findChildren(BoardPart):
             part.setFont(scaled_font(self.font(), line / base))
@@ -140,31 +143,28 @@ class BoardView(QWidget):
         wire = round(min(5.0, _WIRE + extra / 8) * line)
         left = max(0, (width - sum(columns) - 2 * wire) // 2)
         channels, body, motors = columns
-        height = min(self.height(), _HIGHEST * line)
-        top = (self.height() - height) // 2
-        serial = 4 * line
-        body_height = height - serial + line
-        self._body = QRect(left + channels + wire, top, body, body_height)
-        beside = QRect(left, top, channels, body_height - 8)  # its blocks are between the holes
-        self._place_column(self._channels, beside, 2 * line + 14)
+        body_height = self.height() - round((_SERIAL - 0.8) * line)
+        self._body = QRect(left + channels + wire, 1, body, body_height)
+        beside = QRect(left, 1, channels, body_height - 8)  # its blocks are between the holes
+        self._place_column(self._channels, beside, round(2.8 * line))
         right = self._body.right() + wire
         self._place_column(
-            self._motors, QRect(right, top, motors, body_height), round(body_height / 3) - 4
+            self._motors, QRect(right, 1, motors, body_height), round(body_height / 3) - 4
         )
         inside = self._body.adjusted(line, 0, -line, 0)
-        at = top + round(3.2 * line)
+        at = round(3.2 * line)
         half = inside.width() // 2
         for number, led in enumerate(self._leds):
             led.setGeometry(inside.left() + number * half, at, half, round(2.4 * line))
         room = (self._body.bottom() - line - at - 2 * line) // 3
         for number, jumper in enumerate((self._mode, self._mix, self._so_ground)):
             place = QRect(inside.left(), at + round(2.4 * line) + number * room, inside.width(), 0)
-            place.setHeight(min(room, 4 * line))
+            place.setHeight(min(room, round(4.5 * line)))
             jumper.setGeometry(place)
         bottom = self._body.bottom() - round(0.8 * line)
         self._serial.body_width = self._body.width()
         width = left + sum(columns) + 2 * wire - self._body.left()
-        self._serial.setGeometry(self._body.left(), bottom, width, serial)
+        self._serial.setGeometry(self._body.left(), bottom, width, self.height() - bottom)
 
     def _place_column(self, parts: Mapping[int, BoardPart], room: QRect, height: int) -> None:
         step = room.height() / len(parts)
@@ -174,7 +174,7 @@ class BoardView(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
-        body = QRectF(self._body)
+        body, line = QRectF(self._body), self._serial.fontMetrics().height()
         with Painter(self) as painter:
             painter.setPen(QPen(theme().color("board_edge"), 5))
             for part in self._channels.values():
@@ -187,10 +187,10 @@ class BoardView(QWidget):
             paint_body(painter, body, self._name())
             for part in self._channels.values():
                 y = part.y() + part.height_of_bar
-                paint_block(painter, QRectF(body.left() - 6, y - 9, 12, 18))
+                paint_block(painter, QRectF(body.left() - 6, y - line / 2, 12, line))
             for motor in self._motors.values():
                 y = motor.geometry().center().y()
-                paint_block(painter, QRectF(body.right() - 14, y - 18, 26, 36))
+                paint_block(painter, QRectF(body.right() - line, y - line, 1.7 * line, 2 * line))
 
     def _name(self) -> str:
         state = self._device.state
@@ -288,11 +288,15 @@ class BoardView(QWidget):
             else:
                 lines.append(direction_text(speed))
             faults = []
-            if number != AUXILIARY and not device.board.is_joint:
-                lines += self._current_texts(number)
             if number != AUXILIARY and inputs.link is None:
                 recent = device.board.errors.recent(number, now())
                 faults = [entry for entry in recent if isinstance(entry.bit, Status)]
+            is_alarming = bool(faults or setpoint.may_turn)
+            if number != AUXILIARY and not device.board.is_joint:
+                currents = device.telemetry.motor_currents
+                lines.append("–" if currents is None else f"{Number(currents[number - 1]):.2f} A")
+                if not is_alarming:  # there is room for either
+                    lines.append(limit_text(device, number))
             if faults:
                 lines.append(error_names(faults))
                 alarm = "warning" if all(entry.is_doubtful for entry in faults) else "danger"
@@ -301,11 +305,6 @@ class BoardView(QWidget):
                 alarm = "danger"
             part.speed = 0 if setpoint.may_turn else speed
             part.show_lines(*lines, alarm=alarm)
-
-    def _current_texts(self, motor: int) -> tuple[str, str]:
-        currents = self._device.telemetry.motor_currents
-        current = "–" if currents is None else f"{Number(currents[motor - 1]):.2f} A"
-        return current, limit_text(self._device, motor)
 
     # --- What moves ---------------------------------------------------------------------
 

@@ -40,7 +40,5 @@ class CurrentStrip(PlotCanvas):
             self._limits[motor].set_value(self._device.current_limit(motor) or None)
             highest = max(highest, float(amps[is_known].max(initial=0.0)))
         self._axis.fit([(0.0, highest)])
-        labels = self._axis.labels()
-        if self.height() < 1.5 * len(labels) * self.fontMetrics().height():
-            labels = [labels[0], labels[-1]]
+        labels = self._axis.labels(self.labels_in_height())
         self.set_axes((-_SECONDS, 0.0), self._axis.reach, [], labels)
