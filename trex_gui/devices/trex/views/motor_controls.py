@@ -146,12 +146,14 @@ class LostPanel(QFrame):
         self._device = device
         set_look(self, "message")
         set_style_property(self, "danger", True)
+        set_style_property(self, "large", True)
         center = Qt.AlignmentFlag.AlignCenter
         self._text = ui.label(self, name, wrap=True, size="heading")
         self._text.setAlignment(center)
         text, press = tr("Reconnect and stop"), device.press_stop
         self._button = ui.button(self, "reconnectAndStop", text, default=False, on_click=press)
-        ui.column(1, self._text, (self._button, 0, center), 1, into=self, spacing=16)
+        parts = 1, self._text, (self._button, 0, center), 1
+        ui.column(*parts, into=self, margins=24, spacing=16)
         self.hide()
 
     def show_loss(self, text: str) -> bool:

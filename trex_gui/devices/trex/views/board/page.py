@@ -86,8 +86,8 @@ class BoardPage(QWidget):
         ui.column((self._problems, 1), (show, 0, Qt.AlignmentFlag.AlignLeft), into=problems)
         cards = ui.row((set_up, 1), (cable, 1), (problems, 1), spacing=16)
         ui.column(self._reasons, (drawing, 1), cards, into=self._report, margins=0, spacing=8)
-        parts = (self._lost, 1), start, (self._report, 1)
-        ui.column(*parts, into=self, margins=PAGE_MARGINS)
+        parts = self._lost, start, (self._report, 1)
+        ui.column(*parts, into=self, margins=PAGE_MARGINS, spacing=12)
 
         for changed in (device.link_changed, device.state_changed):
             changed.connect(self._on_device_changed)
@@ -103,7 +103,8 @@ class BoardPage(QWidget):
         status, *_ = self._show_motors()
         is_lost = self._lost.show_loss(f"{status.text} {status.remedy}".strip())
         self._start.setVisible(is_idle and not is_lost)
-        self._report.setVisible(not is_idle and not is_lost)
+        self._report.setVisible(not is_idle or is_lost)
+        self._reasons.setVisible(not is_lost)
         self._set_up.setEnabled(self._device.is_connected)
         facts, set_up = "", self._device.board.set_up if self._device.is_connected else None
         if state is not None and settings is not None and self._device.is_connected:

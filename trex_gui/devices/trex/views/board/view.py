@@ -256,7 +256,8 @@ class BoardView(QWidget):
             self._mode.show_jumper(True, tr("Mode: {0}").format(name), words)
         mix = device.mix_jumper.is_on if state is not None else None
         if mix is None:
-            self._mix.show_jumper(None, tr("Mix: not known"), tr("move a stick to see"))
+            hint = tr("move a stick to see") if state is not None else ""
+            self._mix.show_jumper(None, tr("Mix: not known"), hint)
         else:
             words = tr("one stick drives both motors") if mix else tr("each channel has its motor")
             if state is not None and state.mode.is_serial:
@@ -294,7 +295,8 @@ class BoardView(QWidget):
             is_alarming = bool(faults or setpoint.may_turn)
             if number != AUXILIARY and not device.board.is_joint:
                 currents = device.telemetry.motor_currents
-                lines.append("–" if currents is None else f"{Number(currents[number - 1]):.2f} A")
+                if currents is not None:
+                    lines.append(f"{Number(currents[number - 1]):.2f} A")
                 if not is_alarming:  # there is room for either
                     lines.append(limit_text(device, number))
             if faults:
