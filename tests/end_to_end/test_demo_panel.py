@@ -123,7 +123,7 @@ def test_motors_draw_current_and_keep_running_when_unplugged(
     panel.wait(lambda: panel.board.motors[0].speed == 127)
     panel.wait(lambda: panel.board.motors[0].current > 5)
     motor = panel.find(MotorPart, "demoFault1")
-    panel.wait(lambda: motor.spoken_state().startswith("Motor 1, forward 127, "))
+    panel.wait(lambda: motor.spoken_state().startswith("forward 127, "))
 
     panel.pull_cable()
     assert "may still be turning" in window.text("motorStateLabel")

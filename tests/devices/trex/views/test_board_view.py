@@ -24,7 +24,8 @@ class Drawing(WidgetDriver):
 
     def said(self, name: str) -> str:
         self.view.show_board()
-        return self.find(BoardPart, f"boardPart{name}").spoken_state()
+        part = self.find(BoardPart, f"boardPart{name}")
+        return f"{part.accessibleName()}: {part.spoken_state()}"
 
     def connect(self, simulator: SimulatedDevice) -> None:
         self.device.connect_to(ConnectionSettings(simulator.url))
@@ -44,28 +45,28 @@ def drawing(qtbot: QtBot) -> Iterator[Drawing]:
 
 
 def test_nothing_is_said_that_is_not_known(drawing: Drawing) -> None:
-    assert drawing.said("Channel1") == "CH1, motor 1, –"
+    assert drawing.said("Channel1") == "Channel 1, motor 1: –"
     for jumper in ("ModeJumper", "MixJumper", "SoGroundJumper"):
         assert "not known" in drawing.said(jumper)
         assert drawing.find(JumperPart, f"boardPart{jumper}").is_on is None
-    assert drawing.said("RedLed") == "Red, not known"
+    assert drawing.said("RedLed") == "Red LED: not known"
     assert "not known" in drawing.said("Motor1")
-    assert drawing.said("Serial") == "not responding"
+    assert drawing.said("Serial") == "Serial line: not responding"
 
 
 def test_board_in_serial_mode(drawing: Drawing, quick_simulator: SimulatedDevice) -> None:
     drawing.connect(quick_simulator)
     quick_simulator.do("channel 2 1800us")
-    drawing.wait(lambda: drawing.said("Channel2") == "CH2, motor 2, 1800 µs")
+    drawing.wait(lambda: drawing.said("Channel2") == "Channel 2, motor 2: 1800 µs")
     quick_simulator.do("channel 3 invalid")
-    drawing.wait(lambda: drawing.said("Channel3") == "CH3, auxiliary, no signal")
-    assert drawing.said("ModeJumper") == "Mode: off, serial mode"
-    assert drawing.said("SoGroundJumper") == "SO–G: off, replies arrive"
-    assert drawing.said("RedLed") == "Red, on"
+    drawing.wait(lambda: drawing.said("Channel3") == "Channel 3, auxiliary: no signal")
+    assert drawing.said("ModeJumper") == "Mode jumper: Mode: off, serial mode"
+    assert drawing.said("SoGroundJumper") == "SO–G jumper: SO–G: off, replies arrive"
+    assert drawing.said("RedLed") == "Red LED: on"
     assert drawing.find(LedPart, "boardPartGreenLed").moves
 
     motor = drawing.find(MotorPart, "boardPartMotor1")
-    assert drawing.said("Motor1") == "Motor 1, not armed, 0.00 A, no limit"
+    assert drawing.said("Motor1") == "Motor 1: not armed, 0.00 A, no limit"
     drawing.device.motors.arm()
     drawing.device.motors.set_speed(1, -20)
     assert "reverse 20" in drawing.said("Motor1")
@@ -83,8 +84,8 @@ def test_channels_drive_in_rc_mode(drawing: Drawing, quick_simulator: SimulatedD
     drawing.connect(quick_simulator)
     drawing.wait(lambda: "held by safe-start" in drawing.said("Motor1"))
     quick_simulator.do("channel 1 1500us")
-    drawing.wait(lambda: ", 0, " in drawing.said("Motor1"))
-    assert drawing.said("ModeJumper") == "Mode: RC, channels drive"
+    drawing.wait(lambda: ": 0, " in drawing.said("Motor1"))
+    assert drawing.said("ModeJumper") == "Mode jumper: Mode: RC, channels drive"
     assert drawing.find(JumperPart, "boardPartModeJumper").is_on
 
 

@@ -355,7 +355,7 @@ class Drawing(BoardRows):
         made = self._part(
             PlugPart, "demoCable", tr("Cable"), tip, lambda: self._demo.set_plugged(made.is_out)
         )
-        made.is_labelled = True
+        made.is_labelled, made.spoken_from = True, 1
 
         def update(snapshot: DemoSnapshot) -> None:
             is_in = snapshot.line.plugged

@@ -3,9 +3,9 @@
 import math
 from collections.abc import Callable
 
-from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QAccessible, QColor, QPainter, QPaintEvent, QPen, QPolygonF
-from PySide6.QtWidgets import QAbstractButton, QWidget
+from PySide6.QtCore import QEvent, QPointF, QRectF, Qt
+from PySide6.QtGui import QAccessible, QColor, QHelpEvent, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtWidgets import QAbstractButton, QToolTip, QWidget
 
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
 from trex_gui.devices.trex.views.bars import paint_input
@@ -33,6 +33,7 @@ class BoardPart(QAbstractButton, Spoken):
     """Says what it is in bold, and what the board reports of it in the lines below."""
 
     spoken_role = QAccessible.Role.Button
+    spoken_from = 0  # the first line that says more than the name
     tip = ""  # what a click does, where it does not open a page
 
     def __init__(
@@ -59,11 +60,18 @@ class BoardPart(QAbstractButton, Spoken):
     def show_lines(self, *lines: str, alarm: str = "") -> None:
         if (lines, alarm) != (self.lines, self.alarm):
             self.lines, self.alarm = lines, alarm
-            self.setToolTip(plain("\n".join(filter(None, (*lines, self.tip)))))
             self.update()
 
     def spoken_state(self) -> str:
-        return ", ".join(filter(None, self.lines))
+        return ", ".join(filter(None, self.lines[self.spoken_from :]))
+
+    def event(self, event: QEvent) -> bool:
+        """Show the lines as a tool tip, which as a property would be read out once more."""
+        if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
+            text = "\n".join(filter(None, (*self.lines, self.tip)))
+            QToolTip.showText(event.globalPos(), plain(text), self)
+            return True
+        return super().event(event)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
@@ -87,6 +95,7 @@ class BoardPart(QAbstractButton, Spoken):
 class ChannelPart(BoardPart):
     """An input: its value on a bar with the marks of its calibration."""
 
+    spoken_from = 2
     _axis = (0, 1)
     _count: int | None = None
     _calibration: Calibration | None = None
@@ -118,6 +127,7 @@ class ChannelPart(BoardPart):
 class LedPart(BoardPart):
     """A LED in the pattern that the board shows, with the pattern in words."""
 
+    spoken_from = 1
     pattern = ""  # as `leds.is_lit` takes it; empty while it is not known
     _is_lit = False
 
@@ -157,6 +167,7 @@ class JumperPart(BoardPart):
 class MotorPart(BoardPart):
     """A wheel that turns as the motor is told to, with its setpoint, current and limit."""
 
+    spoken_from = 1
     speed = 0  # what it is told, -127 to 127
     _angle = 0.0
 
@@ -227,7 +238,7 @@ class PlugPart(BoardPart):
     """A wire with a plug at its end; beside its place if it is pulled out."""
 
     is_out = False
-    is_labelled = False  # its lines are written above the wire
+    is_labelled = False  # its lines are written above the wire, the first is its name
 
     def show_plug(self, *lines: str, out: bool) -> None:
         self.is_out = out
