@@ -2,18 +2,17 @@
 
 import re
 
-from PySide6.QtCore import QPointF, QSize, Qt, Slot
-from PySide6.QtGui import QHideEvent, QPainter, QPaintEvent, QPen, QShowEvent
+from PySide6.QtCore import QPointF, QSize, Qt
+from PySide6.QtGui import QPainter, QPaintEvent, QPen, QShowEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from trex_gui.core.translation import tr
-from trex_gui.ui.runtime import new_timer, now
+from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.builders import column, plain, row
 from trex_gui.ui.widgets.labels import ElidedLabel
-from trex_gui.ui.widgets.painted import Painted, Painter
+from trex_gui.ui.widgets.painted import Motion, Painted, Painter
 
-_FRAME_MS = 40
 _FAST = 8.0  # flashes a second of a fast flash
 _PATTERN = re.compile(r"(blink|alternate|short flash) (\d+)/s")
 _SHORT = 0.15  # share of its time that a short flash is lit
@@ -82,7 +81,7 @@ class Leds(QWidget):
         super().__init__(parent)
         self._shown = ("", "")
         self._since = now()
-        self._timer = new_timer(self, _FRAME_MS, self._on_frame)
+        self._motion = Motion(self, self._on_frame)
         self.lamps = (Lamp("led_red", self), Lamp("led_green", self))
         self._names = (tr("Red"), tr("Green"))
         self._words = (ElidedLabel("", self), ElidedLabel("", self))
@@ -108,7 +107,6 @@ class Leds(QWidget):
             self.lamps[index].setAccessibleName(spoken)
             for widget in (self.lamps[index], self._words[index]):
                 widget.setToolTip(plain(spoken))
-        self._on_frame()
         self._run()
 
     def show_moment(self, seconds: float) -> None:
@@ -116,21 +114,13 @@ class Leds(QWidget):
         for index, lamp in enumerate(self.lamps):
             lamp.set_lit(is_lit(self._shown[index], seconds, second=index == 1))
 
-    @Slot()
-    def _on_frame(self) -> None:
-        self.show_moment(now() - self._since)
+    def _on_frame(self, _seconds: float = 0.0) -> None:
+        self.show_moment(now() - self._since if self._motion.is_wanted else 0.0)
 
     def _run(self) -> None:
-        moves = any(pattern not in {"on", "off"} for pattern in self._shown)
-        if not moves:
-            self._timer.stop()
-        elif self.isVisible() and not self._timer.isActive():
-            self._timer.start()
+        self._on_frame()
+        self._motion.run(any(pattern not in {"on", "off"} for pattern in self._shown))
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self._run()
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        super().hideEvent(event)
-        self._timer.stop()

@@ -1,11 +1,16 @@
 """Painted widgets, sliders and numbers keep left and right in right-to-left languages."""
 
+from collections.abc import Callable
+
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QPaintDevice, QPainter
 from PySide6.QtWidgets import QGraphicsWidget, QStyle, QWidget
 
+from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.accessible import Spoken
+
+_LONGEST_FRAME = 0.2  # seconds: a window that was held up does not jump
 
 
 def never_mirror(target: QWidget | QGraphicsWidget | QPainter) -> None:
@@ -13,10 +18,36 @@ def never_mirror(target: QWidget | QGraphicsWidget | QPainter) -> None:
     target.setLayoutDirection(Qt.LayoutDirection.LeftToRight)
 
 
-def wants_motion(widget: QWidget) -> bool:
-    """Return whether the system lets drawings move."""
-    duration = QStyle.StyleHint.SH_Widget_Animation_Duration
-    return widget.style().styleHint(duration, None, widget) > 0
+class Motion:
+    """Frames of a drawing, none while nothing moves, it is hidden or the system wants no motion."""
+
+    def __init__(
+        self, widget: QWidget, step: Callable[[float], object], milliseconds: int = 40
+    ) -> None:
+        """`step` takes the seconds since the frame before."""
+        self._widget, self._step = widget, step
+        self._timer = new_timer(widget, milliseconds, self._on_frame)
+        self._at = 0.0
+
+    @property
+    def is_wanted(self) -> bool:
+        duration = QStyle.StyleHint.SH_Widget_Animation_Duration
+        return self._widget.style().styleHint(duration, None, self._widget) > 0
+
+    def run(self, moves: bool) -> None:
+        """Make frames from now on if something moves; to be called again when it is shown."""
+        if not (moves and self.is_wanted and self._widget.isVisible()):
+            self._timer.stop()
+        elif not self._timer.isActive():
+            self._at = now()
+            self._timer.start()
+
+    def _on_frame(self) -> None:
+        seconds, self._at = now() - self._at, now()
+        if self._widget.isVisible():
+            self._step(min(seconds, _LONGEST_FRAME))
+        else:
+            self._timer.stop()
 
 
 class Painter(QPainter):

@@ -5,7 +5,7 @@ from functools import partial
 from typing import TypeVar
 
 from PySide6.QtCore import QPointF, QRectF, QRegularExpression, Qt, Slot
-from PySide6.QtGui import QHideEvent, QKeySequence, QPaintEvent, QPen, QShortcut
+from PySide6.QtGui import QKeySequence, QPaintEvent, QPen, QShortcut
 from PySide6.QtWidgets import QLabel, QLayout, QWidget
 
 from trex_gui.core.translation import Number, tr, tr_noop
@@ -29,20 +29,18 @@ from trex_gui.devices.trex.views.board.parts import (
     PlugPart,
 )
 from trex_gui.ui.devices.demo_panel import Columns, DemoDock, DemoPanelBody, Rows, add_cable
-from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.circuit import paint_block, paint_body, text_width
 from trex_gui.ui.widgets.labels import LiveLabel
 from trex_gui.ui.widgets.leds import Leds
-from trex_gui.ui.widgets.painted import Painter, never_mirror, wants_motion
+from trex_gui.ui.widgets.painted import Motion, Painter, never_mirror
 from trex_gui.ui.widgets.sliders import StickSlider
 
 BoardRows = Rows[DemoSnapshot]
 OnClick = Callable[[], object]
 PartT = TypeVar("PartT", bound=BoardPart)
 
-_FRAME_MS = 40
 _TRAVEL = 1200  # positions of a stick: microseconds of its pulses
 _STALL, _AMPERE = 30, 10  # A of the simulated model, positions
 _LOWEST, _HIGHEST, _VOLT = 4, 16, 10  # V, V, positions; below about 6 V a TReX resets
@@ -239,7 +237,7 @@ class Drawing(BoardRows):
         self._sticks: dict[int, tuple[QLabel, StickSlider]] = {}
         self._plugs: list[PlugPart] = []
         self.marked: set[int] = set()
-        self._timer = new_timer(self, _FRAME_MS, self._on_frame)
+        self._motion = Motion(self, self._on_frame)
         self._inputs = inputs = ui.grid(margins=0, spacing=(2, 0), stretch=[(0, 1)])
         for channel in CHANNELS:
             self._add_input(channel)
@@ -463,20 +461,11 @@ class Drawing(BoardRows):
 
     def show_snapshot(self, snapshot: DemoSnapshot) -> None:
         super().show_snapshot(snapshot)
-        turns = any(motor.speed for motor in self._motors.values())
-        if not (turns and wants_motion(self) and self.isVisible()):
-            self._timer.stop()
-        elif not self._timer.isActive():
-            self._timer.start()
+        self._motion.run(any(motor.speed for motor in self._motors.values()))
 
-    def hideEvent(self, event: QHideEvent) -> None:
-        super().hideEvent(event)
-        self._timer.stop()
-
-    @Slot()
-    def _on_frame(self) -> None:
+    def _on_frame(self, seconds: float) -> None:
         for motor in self._motors.values():
-            motor.turn(_FRAME_MS / 1000)
+            motor.turn(seconds)
 
     @Slot()
     def _on_learned(self) -> None:

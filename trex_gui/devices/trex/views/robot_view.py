@@ -2,20 +2,18 @@
 
 from functools import partial
 
-from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal, Slot
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QPainter, QPaintEvent, QPen, QResizeEvent
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.model.setup.wiring import Movement, Side
-from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets.builders import named
 from trex_gui.ui.widgets.circuit import paint_chassis, write
-from trex_gui.ui.widgets.painted import Painted, Painter, never_mirror, wants_motion
+from trex_gui.ui.widgets.painted import Motion, Painted, Painter, never_mirror
 
-_FRAME_MS = 40
-_TREADS, _TREADS_A_FRAME = 7, 0.24  # on a wheel, at full speed: the board measures no speed
+_TREADS, _TREADS_A_SECOND = 7, 6.0  # on a wheel, at full speed: the board measures no speed
 _SIZE = 392.0, 300.0  # of the drawing, in the unit of the next
 _WHEEL, _CHASSIS = QRectF(0, 30, 60, 240), QRectF(86, 0, 220, 300)
 _PARTS = {True: QRectF(7, 50, 46, 86), False: QRectF(7, 164, 46, 86)}  # of the left wheel
@@ -68,7 +66,7 @@ class RobotView(Painted):
         self._amounts = dict.fromkeys(Side, 0.0)
         self._colors = dict.fromkeys(Side, "outline")
         self._shifts = dict.fromkeys(Side, 0.0)  # of the treads
-        self._timer = new_timer(self, _FRAME_MS, self._on_frame, single_shot=True)
+        self._motion = Motion(self, self._on_frame)
         halves = [each for each in MOVEMENTS if each.side] if asks else []
         self._parts = {each: WheelPart(each, self) for each in halves}
         for movement, part in self._parts.items():
@@ -130,8 +128,7 @@ class RobotView(Painted):
         paint_chassis(painter, _placed(_CHASSIS, place))
         for side in self._amounts:
             self._paint_wheel(painter, side, _placed(_WHEEL, place, side))
-        if any(self._amounts.values()) and wants_motion(self) and not self._timer.isActive():
-            self._timer.start()
+        self._motion.run(any(self._amounts.values()))
 
     def _paint_wheel(self, painter: QPainter, side: Side, wheel: QRectF) -> None:
         parts = (part for each, part in self._parts.items() if each.side is side)
@@ -154,10 +151,9 @@ class RobotView(Painted):
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawRoundedRect(wheel, round_by, round_by)
 
-    @Slot()
-    def _on_frame(self) -> None:
+    def _on_frame(self, seconds: float) -> None:
         for side, amount in self._amounts.items():
-            self._shifts[side] -= _TREADS_A_FRAME * amount
+            self._shifts[side] -= _TREADS_A_SECOND * amount * seconds
         self.update()
 
 

@@ -2,17 +2,16 @@
 
 from collections.abc import Collection, Mapping
 
-from PySide6.QtCore import QPointF, QRectF, QSize, Slot
+from PySide6.QtCore import QPointF, QRectF, QSize
 from PySide6.QtGui import QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.translation import tr
-from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import scaled_font, theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.circuit import Jumper, jumpers_size, paint_body, paint_jumpers
 from trex_gui.ui.widgets.leds import Leds
-from trex_gui.ui.widgets.painted import Painted, Painter, wants_motion
+from trex_gui.ui.widgets.painted import Motion, Painted, Painter
 
 _PULSE_MS = 600
 _SCALE = 1.4  # size of its texts, relative to others
@@ -29,7 +28,7 @@ class JumperPicture(Painted):
         self._moved: Collection[str] = ()
         self._is_bright = True
         self._leds = Leds(self)
-        self._timer = new_timer(self, _PULSE_MS, self._on_pulse, single_shot=True)
+        self._motion = Motion(self, self._on_pulse, _PULSE_MS)
         ui.column(self._leds, 1, into=self, margins=(32, 20, 24, 20))
 
     def show_jumpers(
@@ -98,10 +97,8 @@ class JumperPicture(Painted):
                     painter.drawRoundedRect(box, 8, 8)
             painter.setFont(scaled_font(self.font(), _SCALE))
             paint_jumpers(painter, at, [*self._jumpers.values()], line)
-        if self._moved and wants_motion(self) and not self._timer.isActive():
-            self._timer.start()
+        self._motion.run(bool(self._moved))
 
-    @Slot()
-    def _on_pulse(self) -> None:
+    def _on_pulse(self, _seconds: float) -> None:
         self._is_bright = not self._is_bright
         self.update()

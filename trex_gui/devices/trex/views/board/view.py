@@ -3,8 +3,8 @@
 from collections.abc import Callable, Mapping
 from functools import partial
 
-from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Signal, Slot
-from PySide6.QtGui import QHideEvent, QPaintEvent, QPen, QResizeEvent, QShowEvent
+from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Signal
+from PySide6.QtGui import QPaintEvent, QPen, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.translation import Number, tr, tr_noop
@@ -31,12 +31,10 @@ from trex_gui.devices.trex.views.board.parts import (
     MotorPart,
     SerialPart,
 )
-from trex_gui.ui.runtime import new_timer, now
+from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.theme import follow_theme, scaled_font, theme
 from trex_gui.ui.widgets.circuit import paint_block, paint_body, text_width
-from trex_gui.ui.widgets.painted import Painter, never_mirror, wants_motion
-
-_FRAME_MS = 40
+from trex_gui.ui.widgets.painted import Motion, Painter, never_mirror
 
 _ROLES = {
     1: tr_noop("motor 1"),
@@ -73,8 +71,8 @@ class BoardView(QWidget):
         self.setAccessibleName(tr("The board"))
         self._device = device
         self._body = QRect()
-        self._began = self._frame_at = now()
-        self._timer = new_timer(self, _FRAME_MS, self._on_frame)
+        self._began = now()
+        self._motion = Motion(self, self._on_frame)
 
         def opens(page: str) -> Callable[[], object]:
             return partial(self.page_wanted.emit, page)
@@ -222,8 +220,9 @@ class BoardView(QWidget):
             text, alarm = ", ".join(errors), "danger"
         self._serial.color = alarm or "led_green"
         self._serial.show_lines(text, alarm=alarm)
-        self._on_frame()
-        self._run()
+        self._show_leds()
+        motors = self._motors.values()
+        self._motion.run(any(one.moves for one in self._leds) or any(one.speed for one in motors))
         self.update()
 
     def _show_channels(self) -> None:
@@ -310,27 +309,15 @@ class BoardView(QWidget):
 
     # --- What moves ---------------------------------------------------------------------
 
-    @Slot()
-    def _on_frame(self) -> None:
-        seconds, self._frame_at = now() - self._frame_at, now()
+    def _show_leds(self) -> None:
         for led in self._leds:
-            led.show_moment(now() - self._began)
-        for motor in self._motors.values():
-            motor.turn(min(seconds, 0.2))
+            led.show_moment(now() - self._began if self._motion.is_wanted else 0.0)
 
-    def _run(self) -> None:
-        """Let LEDs and wheels move while they are seen, unless the system wants no motion."""
-        moves = any(led.moves for led in self._leds) or any(m.speed for m in self._motors.values())
-        if not (moves and wants_motion(self) and self.isVisible()):
-            self._timer.stop()
-        elif not self._timer.isActive():
-            self._frame_at = now()
-            self._timer.start()
+    def _on_frame(self, seconds: float) -> None:
+        self._show_leds()
+        for motor in self._motors.values():
+            motor.turn(seconds)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self.show_board()
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        super().hideEvent(event)
-        self._timer.stop()
