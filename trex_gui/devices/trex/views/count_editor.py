@@ -45,6 +45,7 @@ class UnitSpinBox(QSpinBox):
         set_icon(self._problem, "warning", "danger")
         self.lineEdit().addAction(self._problem, QLineEdit.ActionPosition.LeadingPosition)
         self._problem.setVisible(False)  # only now: Qt shows what was hidden when it was added
+        self.lineEdit().setTextMargins(4, 0, 0, 0)
         self._typed = ""
         self.lineEdit().textChanged.connect(self._on_text_changed)
         self.lineEdit().textEdited.connect(partial(setattr, self, "_typed"))

@@ -169,6 +169,8 @@ class MotorsPage(QWidget):
         box, still = self._drive_box, self._motors.armed and self.isVisible()
         if still is not self._is_held_still:
             self._is_held_still = still
+            if (layout := self.layout()) is not None:
+                layout.activate()  # the page may have been shown only now
             height = box.height()
             box.setMinimumHeight(height if still else 0)
             box.setMaximumHeight(height if still else _UNLIMITED)
