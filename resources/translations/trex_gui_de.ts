@@ -2719,8 +2719,6 @@
         <translation>Meinen &amp;Roboter einrichten…</translation></message>
     <message><source>If the cable fails</source>
         <translation>Wenn das Kabel ausfällt</translation></message>
-    <message><source>Problems</source>
-        <translation>Probleme</translation></message>
     <message><source>Sh&amp;ow them</source>
         <translation>Anz&amp;eigen</translation></message>
     <message><source>The board</source>
@@ -2731,6 +2729,8 @@
         <translation>RS-232 (alles Gesendete kommt zurück)</translation></message>
     <message><source>this firmware runs at half of this baud rate</source>
         <translation>diese Firmware läuft mit der halben Baudrate</translation></message>
+    <message><source>Prob&amp;lems</source>
+        <translation>Prob&amp;leme</translation></message>
     <message><source>None since {0}.</source>
         <translation>Keine seit {0}.</translation></message>
     <message><source>motor 1</source>
@@ -2743,6 +2743,8 @@
         <translation>Umdrehen</translation></message>
     <message><source>override</source>
         <translation>Vorrang</translation></message>
+    <message><source>device number {0}</source>
+        <translation>Gerätenummer {0}</translation></message>
     <message><source>not known</source>
         <translation>nicht bekannt</translation></message>
     <message><source>works with motor 1</source>
@@ -2763,30 +2765,20 @@
         <translation>antwortet nicht</translation></message>
     <message><source>replies arrive</source>
         <translation>Antworten kommen an</translation></message>
-    <message><source>Red LED</source>
-        <translation>Rote LED</translation></message>
-    <message><source>Green LED</source>
-        <translation>Grüne LED</translation></message>
     <message><source>Red</source>
         <translation>Rot</translation></message>
     <message><source>Green</source>
         <translation>Grün</translation></message>
-    <message><source>Mode: not known</source>
-        <translation>Modus: nicht bekannt</translation></message>
     <message><source>channels drive</source>
         <translation>Kanäle steuern</translation></message>
-    <message><source>Mix: not known</source>
-        <translation>Mix: nicht bekannt</translation></message>
-    <message><source>move a stick to see</source>
-        <translation>Knüppel bewegen, um es zu sehen</translation></message>
+    <message><source>not known: move a stick to see</source>
+        <translation>nicht bekannt: Knüppel bewegen</translation></message>
     <message><source>one stick drives both motors</source>
         <translation>ein Knüppel steuert beide Motoren</translation></message>
     <message><source>each channel has its motor</source>
         <translation>jeder Kanal hat seinen Motor</translation></message>
     <message><source>for RC and analog mode</source>
         <translation>für RC- und Analogmodus</translation></message>
-    <message><source>SO–G: not known</source>
-        <translation>SO–G: nicht bekannt</translation></message>
     <message><source>flickers</source>
         <translation>flackert</translation></message>
     <message><source>{0:.0f} reads/s, {1:.1f} % answered</source>
@@ -2801,8 +2793,10 @@
         <translation>Analog</translation></message>
     <message><source>channel 5 hands over</source>
         <translation>Kanal 5 übergibt</translation></message>
-    <message><source>Channel {0}, {1}</source>
-        <translation>Kanal {0}, {1}</translation></message>
+    <message><source>Channel {0}: {1}</source>
+        <translation>Kanal {0}: {1}</translation></message>
+    <message><source>{0} LED</source>
+        <translation>LED {0}</translation></message>
     <message><source>may still turn</source>
         <translation>dreht sich vielleicht noch</translation></message>
     <message><source>Click a board, or press Enter, to show it on every page. Motors stop first.</source>
@@ -3117,12 +3111,18 @@
         <translation>Geben Sie 0 bis {0} ein, etwa 1500 µs, 1,5 ms oder 3750 Counts.</translation></message>
     <message><source>The nearest that the board can store is {0}.</source>
         <translation>Am nächsten, was das Board speichern kann, liegt {0}.</translation></message>
+    <message><source>&amp;Turn</source>
+        <translation>&amp;Lenken</translation></message>
+    <message><source>&amp;Forward</source>
+        <translation>&amp;Vorwärts</translation></message>
     <message><source>blink {0}/s</source>
         <translation>blinkt {0}/s</translation></message>
     <message><source>alternate {0}/s</source>
         <translation>wechselt {0}/s</translation></message>
     <message><source>short flash {0}/s</source>
         <translation>blitzt {0}/s</translation></message>
+    <message><source>The sticks control the motors.</source>
+        <translation>Die Knüppel steuern die Motoren.</translation></message>
     <message><source>Safe-start: the motors wait until the sticks are centred.</source>
         <translation>Safe-Start: Die Motoren warten, bis die Knüppel in Mittelstellung sind.</translation></message>
     <message><source>Off for a second: jumpers are read, stored settings take effect</source>
@@ -3137,6 +3137,10 @@
         <translation>Ein Fehler der seriellen Leitung, den das Board meldet</translation></message>
     <message><source>The power is off: the board does not reply.</source>
         <translation>Die Stromversorgung ist aus: Das Board antwortet nicht.</translation></message>
+    <message><source>RC mode.</source>
+        <translation>RC-Modus.</translation></message>
+    <message><source>Analog mode.</source>
+        <translation>Analogmodus.</translation></message>
     <message><source>Safe-start: the motors wait for a signal on input {0}.</source>
         <translation>Safe-Start: Die Motoren warten auf ein Signal an Eingang {0}.</translation></message>
     <message><source>Safe-start: the motors wait until channel 5 no longer requests override.</source>
@@ -3153,18 +3157,14 @@
         <translation>Eingeschaltet</translation></message>
     <message><source>The board's power switch</source>
         <translation>Der Hauptschalter des Boards</translation></message>
-    <message><source>Battery voltage</source>
-        <translation>Batteriespannung</translation></message>
+    <message><source>Battery</source>
+        <translation>Batterie</translation></message>
     <message><source>Move by themselves</source>
         <translation>Selbsttätig bewegen</translation></message>
     <message><source>All sticks swing slowly; moving one holds that one</source>
         <translation>Alle Knüppel schwingen langsam; einer, den Sie bewegen, bleibt dann stehen</translation></message>
     <message><source>Centre</source>
         <translation>Mitte</translation></message>
-    <message><source>Centre all sticks</source>
-        <translation>Alle Knüppel zentrieren</translation></message>
-    <message><source>Battery</source>
-        <translation>Batterie</translation></message>
     <message><source>Input {0}: {1}. A double click centres it, Delete unplugs it.</source>
         <translation>Eingang {0}: {1}. Ein Doppelklick zentriert ihn, Entf zieht ihn ab.</translation></message>
     <message><source>Unplugged, the port is gone: Serial Timeout and UART-Error Shutdown should stop motors</source>
@@ -3185,6 +3185,22 @@
         <translation>Serieller Modus, Eingänge als Spannungen gelesen.</translation></message>
     <message><source>Serial commands control the motors.</source>
         <translation>Serielle Befehle steuern die Motoren.</translation></message>
+    <message><source>Learning: remove the Mix jumper to begin.</source>
+        <translation>Einlernen: Mix-Jumper abziehen, um zu beginnen.</translation></message>
+    <message><source>Learning: waits for a signal on any input.</source>
+        <translation>Einlernen: Wartet auf ein Signal an einem Eingang.</translation></message>
+    <message><source>Learning: leave the sticks centred for two seconds.</source>
+        <translation>Einlernen: Knüppel zwei Sekunden in Mittelstellung lassen.</translation></message>
+    <message><source>Learning: one flash per input; green is learned.</source>
+        <translation>Einlernen: Ein Blinken je Eingang; Grün ist eingelernt.</translation></message>
+    <message><source>Learning: hold each stick at both ends, ten seconds in all.</source>
+        <translation>Einlernen: Jeden Knüppel in beiden Endlagen halten, insgesamt zehn Sekunden.</translation></message>
+    <message><source>Learned; green is good. Remove SO–G, then power cycle.</source>
+        <translation>Eingelernt; Grün ist gut. SO–G abziehen, dann aus- und einschalten.</translation></message>
+    <message><source>Boot loader: remove Mix, then SO–G.</source>
+        <translation>Bootloader: Mix abziehen, dann SO–G.</translation></message>
+    <message><source>Boot loader: waits for firmware. Power cycle to leave.</source>
+        <translation>Bootloader: Wartet auf Firmware. Zum Verlassen aus- und einschalten.</translation></message>
     <message><source>serial</source>
         <translation>seriell</translation></message>
     <message><source>Demo TReX</source>
@@ -3195,14 +3211,8 @@
         <translation>Die Leitung von SO ist unterbrochen: Das Board führt Befehle aus, keine Antwort kommt an</translation></message>
     <message><source>This share of the bytes is corrupted in either direction; CRC detects them</source>
         <translation>Dieser Anteil der Bytes wird in beiden Richtungen verfälscht; CRC erkennt es</translation></message>
-    <message><source>turn</source>
-        <translation>lenken</translation></message>
     <message><source>Supply</source>
         <translation>Versorgung</translation></message>
-    <message><source>Channel 5 hands control to serial commands.</source>
-        <translation>Kanal 5 übergibt die Steuerung an serielle Befehle.</translation></message>
-    <message><source>The sticks control the motors.</source>
-        <translation>Die Knüppel steuern die Motoren.</translation></message>
     <message><source>{0} to learn the inputs.</source>
         <translation>{0}, um die Eingänge einzulernen.</translation></message>
     <message><source>{0} to enter {1} mode.</source>
@@ -3245,8 +3255,6 @@
         <translation>ausgeschaltet</translation></message>
     <message><source>Fault</source>
         <translation>Störung</translation></message>
-    <message><source>no fault</source>
-        <translation>keine Störung</translation></message>
     <message><source>Findings about the settings</source>
         <translation>Befunde zu den Einstellungen</translation></message>
     <message numerus="yes"><source>and %n more</source>
@@ -3509,8 +3517,6 @@ bisher {1}</translation></message>
         <translation>Eingangsquelle</translation></message>
     <message><source>edited</source>
         <translation>geändert</translation></message>
-    <message><source>Channel {0}: {1}</source>
-        <translation>Kanal {0}: {1}</translation></message>
     <message><source>the calibration of {0}</source>
         <translation>Kalibrierung von {0}</translation></message>
     <message><source>&amp;All other channels</source>
@@ -3533,10 +3539,8 @@ bisher {1}</translation></message>
         <translation>Angenommene Werte: Pololu veröffentlicht keine Werkseinstellungen</translation></message>
     <message><source>&amp;Save calibrations to a file…</source>
         <translation>Kalibrierungen in Datei &amp;speichern…</translation></message>
-    <message><source>Load calibrations</source>
-        <translation>Kalibrierungen laden</translation></message>
-    <message><source>Save calibrations</source>
-        <translation>Kalibrierungen speichern</translation></message>
+    <message><source>Calibrations</source>
+        <translation>Kalibrierungen</translation></message>
     <message><source>{0} could not be loaded: {1}</source>
         <translation>{0} konnte nicht geladen werden: {1}</translation></message>
     <message><source>Calibrations loaded from {0} as edits: {1}.</source>
@@ -3547,8 +3551,6 @@ bisher {1}</translation></message>
         <translation>{0} enthält dieselben Kalibrierungen.</translation></message>
     <message><source>The calibrations shown were saved in {0}.</source>
         <translation>Die gezeigten Kalibrierungen wurden in {0} gespeichert.</translation></message>
-    <message><source>Channel {0} ({1})</source>
-        <translation>Kanal {0} ({1})</translation></message>
     <message><source>Calibrations of {0}</source>
         <translation>Kalibrierungen aus {0}</translation></message>
     <message><source>Re&amp;versed</source>
@@ -3623,8 +3625,6 @@ bisher {1}</translation></message>
         <translation>eingelernt</translation></message>
     <message><source>factory calibration</source>
         <translation>Werkskalibrierung</translation></message>
-    <message><source>N/A</source>
-        <translation>k. A.</translation></message>
     <message><source>problem</source>
         <translation>Problem</translation></message>
     <message><source>{0:.0f} to {1:.0f} counts</source>
@@ -3639,6 +3639,8 @@ bisher {1}</translation></message>
         <translation>Parallelbetrieb: Das Board misst keine Ströme.</translation></message>
     <message><source>Motor currents, {0}</source>
         <translation>Motorströme, {0}</translation></message>
+    <message><source>No current has been read yet.</source>
+        <translation>Es wurde noch kein Strom gelesen.</translation></message>
     <message><source>One count of this board is {0:.0f} mA.</source>
         <translation>Ein Count entspricht bei diesem Board {0:.0f} mA.</translation></message>
     <message><source>Set every count to zero, and forget when errors were seen</source>
@@ -3723,16 +3725,10 @@ bisher {1}</translation></message>
         <translation>Eine Achse fährt, eine lenkt</translation></message>
     <message><source>An axis for each motor</source>
         <translation>Eine Achse für jeden Motor</translation></message>
-    <message><source>How two axes drive two motors</source>
-        <translation>Wie zwei Achsen zwei Motoren steuern</translation></message>
     <message><source>&amp;Hold to drive</source>
         <translation>Zum &amp;Fahren halten</translation></message>
     <message><source>&amp;Stop everything</source>
         <translation>&amp;Alles stoppen</translation></message>
-    <message><source>Dead zone in percent of the travel</source>
-        <translation>Totzone in Prozent des Wegs</translation></message>
-    <message><source>Expo in percent</source>
-        <translation>Expo in Prozent</translation></message>
     <message><source>St&amp;icks:</source>
         <translation>&amp;Knüppel:</translation></message>
     <message><source>&amp;Dead zone:</source>
@@ -3755,20 +3751,14 @@ bisher {1}</translation></message>
         <translation>0 %: linear. 100 %: kubisch, am feinsten um die Mitte</translation></message>
     <message><source>&amp;Left motor</source>
         <translation>&amp;Linker Motor</translation></message>
-    <message><source>&amp;Forward</source>
-        <translation>&amp;Vorwärts</translation></message>
     <message><source>Right &amp;motor</source>
         <translation>&amp;Rechter Motor</translation></message>
-    <message><source>&amp;Turn</source>
-        <translation>&amp;Lenken</translation></message>
     <message><source>pressed</source>
         <translation>gedrückt</translation></message>
     <message><source>{0}: detect</source>
         <translation>{0}: erkennen</translation></message>
     <message><source>{0}: inverted</source>
         <translation>{0}: umgekehrt</translation></message>
-    <message><source>Gamepad</source>
-        <translation>Gamepad</translation></message>
     <message><source>&amp;Gamepad</source>
         <translation>Gam&amp;epad</translation></message>
     <message><source>Set &amp;up…</source>
@@ -3825,8 +3815,6 @@ bisher {1}</translation></message>
         <translation>Fahren mit</translation></message>
     <message><source>E&amp;xtra options</source>
         <translation>E&amp;xtras</translation></message>
-    <message><source>Options</source>
-        <translation>Optionen</translation></message>
     <message><source>coast (0 %)</source>
         <translation>auslaufen (0 %)</translation></message>
     <message><source>none (0 s)</source>
@@ -3837,8 +3825,6 @@ bisher {1}</translation></message>
         <translation>stoppen nach {0}</translation></message>
     <message><source>may keep turning</source>
         <translation>drehen vielleicht weiter</translation></message>
-    <message><source>Motor currents, 10 s</source>
-        <translation>Motorströme, 10 s</translation></message>
     <message><source>Ramp</source>
         <translation>Rampe</translation></message>
     <message><source>Brake before reversal</source>
@@ -4077,8 +4063,6 @@ bisher {1}</translation></message>
         <translation>Die Druckfunktion von Qt ist hier nicht installiert ({0}); speichern Sie stattdessen eine PDF-Datei.</translation></message>
     <message><source>Findings</source>
         <translation>Befunde</translation></message>
-    <message><source>Calibrations</source>
-        <translation>Kalibrierungen</translation></message>
     <message><source>None are given.</source>
         <translation>Keine angegeben.</translation></message>
     <message><source>Write values with units as wire values, and numbers beyond their range as the nearest one in it; the file changes when you save it</source>
@@ -4643,6 +4627,8 @@ bisher {1}</translation></message>
         <translation>Einen Bericht für den Support speichern; er wird vorher angezeigt</translation></message>
     <message><source>Prob&amp;lems</source>
         <translation>Prob&amp;leme</translation></message>
+    <message><source>Lo&amp;g</source>
+        <translation>Pr&amp;otokoll</translation></message>
     <message><source>T&amp;raffic</source>
         <translation>Date&amp;nverkehr</translation></message>
     <message><source>Round trips of the last minute: up to {0:.0f} ms</source>
@@ -4943,6 +4929,14 @@ bisher {1}</translation></message>
         <translation>{n} min</translation></message>
     <message><source>now</source>
         <translation>jetzt</translation></message>
+    <message><source>Low</source>
+        <translation>Tief</translation></message>
+    <message><source>Peak</source>
+        <translation>Spitze</translation></message>
+    <message><source>Mean</source>
+        <translation>Mittel</translation></message>
+    <message><source>RMS</source>
+        <translation>RMS</translation></message>
     <message><source>Picture as &amp;PNG…</source>
         <translation>Bild als &amp;PNG…</translation></message>
     <message><source>Picture as &amp;SVG…</source>
@@ -4953,8 +4947,6 @@ bisher {1}</translation></message>
         <translation>Tabellen (*.csv)</translation></message>
     <message><source>Pictures (*.{0})</source>
         <translation>Bilder (*.{0})</translation></message>
-    <message><source>Export</source>
-        <translation>Export</translation></message>
     <message numerus="yes"><source>{0} sample(s) written to {1}.</source>
         <translation><numerusform>{0} Messwert in {1} geschrieben.</numerusform><numerusform>{0} Messwerte in {1} geschrieben.</numerusform></translation></message>
     <message><source>E&amp;xport</source>
@@ -4971,18 +4963,10 @@ bisher {1}</translation></message>
         <translation>Es gibt noch nichts zu exportieren.</translation></message>
     <message><source>The picture was written to {0}.</source>
         <translation>Das Bild wurde in {0} geschrieben.</translation></message>
-    <message><source>low {0}</source>
-        <translation>Tief {0}</translation></message>
-    <message><source>peak {0}</source>
-        <translation>Spitze {0}</translation></message>
-    <message><source>mean {0}</source>
-        <translation>Mittel {0}</translation></message>
-    <message><source>RMS {0}</source>
-        <translation>RMS {0}</translation></message>
-    <message><source>charge {0}</source>
-        <translation>Ladung {0}</translation></message>
-    <message><source>limit {0}</source>
-        <translation>Grenze {0}</translation></message>
+    <message><source>Limit</source>
+        <translation>Grenze</translation></message>
+    <message><source>In the visible span</source>
+        <translation>Im sichtbaren Zeitbereich</translation></message>
     <message><source>Choosing one shows its place in the plot.</source>
         <translation>Ein ausgewähltes Ereignis wird im Diagramm gezeigt.</translation></message>
     <message><source>Curves and their figures</source>
@@ -4995,28 +4979,12 @@ bisher {1}</translation></message>
         <translation>Jetzt</translation></message>
     <message><source>Newest value; ⚠ means 80 % of the limit or more</source>
         <translation>Neuester Wert; ⚠ bedeutet 80 % der Grenze oder mehr</translation></message>
-    <message><source>Peak</source>
-        <translation>Spitze</translation></message>
-    <message><source>Highest value in the visible span</source>
-        <translation>Höchster Wert im sichtbaren Zeitbereich</translation></message>
-    <message><source>Mean</source>
-        <translation>Mittel</translation></message>
-    <message><source>Mean over time in the visible span</source>
-        <translation>Zeitlicher Mittelwert im sichtbaren Zeitbereich</translation></message>
-    <message><source>RMS</source>
-        <translation>RMS</translation></message>
     <message><source>Root mean square in the visible span: what heats wires</source>
         <translation>Effektivwert im sichtbaren Zeitbereich: was Drähte erwärmt</translation></message>
     <message><source>Current times time in the visible span, without gaps</source>
         <translation>Strom mal Zeit im sichtbaren Zeitbereich, ohne Lücken</translation></message>
-    <message><source>Limit</source>
-        <translation>Grenze</translation></message>
-    <message><source>Current limit that the board stores</source>
-        <translation>Stromgrenze, die das Board speichert</translation></message>
     <message><source>Cursor</source>
         <translation>Cursor</translation></message>
-    <message><source>Value at the cursor</source>
-        <translation>Wert am Cursor</translation></message>
     <message><source>To mark</source>
         <translation>Zur Marke</translation></message>
     <message><source>From the mark to the cursor; click into the plot or press M to set it</source>
@@ -5025,10 +4993,6 @@ bisher {1}</translation></message>
         <translation>Gehalten</translation></message>
     <message><source>Highest value since Hold peaks was switched on</source>
         <translation>Höchster Wert, seit „Spitzen halten“ eingeschaltet wurde</translation></message>
-    <message><source>Low</source>
-        <translation>Tief</translation></message>
-    <message><source>Lowest value in the visible span</source>
-        <translation>Niedrigster Wert im sichtbaren Zeitbereich</translation></message>
     <message><source>{0}, {1}: {2}, near its limit</source>
         <translation>{0}, {1}: {2}, nahe der Grenze</translation></message>
     <message><source>{0}, {1}: {2}, over its limit</source>
@@ -5055,6 +5019,8 @@ bisher {1}</translation></message>
         <translation>Diagrammlayouts</translation></message>
     <message><source>The layout of {0} is shown.</source>
         <translation>Das Layout aus {0} wird gezeigt.</translation></message>
+    <message><source>is {0}, not {1}</source>
+        <translation>ist {0}, nicht {1}</translation></message>
     <message><source>Blue</source>
         <translation>Blau</translation></message>
     <message><source>Orange</source>
@@ -5071,24 +5037,12 @@ bisher {1}</translation></message>
         <translation>Grau</translation></message>
     <message><source>As text</source>
         <translation>Wie Text</translation></message>
-    <message><source>is no curve of this plot, which has {0}</source>
-        <translation>ist keine Kurve dieses Diagramms; es hat {0}</translation></message>
     <message><source>it is nested too deeply</source>
         <translation>es ist zu tief verschachtelt</translation></message>
-    <message><source>has no version; this program reads layouts of version {0}</source>
-        <translation>hat keine Version; dieses Programm liest Layouts der Version {0}</translation></message>
-    <message><source>has the colour {0}, which is none of {1}</source>
-        <translation>hat die Farbe {0}, die nicht zu {1} gehört</translation></message>
-    <message><source>has the version {0}; this program reads layouts of version {1}</source>
-        <translation>hat die Version {0}; dieses Programm liest Layouts der Version {1}</translation></message>
-    <message><source>is {0}, not a number from {1} to {2}</source>
-        <translation>ist {0}, keine Zahl von {1} bis {2}</translation></message>
-    <message><source>is not known in a plot layout</source>
-        <translation>ist in einem Diagrammlayout unbekannt</translation></message>
     <message><source>this is not a plot layout: {0}</source>
         <translation>das ist kein Diagrammlayout: {0}</translation></message>
-    <message><source>is not a table of curves</source>
-        <translation>ist keine Tabelle von Kurven</translation></message>
+    <message><source>is none of {0}</source>
+        <translation>ist keines von {0}</translation></message>
     <message><source>Apply</source>
         <translation>Anwenden</translation></message>
     <message><source>Timeout</source>
@@ -5245,6 +5199,8 @@ Soll die Datei aus den Einstellungen neu geschrieben werden? Ihre Kommentare geh
         <translation>Warnung</translation></message>
     <message><source>{0} LED: {1}</source>
         <translation>LED {0}: {1}</translation></message>
+    <message><source>Find now</source>
+        <translation>Jetzt suchen</translation></message>
     <message><source>Reconnect</source>
         <translation>Neu verbinden</translation></message>
     <message><source>Stop them now</source>

@@ -2719,8 +2719,6 @@
         <translation>&amp;Configurer mon robot…</translation></message>
     <message><source>If the cable fails</source>
         <translation>Si le câble lâche</translation></message>
-    <message><source>Problems</source>
-        <translation>Problèmes</translation></message>
     <message><source>Sh&amp;ow them</source>
         <translation>Les m&amp;ontrer</translation></message>
     <message><source>The board</source>
@@ -2731,6 +2729,8 @@
         <translation>RS-232 (tout ce qui est envoyé revient)</translation></message>
     <message><source>this firmware runs at half of this baud rate</source>
         <translation>ce micrologiciel fonctionne à la moitié de ce débit</translation></message>
+    <message><source>Prob&amp;lems</source>
+        <translation>Prob&amp;lèmes</translation></message>
     <message><source>None since {0}.</source>
         <translation>Aucun depuis {0}.</translation></message>
     <message><source>motor 1</source>
@@ -2743,6 +2743,8 @@
         <translation>retournement</translation></message>
     <message><source>override</source>
         <translation>priorité</translation></message>
+    <message><source>device number {0}</source>
+        <translation>numéro d'appareil {0}</translation></message>
     <message><source>not known</source>
         <translation>inconnu</translation></message>
     <message><source>works with motor 1</source>
@@ -2763,30 +2765,20 @@
         <translation>ne répond pas</translation></message>
     <message><source>replies arrive</source>
         <translation>les réponses arrivent</translation></message>
-    <message><source>Red LED</source>
-        <translation>LED rouge</translation></message>
-    <message><source>Green LED</source>
-        <translation>LED verte</translation></message>
     <message><source>Red</source>
         <translation>Rouge</translation></message>
     <message><source>Green</source>
         <translation>Vert</translation></message>
-    <message><source>Mode: not known</source>
-        <translation>Mode : inconnu</translation></message>
     <message><source>channels drive</source>
         <translation>les voies commandent</translation></message>
-    <message><source>Mix: not known</source>
-        <translation>Mixage : inconnu</translation></message>
-    <message><source>move a stick to see</source>
-        <translation>bougez un manche pour le voir</translation></message>
+    <message><source>not known: move a stick to see</source>
+        <translation>inconnu : bougez un manche</translation></message>
     <message><source>one stick drives both motors</source>
         <translation>un manche commande les deux moteurs</translation></message>
     <message><source>each channel has its motor</source>
         <translation>chaque voie a son moteur</translation></message>
     <message><source>for RC and analog mode</source>
         <translation>pour les modes RC et analogique</translation></message>
-    <message><source>SO–G: not known</source>
-        <translation>SO–G : inconnu</translation></message>
     <message><source>flickers</source>
         <translation>scintille</translation></message>
     <message><source>{0:.0f} reads/s, {1:.1f} % answered</source>
@@ -2801,8 +2793,10 @@
         <translation>Analogique</translation></message>
     <message><source>channel 5 hands over</source>
         <translation>la voie 5 passe la main</translation></message>
-    <message><source>Channel {0}, {1}</source>
-        <translation>Voie {0}, {1}</translation></message>
+    <message><source>Channel {0}: {1}</source>
+        <translation>Voie {0} : {1}</translation></message>
+    <message><source>{0} LED</source>
+        <translation>LED {0}</translation></message>
     <message><source>may still turn</source>
         <translation>tourne peut-être encore</translation></message>
     <message><source>Click a board, or press Enter, to show it on every page. Motors stop first.</source>
@@ -3117,12 +3111,18 @@
         <translation>Entrez 0 à {0}, par exemple 1500 µs, 1,5 ms ou 3750 counts.</translation></message>
     <message><source>The nearest that the board can store is {0}.</source>
         <translation>La valeur la plus proche que la carte peut enregistrer est {0}.</translation></message>
+    <message><source>&amp;Turn</source>
+        <translation>&amp;Rotation</translation></message>
+    <message><source>&amp;Forward</source>
+        <translation>&amp;Suivant</translation></message>
     <message><source>blink {0}/s</source>
         <translation>clignote {0}/s</translation></message>
     <message><source>alternate {0}/s</source>
         <translation>alterne {0}/s</translation></message>
     <message><source>short flash {0}/s</source>
         <translation>éclair bref {0}/s</translation></message>
+    <message><source>The sticks control the motors.</source>
+        <translation>Les manches commandent les moteurs.</translation></message>
     <message><source>Safe-start: the motors wait until the sticks are centred.</source>
         <translation>Démarrage sécurisé : les moteurs attendent que les manches soient centrés.</translation></message>
     <message><source>Off for a second: jumpers are read, stored settings take effect</source>
@@ -3137,6 +3137,10 @@
         <translation>Une erreur de la liaison série que la carte signale</translation></message>
     <message><source>The power is off: the board does not reply.</source>
         <translation>L'alimentation est coupée : la carte ne répond pas.</translation></message>
+    <message><source>RC mode.</source>
+        <translation>Mode RC.</translation></message>
+    <message><source>Analog mode.</source>
+        <translation>Mode analogique.</translation></message>
     <message><source>Safe-start: the motors wait for a signal on input {0}.</source>
         <translation>Démarrage sécurisé : les moteurs attendent un signal sur l'entrée {0}.</translation></message>
     <message><source>Safe-start: the motors wait until channel 5 no longer requests override.</source>
@@ -3153,18 +3157,14 @@
         <translation>Sous tension</translation></message>
     <message><source>The board's power switch</source>
         <translation>L'interrupteur d'alimentation de la carte</translation></message>
-    <message><source>Battery voltage</source>
-        <translation>Tension de la batterie</translation></message>
+    <message><source>Battery</source>
+        <translation>Batterie</translation></message>
     <message><source>Move by themselves</source>
         <translation>Mouvement automatique</translation></message>
     <message><source>All sticks swing slowly; moving one holds that one</source>
         <translation>Tous les manches oscillent lentement ; en déplacer un l'immobilise</translation></message>
     <message><source>Centre</source>
         <translation>Centrer</translation></message>
-    <message><source>Centre all sticks</source>
-        <translation>Centrer tous les manches</translation></message>
-    <message><source>Battery</source>
-        <translation>Batterie</translation></message>
     <message><source>Input {0}: {1}. A double click centres it, Delete unplugs it.</source>
         <translation>Entrée {0} : {1}. Un double clic la centre, Suppr la débranche.</translation></message>
     <message><source>Unplugged, the port is gone: Serial Timeout and UART-Error Shutdown should stop motors</source>
@@ -3185,6 +3185,22 @@
         <translation>Mode série, entrées lues comme tensions.</translation></message>
     <message><source>Serial commands control the motors.</source>
         <translation>Les commandes série commandent les moteurs.</translation></message>
+    <message><source>Learning: remove the Mix jumper to begin.</source>
+        <translation>Apprentissage : retirez le cavalier Mix pour commencer.</translation></message>
+    <message><source>Learning: waits for a signal on any input.</source>
+        <translation>Apprentissage : attend un signal sur une entrée.</translation></message>
+    <message><source>Learning: leave the sticks centred for two seconds.</source>
+        <translation>Apprentissage : laissez les manches centrés deux secondes.</translation></message>
+    <message><source>Learning: one flash per input; green is learned.</source>
+        <translation>Apprentissage : un clignotement par entrée ; vert signifie apprise.</translation></message>
+    <message><source>Learning: hold each stick at both ends, ten seconds in all.</source>
+        <translation>Apprentissage : maintenez chaque manche aux deux extrémités, dix secondes en tout.</translation></message>
+    <message><source>Learned; green is good. Remove SO–G, then power cycle.</source>
+        <translation>Apprentissage terminé ; vert signifie réussi. Retirez SO–G, puis coupez et remettez l'alimentation.</translation></message>
+    <message><source>Boot loader: remove Mix, then SO–G.</source>
+        <translation>Chargeur d'amorçage : retirez Mix, puis SO–G.</translation></message>
+    <message><source>Boot loader: waits for firmware. Power cycle to leave.</source>
+        <translation>Chargeur d'amorçage : attend un firmware. Coupez et remettez l'alimentation pour en sortir.</translation></message>
     <message><source>serial</source>
         <translation>série</translation></message>
     <message><source>Demo TReX</source>
@@ -3195,14 +3211,8 @@
         <translation>Le fil de SO est coupé : la carte exécute les commandes, aucune réponse n'arrive</translation></message>
     <message><source>This share of the bytes is corrupted in either direction; CRC detects them</source>
         <translation>Cette proportion des octets est altérée dans chaque sens ; le CRC les détecte</translation></message>
-    <message><source>turn</source>
-        <translation>rotation</translation></message>
     <message><source>Supply</source>
         <translation>Alimentation</translation></message>
-    <message><source>Channel 5 hands control to serial commands.</source>
-        <translation>La voie 5 donne la main aux commandes série.</translation></message>
-    <message><source>The sticks control the motors.</source>
-        <translation>Les manches commandent les moteurs.</translation></message>
     <message><source>{0} to learn the inputs.</source>
         <translation>{0} pour apprendre les entrées.</translation></message>
     <message><source>{0} to enter {1} mode.</source>
@@ -3245,8 +3255,6 @@
         <translation>coupée</translation></message>
     <message><source>Fault</source>
         <translation>Défaut</translation></message>
-    <message><source>no fault</source>
-        <translation>pas de défaut</translation></message>
     <message><source>Findings about the settings</source>
         <translation>Constats sur les réglages</translation></message>
     <message numerus="yes"><source>and %n more</source>
@@ -3509,8 +3517,6 @@ avant {1}</translation></message>
         <translation>Source des entrées</translation></message>
     <message><source>edited</source>
         <translation>modifiée</translation></message>
-    <message><source>Channel {0}: {1}</source>
-        <translation>Voie {0} : {1}</translation></message>
     <message><source>the calibration of {0}</source>
         <translation>l'étalonnage de la {0}</translation></message>
     <message><source>&amp;All other channels</source>
@@ -3533,10 +3539,8 @@ avant {1}</translation></message>
         <translation>Valeurs supposées : Pololu ne publie pas de réglages d'usine</translation></message>
     <message><source>&amp;Save calibrations to a file…</source>
         <translation>&amp;Enregistrer les étalonnages dans un fichier…</translation></message>
-    <message><source>Load calibrations</source>
-        <translation>Charger des étalonnages</translation></message>
-    <message><source>Save calibrations</source>
-        <translation>Enregistrer les étalonnages</translation></message>
+    <message><source>Calibrations</source>
+        <translation>Étalonnages</translation></message>
     <message><source>{0} could not be loaded: {1}</source>
         <translation>{0} n'a pas pu être chargé : {1}</translation></message>
     <message><source>Calibrations loaded from {0} as edits: {1}.</source>
@@ -3547,8 +3551,6 @@ avant {1}</translation></message>
         <translation>{0} contient les mêmes étalonnages.</translation></message>
     <message><source>The calibrations shown were saved in {0}.</source>
         <translation>Les étalonnages affichés ont été enregistrés dans {0}.</translation></message>
-    <message><source>Channel {0} ({1})</source>
-        <translation>Voie {0} ({1})</translation></message>
     <message><source>Calibrations of {0}</source>
         <translation>Étalonnages de {0}</translation></message>
     <message><source>Re&amp;versed</source>
@@ -3623,8 +3625,6 @@ avant {1}</translation></message>
         <translation>apprise</translation></message>
     <message><source>factory calibration</source>
         <translation>étalonnage d'usine</translation></message>
-    <message><source>N/A</source>
-        <translation>N/D</translation></message>
     <message><source>problem</source>
         <translation>problème</translation></message>
     <message><source>{0:.0f} to {1:.0f} counts</source>
@@ -3639,6 +3639,8 @@ avant {1}</translation></message>
         <translation>Mode jumelé : la carte ne mesure pas les courants.</translation></message>
     <message><source>Motor currents, {0}</source>
         <translation>Courants des moteurs, {0}</translation></message>
+    <message><source>No current has been read yet.</source>
+        <translation>Aucun courant n'a encore été lu.</translation></message>
     <message><source>One count of this board is {0:.0f} mA.</source>
         <translation>Un count de cette carte vaut {0:.0f} mA.</translation></message>
     <message><source>Set every count to zero, and forget when errors were seen</source>
@@ -3723,16 +3725,10 @@ avant {1}</translation></message>
         <translation>Un axe fait avancer, l'autre tourner</translation></message>
     <message><source>An axis for each motor</source>
         <translation>Un axe par moteur</translation></message>
-    <message><source>How two axes drive two motors</source>
-        <translation>Comment deux axes commandent deux moteurs</translation></message>
     <message><source>&amp;Hold to drive</source>
         <translation>&amp;Maintenir pour piloter</translation></message>
     <message><source>&amp;Stop everything</source>
         <translation>&amp;Tout arrêter</translation></message>
-    <message><source>Dead zone in percent of the travel</source>
-        <translation>Zone morte en pour cent de la course</translation></message>
-    <message><source>Expo in percent</source>
-        <translation>Expo en pour cent</translation></message>
     <message><source>St&amp;icks:</source>
         <translation>Man&amp;ches :</translation></message>
     <message><source>&amp;Dead zone:</source>
@@ -3755,20 +3751,14 @@ avant {1}</translation></message>
         <translation>0 % : linéaire. 100 % : cubique, le plus fin autour du centre</translation></message>
     <message><source>&amp;Left motor</source>
         <translation>Moteur &amp;gauche</translation></message>
-    <message><source>&amp;Forward</source>
-        <translation>&amp;Suivant</translation></message>
     <message><source>Right &amp;motor</source>
         <translation>Moteur &amp;droit</translation></message>
-    <message><source>&amp;Turn</source>
-        <translation>&amp;Rotation</translation></message>
     <message><source>pressed</source>
         <translation>appuyé</translation></message>
     <message><source>{0}: detect</source>
         <translation>{0} : détecter</translation></message>
     <message><source>{0}: inverted</source>
         <translation>{0} : inversé</translation></message>
-    <message><source>Gamepad</source>
-        <translation>Manette</translation></message>
     <message><source>&amp;Gamepad</source>
         <translation>&amp;Manette</translation></message>
     <message><source>Set &amp;up…</source>
@@ -3825,8 +3815,6 @@ avant {1}</translation></message>
         <translation>Piloter avec</translation></message>
     <message><source>E&amp;xtra options</source>
         <translation>A&amp;utres options</translation></message>
-    <message><source>Options</source>
-        <translation>Options</translation></message>
     <message><source>coast (0 %)</source>
         <translation>roue libre (0 %)</translation></message>
     <message><source>none (0 s)</source>
@@ -3837,8 +3825,6 @@ avant {1}</translation></message>
         <translation>arrêt après {0}</translation></message>
     <message><source>may keep turning</source>
         <translation>continuent peut-être</translation></message>
-    <message><source>Motor currents, 10 s</source>
-        <translation>Courants des moteurs, 10 s</translation></message>
     <message><source>Ramp</source>
         <translation>Rampe</translation></message>
     <message><source>Brake before reversal</source>
@@ -4077,8 +4063,6 @@ avant {1}</translation></message>
         <translation>Le module d'impression de Qt n'est pas installé ici ({0}) ; enregistrez plutôt un fichier PDF.</translation></message>
     <message><source>Findings</source>
         <translation>Constats</translation></message>
-    <message><source>Calibrations</source>
-        <translation>Étalonnages</translation></message>
     <message><source>None are given.</source>
         <translation>Aucun n'est indiqué.</translation></message>
     <message><source>Write values with units as wire values, and numbers beyond their range as the nearest one in it; the file changes when you save it</source>
@@ -4643,6 +4627,8 @@ avant {1}</translation></message>
         <translation>Enregistrer un rapport pour l'assistance ; il est d'abord affiché</translation></message>
     <message><source>Prob&amp;lems</source>
         <translation>Prob&amp;lèmes</translation></message>
+    <message><source>Lo&amp;g</source>
+        <translation>&amp;Journal</translation></message>
     <message><source>T&amp;raffic</source>
         <translation>&amp;Trafic</translation></message>
     <message><source>Round trips of the last minute: up to {0:.0f} ms</source>
@@ -4943,6 +4929,14 @@ avant {1}</translation></message>
         <translation>{n} min</translation></message>
     <message><source>now</source>
         <translation>maintenant</translation></message>
+    <message><source>Low</source>
+        <translation>Min.</translation></message>
+    <message><source>Peak</source>
+        <translation>Crête</translation></message>
+    <message><source>Mean</source>
+        <translation>Moyenne</translation></message>
+    <message><source>RMS</source>
+        <translation>RMS</translation></message>
     <message><source>Picture as &amp;PNG…</source>
         <translation>Image &amp;PNG…</translation></message>
     <message><source>Picture as &amp;SVG…</source>
@@ -4953,8 +4947,6 @@ avant {1}</translation></message>
         <translation>Tableaux (*.csv)</translation></message>
     <message><source>Pictures (*.{0})</source>
         <translation>Images (*.{0})</translation></message>
-    <message><source>Export</source>
-        <translation>Exporter</translation></message>
     <message numerus="yes"><source>{0} sample(s) written to {1}.</source>
         <translation><numerusform>{0} échantillon écrit dans {1}.</numerusform><numerusform>{0} échantillons écrits dans {1}.</numerusform></translation></message>
     <message><source>E&amp;xport</source>
@@ -4971,18 +4963,10 @@ avant {1}</translation></message>
         <translation>Il n'y a encore rien à exporter.</translation></message>
     <message><source>The picture was written to {0}.</source>
         <translation>L'image a été écrite dans {0}.</translation></message>
-    <message><source>low {0}</source>
-        <translation>min. {0}</translation></message>
-    <message><source>peak {0}</source>
-        <translation>crête {0}</translation></message>
-    <message><source>mean {0}</source>
-        <translation>moyenne {0}</translation></message>
-    <message><source>RMS {0}</source>
-        <translation>RMS {0}</translation></message>
-    <message><source>charge {0}</source>
-        <translation>charge {0}</translation></message>
-    <message><source>limit {0}</source>
-        <translation>limite {0}</translation></message>
+    <message><source>Limit</source>
+        <translation>Limite</translation></message>
+    <message><source>In the visible span</source>
+        <translation>Sur la plage visible</translation></message>
     <message><source>Choosing one shows its place in the plot.</source>
         <translation>En choisir un montre sa place dans le graphique.</translation></message>
     <message><source>Curves and their figures</source>
@@ -4995,28 +4979,12 @@ avant {1}</translation></message>
         <translation>Maintenant</translation></message>
     <message><source>Newest value; ⚠ means 80 % of the limit or more</source>
         <translation>Valeur la plus récente ; ⚠ signifie 80 % de la limite ou plus</translation></message>
-    <message><source>Peak</source>
-        <translation>Crête</translation></message>
-    <message><source>Highest value in the visible span</source>
-        <translation>Valeur la plus élevée de la plage visible</translation></message>
-    <message><source>Mean</source>
-        <translation>Moyenne</translation></message>
-    <message><source>Mean over time in the visible span</source>
-        <translation>Moyenne dans le temps sur la plage visible</translation></message>
-    <message><source>RMS</source>
-        <translation>RMS</translation></message>
     <message><source>Root mean square in the visible span: what heats wires</source>
         <translation>Valeur efficace sur la plage visible : c'est elle qui chauffe les fils</translation></message>
     <message><source>Current times time in the visible span, without gaps</source>
         <translation>Courant multiplié par le temps sur la plage visible, sans les trous</translation></message>
-    <message><source>Limit</source>
-        <translation>Limite</translation></message>
-    <message><source>Current limit that the board stores</source>
-        <translation>Limite de courant enregistrée dans la carte</translation></message>
     <message><source>Cursor</source>
         <translation>Curseur</translation></message>
-    <message><source>Value at the cursor</source>
-        <translation>Valeur au curseur</translation></message>
     <message><source>To mark</source>
         <translation>Δ repère</translation></message>
     <message><source>From the mark to the cursor; click into the plot or press M to set it</source>
@@ -5025,10 +4993,6 @@ avant {1}</translation></message>
         <translation>Tenue</translation></message>
     <message><source>Highest value since Hold peaks was switched on</source>
         <translation>Valeur la plus élevée depuis l'activation de « Tenir les crêtes »</translation></message>
-    <message><source>Low</source>
-        <translation>Min.</translation></message>
-    <message><source>Lowest value in the visible span</source>
-        <translation>Valeur la plus basse de la plage visible</translation></message>
     <message><source>{0}, {1}: {2}, near its limit</source>
         <translation>{0}, {1} : {2}, près de sa limite</translation></message>
     <message><source>{0}, {1}: {2}, over its limit</source>
@@ -5055,6 +5019,8 @@ avant {1}</translation></message>
         <translation>dispositions de courbes</translation></message>
     <message><source>The layout of {0} is shown.</source>
         <translation>La disposition de {0} est affichée.</translation></message>
+    <message><source>is {0}, not {1}</source>
+        <translation>est {0}, et non {1}</translation></message>
     <message><source>Blue</source>
         <translation>Bleu</translation></message>
     <message><source>Orange</source>
@@ -5071,24 +5037,12 @@ avant {1}</translation></message>
         <translation>Gris</translation></message>
     <message><source>As text</source>
         <translation>Comme le texte</translation></message>
-    <message><source>is no curve of this plot, which has {0}</source>
-        <translation>n'est pas une courbe de ce graphique, qui a {0}</translation></message>
     <message><source>it is nested too deeply</source>
         <translation>l'imbrication est trop profonde</translation></message>
-    <message><source>has no version; this program reads layouts of version {0}</source>
-        <translation>n'a pas de version ; ce programme lit les dispositions de version {0}</translation></message>
-    <message><source>has the colour {0}, which is none of {1}</source>
-        <translation>a la couleur {0}, qui ne fait pas partie de {1}</translation></message>
-    <message><source>has the version {0}; this program reads layouts of version {1}</source>
-        <translation>a la version {0} ; ce programme lit les dispositions de version {1}</translation></message>
-    <message><source>is {0}, not a number from {1} to {2}</source>
-        <translation>est {0}, et non un nombre de {1} à {2}</translation></message>
-    <message><source>is not known in a plot layout</source>
-        <translation>est inconnu dans une disposition de courbes</translation></message>
     <message><source>this is not a plot layout: {0}</source>
         <translation>ce n'est pas une disposition de courbes : {0}</translation></message>
-    <message><source>is not a table of curves</source>
-        <translation>n'est pas une table de courbes</translation></message>
+    <message><source>is none of {0}</source>
+        <translation>n'est aucun de {0}</translation></message>
     <message><source>Apply</source>
         <translation>Appliqué</translation></message>
     <message><source>Timeout</source>
@@ -5245,6 +5199,8 @@ Réécrire le fichier à partir des réglages ? Ses commentaires seront perdus.
         <translation>Avertissement</translation></message>
     <message><source>{0} LED: {1}</source>
         <translation>LED {0} : {1}</translation></message>
+    <message><source>Find now</source>
+        <translation>Rechercher maintenant</translation></message>
     <message><source>Reconnect</source>
         <translation>Reconnecter</translation></message>
     <message><source>Stop them now</source>

@@ -155,7 +155,7 @@ def test_cable_is_unplugged_and_plugged_in_again(
     panel.wait(lambda: panel.text("demoState") == "The cable is plugged in again. Press Connect.")
     window.click("bannerReconnect")
     panel.wait_for(ConnectionState.CONNECTED)
-    panel.wait(lambda: panel.text("demoState").startswith("Serial mode."))
+    panel.wait(lambda: panel.text("demoState").startswith("Serial commands"))
     assert trex(window.program).controller.port == window.program.ports.demo_of("trex")
     controller = trex(window.program).controller
 

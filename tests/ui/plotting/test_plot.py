@@ -311,7 +311,7 @@ def test_layout_is_saved_opened_remembered_and_reset(
     path.write_text("version = 2", encoding="utf-8")
     button.open(path)
     panel.wait_for_files()
-    assert "has the version 2" in panel.text("pageState")
+    assert "version: is 2" in panel.text("pageState")
     assert usual.traces[0].color == "pink"
 
 
@@ -530,7 +530,7 @@ def test_picture_has_axes_legend_and_a_light_background(
     panel.export.save_picture(tmp_path / "picture.svg")
     panel.wait_for_files()
     svg = (tmp_path / "picture.svg").read_text(encoding="utf-8")
-    for text in ("Motor 1", "mean 1.00 A", "peak 3.00 A", "charge", "0:30", "5 A"):
+    for text in ("Motor 1", "Mean: 1.00 A", "Peak: 3.00 A", "Charge", "0:30", "5 A"):
         assert text in svg, text
     assert "<polyline" in svg
     assert "<image" not in svg

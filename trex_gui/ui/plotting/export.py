@@ -100,7 +100,7 @@ class ExportButton(QToolButton):
             name += datetime.now().astimezone().strftime("_%Y-%m-%d_%H-%M-%S")
         proposal = file_questions.last_folder() / f"{name}.{kind}"
         path = file_questions.ask_to_save(
-            self.window(), tr("Export"), proposal, kinds.format(kind), f".{kind}"
+            self.window(), self.accessibleName(), proposal, kinds.format(kind), f".{kind}"
         )
         if path is None:
             return
@@ -278,14 +278,14 @@ def _figures(source: Traces, trace: TraceInfo, start: float, end: float) -> str:
     found, unit = source.statistics(trace.name, start, end), trace.unit
     if not found.seconds:
         return ""
-    parts = [
-        tr("low {0}").format(value_text(found.low, unit)),
-        tr("peak {0}").format(value_text(found.high, unit)),
-        tr("mean {0}").format(value_text(found.mean, unit)),
-        tr("RMS {0}").format(value_text(found.rms, unit)),
-    ]
+    figures = {
+        tr("Low"): value_text(found.low, unit),
+        tr("Peak"): value_text(found.high, unit),
+        tr("Mean"): value_text(found.mean, unit),
+        tr("RMS"): value_text(found.rms, unit),
+    }
     if unit == "A":
-        parts.append(tr("charge {0}").format(charge_text(found)))
+        figures[tr("Charge")] = charge_text(found)
         if (limit := source.limits.get(trace.name)) is not None:
-            parts.append(tr("limit {0}").format(value_text(limit, unit)))
-    return ", ".join(parts)
+            figures[tr("Limit")] = value_text(limit, unit)
+    return ", ".join(tr("{0}: {1}").format(*figure) for figure in figures.items())

@@ -75,21 +75,22 @@ class TraceTable(QAbstractTableModel):
         self._plot = plot
         self._traces: tuple[TraceInfo, ...] = ()
         self._statistics: dict[str, Statistics] = {}
+        visible = tr("In the visible span")
         self._heads = (  # as in `TraceColumn`
             (tr("Curve"), tr("Select the curves to draw")),
             (tr("Now"), tr("Newest value; ⚠ means 80 % of the limit or more")),
-            (tr("Peak"), tr("Highest value in the visible span")),
-            (tr("Mean"), tr("Mean over time in the visible span")),
+            (tr("Peak"), visible),
+            (tr("Mean"), visible),
             (tr("RMS"), tr("Root mean square in the visible span: what heats wires")),
             (tr("Charge"), tr("Current times time in the visible span, without gaps")),
-            (tr("Limit"), tr("Current limit that the board stores")),
-            (tr("Cursor"), tr("Value at the cursor")),
+            (tr("Limit"), ""),
+            (tr("Cursor"), ""),
             (
                 tr("To mark"),
                 tr("From the mark to the cursor; click into the plot or press M to set it"),
             ),
             (tr("Held"), tr("Highest value since Hold peaks was switched on")),
-            (tr("Low"), tr("Lowest value in the visible span")),
+            (tr("Low"), visible),
         )
         self.show_source()
 

@@ -65,7 +65,7 @@ class LayoutButton(QToolButton):
         for name, text, slot in (
             ("layoutOpenAction", tr("&Open layout…"), self._ask_and_open),
             ("layoutSaveAction", tr("&Save layout…"), self._ask_and_save),
-            ("layoutResetAction", tr("&Reset layout"), partial(self._use, None)),
+            ("layoutResetAction", tr("&Reset layout"), partial(use, None)),
         ):
             menu.addAction(action(self, name, text, on_trigger=slot))
 

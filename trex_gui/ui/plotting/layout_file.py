@@ -29,6 +29,7 @@ COLORS = {
 """Colours of curves by their names in files: the name in the theme, and the one for the user."""
 
 _RANGES = {"seconds": (MIN_SPAN, MAX_SPAN), "top": (0, LARGEST_TOP)}
+_KEYS = dict.fromkeys(("version", *_RANGES, "curves")).keys()
 
 
 def color_name(color: str) -> str:
@@ -67,13 +68,6 @@ def read_layout(data: bytes, name: str, known: Collection[str]) -> PlotLayout:
     except (ValueError, RecursionError) as error:
         why = tr("it is nested too deeply") if isinstance(error, RecursionError) else error
         raise SettingsError.of(name, tr("this is not a plot layout: {0}").format(why)) from error
-    if (version := found.pop("version", None)) != VERSION or isinstance(version, bool):
-        message = tr("has no version; this program reads layouts of version {0}").format(VERSION)
-        if version is not None:
-            message = tr("has the version {0}; this program reads layouts of version {1}").format(
-                shortened(version), VERSION
-            )
-        raise SettingsError.of(name, message)
     if problems := [Finding(None, *problem) for problem in _problems(found, known)]:
         raise SettingsError(name, problems)
     return PlotLayout(float(found["seconds"]), float(found["top"]), found["curves"])
@@ -81,29 +75,26 @@ def read_layout(data: bytes, name: str, known: Collection[str]) -> PlotLayout:
 
 def _problems(found: Mapping[str, Any], known: Collection[str]) -> Iterator[tuple[str, str]]:
     """Yield what is wrong in a layout: the key, and the message."""
-    for key in (*_RANGES, "curves"):
+    is_not = tr("is {0}, not {1}")
+    version, curves = found.get("version"), found.get("curves", {})
+    if version != VERSION or isinstance(version, bool):
+        yield "version", is_not.format(shortened(version), VERSION)
+        return
+    for key in _KEYS:
         if key not in found:
             yield key, tr("is missing")
-        elif key in _RANGES:
-            value, (lowest, highest) = found[key], _RANGES[key]
-            is_number = isinstance(value, int | float) and not isinstance(value, bool)
-            if not (is_number and lowest <= value <= highest):
-                text = tr("is {0}, not a number from {1} to {2}")
-                yield key, text.format(shortened(value), f"{lowest:g}", f"{highest:g}")
-        elif not isinstance(found[key], dict):
-            yield key, tr("is not a table of curves")
-        else:
-            yield from _curve_problems(found[key], known)
-    for key in found:
-        if key not in _RANGES and key != "curves":
-            yield key, tr("is not known in a plot layout")
-
-
-def _curve_problems(curves: Mapping[str, Any], known: Collection[str]) -> Iterator[tuple[str, str]]:
+    for key, (lowest, highest) in _RANGES.items():
+        value = found.get(key, lowest)
+        is_number = isinstance(value, int | float) and not isinstance(value, bool)
+        if not (is_number and lowest <= value <= highest):
+            yield key, is_not.format(shortened(value), f"{lowest:g}–{highest:g}")
+    if not isinstance(curves, dict):
+        yield "curves", is_not.format(shortened(curves), "[curves]")
+        curves = {}
+    for keys, valid in ((found, _KEYS), (curves, known)):
+        for key in keys:
+            if key not in valid:
+                yield key, tr("is none of {0}").format(", ".join(valid))
     for curve, color in curves.items():
-        if curve not in known:
-            text = tr("is no curve of this plot, which has {0}")
-            yield curve, text.format(", ".join(known))
-        elif not isinstance(color, str) or color not in COLORS:
-            text = tr("has the colour {0}, which is none of {1}")
-            yield curve, text.format(shortened(color), ", ".join(COLORS))
+        if not isinstance(color, str) or color not in COLORS:
+            yield curve, is_not.format(shortened(color), ", ".join(COLORS))

@@ -103,7 +103,7 @@ class Leds(QWidget):
             name, meaning = self._names[index], meanings[index]
             text = tr("{0}: {1}").format(name, words[index]) if words[index] else name
             self._words[index].setText(text)
-            spoken = tr("{0} LED: {1}").format(name, meaning or words[index])
+            spoken = f"{tr('{0} LED').format(name)}: {meaning or words[index]}"
             self.lamps[index].setAccessibleName(spoken)
             for widget in (self.lamps[index], self._words[index]):
                 widget.setToolTip(plain(spoken))

@@ -45,7 +45,7 @@ def drawing(qtbot: QtBot) -> Iterator[Drawing]:
 
 
 def test_nothing_is_said_that_is_not_known(drawing: Drawing) -> None:
-    assert drawing.said("Channel1") == "Channel 1, motor 1: –"
+    assert drawing.said("Channel1") == "Channel 1: Motor 1: –"
     for jumper in ("ModeJumper", "MixJumper", "SoGroundJumper"):
         assert "not known" in drawing.said(jumper)
         assert drawing.find(JumperPart, f"boardPart{jumper}").is_on is None
@@ -57,9 +57,9 @@ def test_nothing_is_said_that_is_not_known(drawing: Drawing) -> None:
 def test_board_in_serial_mode(drawing: Drawing, quick_simulator: SimulatedDevice) -> None:
     drawing.connect(quick_simulator)
     quick_simulator.do("channel 2 1800us")
-    drawing.wait(lambda: drawing.said("Channel2") == "Channel 2, motor 2: 1800 µs")
+    drawing.wait(lambda: drawing.said("Channel2") == "Channel 2: Motor 2: 1800 µs")
     quick_simulator.do("channel 3 invalid")
-    drawing.wait(lambda: drawing.said("Channel3") == "Channel 3, auxiliary: no signal")
+    drawing.wait(lambda: drawing.said("Channel3") == "Channel 3: Auxiliary: no signal")
     assert drawing.said("ModeJumper") == "Mode jumper: Mode: off, serial mode"
     assert drawing.said("SoGroundJumper") == "SO–G jumper: SO–G: off, replies arrive"
     assert drawing.said("RedLed") == "Red LED: on"

@@ -77,12 +77,11 @@ def test_dark_led_is_described_in_the_language(qapp: QApplication) -> None:
 @pytest.mark.parametrize(
     ("snapshot", "words"),
     [
-        (SERIAL, "Serial mode. Serial commands"),
-        (replace(SERIAL, mode=Mode.SERIAL_ANALOG), "inputs read as voltages"),
+        (SERIAL, "Serial commands control the motors (serial mode)."),
         (RC, "RC mode. The sticks"),
         (replace(RC, mode=Mode.ANALOG), "Analog mode."),
         (replace(RC, safe_start=True), "Safe-start"),
-        (replace(RC, serial_controls=True, override=True), "Channel 5 hands control"),
+        (replace(RC, serial_controls=True, override=True), "channel 5 overrides"),
         (replace(RC, power=False), "does not reply"),
         (replace(SERIAL, boot_mode="boot loader: requested"), "Boot loader"),
     ],

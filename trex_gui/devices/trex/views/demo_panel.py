@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QLabel, QLayout, QWidget
 
 from trex_gui.core.translation import Number, tr, tr_noop
 from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, PACKETS
+from trex_gui.devices.trex.model.channel_text import CHANNEL_NAMES
 from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.demo import (
     BOOT_TEXTS,
@@ -19,7 +20,7 @@ from trex_gui.devices.trex.model.demo import (
     DemoSnapshot,
 )
 from trex_gui.devices.trex.model.learning.learning import Learning
-from trex_gui.devices.trex.protocol.descriptions import CHANNEL_ROLES
+from trex_gui.devices.trex.protocol.descriptions import CHANNEL_ROLES, who_controls
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode, channels_in
 from trex_gui.devices.trex.views.board.parts import (
     PULLED,
@@ -45,6 +46,7 @@ _TRAVEL = 1200  # positions of a stick: microseconds of its pulses
 _STALL, _AMPERE = 30, 10  # A of the simulated model, positions
 _LOWEST, _HIGHEST, _VOLT = 4, 16, 10  # V, V, positions; below about 6 V a TReX resets
 _MODES = ("serial", "rc", "analog")
+_MIXED = tr_noop("&Turn"), tr_noop("&Forward")  # what inputs 1 and 2 do with the mix jumper
 _FLASHES = {  # while the board learns or is in the boot loader
     "blink": tr_noop("blink {0}/s"),
     "alternate": tr_noop("alternate {0}/s"),
@@ -78,21 +80,11 @@ def state_text(snapshot: DemoSnapshot) -> str:
         return tr("The power is off: the board does not reply.")
     if snapshot.boot_mode is not None:
         return tr(BOOT_TEXTS[snapshot.boot_mode])
-    mode = {
-        Mode.RC: tr("RC mode."),
-        Mode.ANALOG: tr("Analog mode."),
-        Mode.SERIAL_RC: tr("Serial mode."),
-        Mode.SERIAL_ANALOG: tr("Serial mode, inputs read as voltages."),
-    }[snapshot.mode]
-    if snapshot.safe_start:
-        doing = _safe_start_text(snapshot)
-    elif snapshot.mode.is_serial:
-        doing = tr("Serial commands control the motors.")
-    elif snapshot.serial_controls:
-        doing = tr("Channel 5 hands control to serial commands.")
-    else:
-        doing = tr("The sticks control the motors.")
-    return f"{mode} {doing}"
+    if snapshot.serial_controls and not snapshot.safe_start:
+        return who_controls(snapshot.mode, True, joint=False)
+    mode = tr("RC mode.") if snapshot.mode is Mode.RC else tr("Analog mode.")
+    doing = tr("The sticks control the motors.")
+    return f"{mode} {_safe_start_text(snapshot) if snapshot.safe_start else doing}"
 
 
 def _safe_start_text(snapshot: DemoSnapshot) -> str:
@@ -169,10 +161,10 @@ def _other_rows(board: DemoBoard, parent: QWidget) -> BoardRows:
     tip = tr("Off for a second: jumpers are read, stored settings take effect")
     cycle = ui.button(rows, "demoPowerCycle", tr("Power cycle"), tip=tip, icon="power")
     cycle.clicked.connect(board.power_cycle)
-    volts = LiveLabel("demoBatteryValue", tr("Battery voltage"), rows)
+    volts = LiveLabel("demoBatteryValue", tr("Battery"), rows)
     battery = StickSlider(_LOWEST * _VOLT, _HIGHEST * _VOLT, _LOWEST * _VOLT, "bar", rows)
     tip = tr("A weak battery sags when the motors start, and the board resets")
-    ui.named(battery, "demoBattery", accessible=tr("Battery voltage"), tip=tip)
+    ui.named(battery, "demoBattery", accessible=tr("Battery"), tip=tip)
     battery.positions_per_unit = _VOLT
     battery.setSingleStep(5)
     rows.connect_slider(
@@ -191,7 +183,6 @@ def _other_rows(board: DemoBoard, parent: QWidget) -> BoardRows:
     )
     tip = tr("Hold all sticks centred, as safe-start requires")
     centre = ui.button(rows, "demoCentre", tr("Centre"), tip=tip, on_click=board.centre_sticks)
-    centre.setAccessibleName(tr("Centre all sticks"))
 
     def hint(snapshot: DemoSnapshot) -> tuple[str, bool]:
         text = jumper_hint(snapshot)
@@ -259,7 +250,7 @@ class Drawing(BoardRows):
 
     def _take_room(self) -> None:
         line, width = self.fontMetrics().height(), self.fontMetrics().horizontalAdvance
-        names = tr("turn"), tr("forward"), tr("motor 1"), tr("auxiliary"), tr("override")
+        names = (tr(name).replace("&", "") for name in (*_MIXED, *CHANNEL_NAMES.values()))
         self._inputs.setColumnMinimumWidth(0, max(width(f"5\u2002{name}") for name in names))
         self._inputs.setColumnMinimumWidth(1, width("2100\u00a0µs"))
         for label in self.findChildren(LiveLabel, QRegularExpression("demoLoadValue.")):
@@ -323,10 +314,10 @@ class Drawing(BoardRows):
 
         def update(snapshot: DemoSnapshot) -> None:
             seen = snapshot.channels[channel - 1]
-            mixed, separate = (tr("turn"), tr("forward")), (tr("motor 1"), tr("motor 2"))
-            first = mixed if snapshot.jumpers.mix else separate
-            roles = (*first, tr("auxiliary"), tr("flip"), tr("override"))
-            name.setText(f"<b>{channel}</b>\u2002{roles[channel - 1]}")
+            role = tr(CHANNEL_NAMES[channel])
+            if snapshot.jumpers.mix and channel <= len(_MIXED):
+                role = tr(_MIXED[channel - 1]).replace("&", "")
+            name.setText(f"<b>{channel}</b>\u2002{role}")
             is_in = seen.has_signal
             slider.setEnabled(is_in)
             plug.show_plug(tr("plugged in") if is_in else tr("no signal"), out=not is_in)

@@ -79,7 +79,7 @@ class BoardPage(QWidget):
         ui.column((self._open, 1), (self._set_up, 0, Qt.AlignmentFlag.AlignLeft), into=set_up)
         cable = ui.Card(tr("If the cable fails"), self._report)
         ui.column(TimeoutNotice(device, cable), into=cable)
-        problems = ui.Card(tr("Problems"), self._report)
+        problems = ui.Card(tr("Prob&lems").replace("&", ""), self._report)
         self._problems = ui.named(Note(1, problems), "boardProblems")
         show = ui.button(problems, "showProblems", tr("Sh&ow them"))
         show.clicked.connect(lambda: self.page_wanted.emit("errors"))

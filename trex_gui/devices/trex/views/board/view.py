@@ -17,6 +17,7 @@ from trex_gui.devices.trex.board.drive_status import (
 from trex_gui.devices.trex.board.errors import error_names
 from trex_gui.devices.trex.board.quality import quality_text
 from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, PACKETS, led_patterns
+from trex_gui.devices.trex.model.channel_text import CHANNEL_NAMES
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import drive_inputs
 from trex_gui.devices.trex.model.drive_texts import direction_text, limit_text, setpoint_text
@@ -35,14 +36,6 @@ from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.theme import follow_theme, scaled_font, theme
 from trex_gui.ui.widgets.circuit import paint_block, paint_body, text_width
 from trex_gui.ui.widgets.painted import Motion, Painter, never_mirror
-
-_ROLES = {
-    1: tr_noop("motor 1"),
-    2: tr_noop("motor 2"),
-    3: tr_noop("auxiliary"),
-    4: tr_noop("flip"),
-    5: tr_noop("override"),
-}
 
 # Words for a setpoint that is no speed.
 _SOURCES = {
@@ -82,15 +75,15 @@ class BoardView(QWidget):
         self._channels = {
             number: ChannelPart(
                 f"Channel{number}",
-                tr("Channel {0}, {1}").format(number, tr(_ROLES[number])),
+                tr("Channel {0}: {1}").format(number, tr(CHANNEL_NAMES[number])),
                 channels,
                 self,
             )
             for number in CHANNELS
         }
         self._leds = (
-            LedPart("RedLed", tr("Red LED"), leds, self, "led_red"),
-            LedPart("GreenLed", tr("Green LED"), leds, self, "led_green"),
+            LedPart("RedLed", tr("{0} LED").format(tr("Red")), leds, self, "led_red"),
+            LedPart("GreenLed", tr("{0} LED").format(tr("Green")), leds, self, "led_green"),
         )
         self._mode = JumperPart("ModeJumper", tr("Mode jumper"), settings, self)
         self._mix = JumperPart("MixJumper", tr("Mix jumper"), channels, self)
@@ -110,7 +103,7 @@ class BoardView(QWidget):
     def _columns(self) -> tuple[tuple[float, float], ...]:
         """Return how wide channels, body and motors are at least and at most, in lines of text."""
         font, line = self.font(), self.fontMetrics().height()
-        roles = text_width(font, *(f"CH5  {tr(role)}  2000 µs " for role in _ROLES.values()))
+        roles = text_width(font, *(f"CH5  {tr(role)}  2000 µs " for role in CHANNEL_NAMES.values()))
         words = f"{tr('not armed')} {tr('reverse')} {tr('limit {0:.1f} A').format(88.8)}".split()
         names = [part.accessibleName() for part in self._motors.values()]
         motors = text_width(font, *names, *words) / line + WHEEL + 2
@@ -228,7 +221,7 @@ class BoardView(QWidget):
     def _show_channels(self) -> None:
         device, state = self._device, self._device.state
         for number, part in self._channels.items():
-            name = tr(_ROLES[number])
+            name = tr(CHANNEL_NAMES[number])
             title = tr("CH{0}").format(number)
             if state is None or device.telemetry.raw is None:
                 part.show_lines(title, name, "–")
@@ -244,7 +237,7 @@ class BoardView(QWidget):
         device = self._device
         state = device.state if device.is_connected else None
         if state is None:
-            self._mode.show_jumper(None, tr("Mode: not known"))
+            self._mode.show_jumper(None, tr("Mode jumper"), tr("not known"))
         elif state.mode.is_serial:
             self._mode.show_jumper(False, tr("Mode: off"), tr("serial mode"))
         else:
@@ -255,8 +248,8 @@ class BoardView(QWidget):
             self._mode.show_jumper(True, tr("Mode: {0}").format(name), words)
         mix = device.mix_jumper.is_on if state is not None else None
         if mix is None:
-            hint = tr("move a stick to see") if state is not None else ""
-            self._mix.show_jumper(None, tr("Mix: not known"), hint)
+            hint = tr("not known") if state is None else tr("not known: move a stick to see")
+            self._mix.show_jumper(None, tr("Mix jumper"), hint)
         else:
             words = tr("one stick drives both motors") if mix else tr("each channel has its motor")
             if state is not None and state.mode.is_serial:
@@ -264,7 +257,7 @@ class BoardView(QWidget):
             self._mix.show_jumper(mix, tr("Mix: on") if mix else tr("Mix: off"), words)
         so_ground = device.board.so_ground
         if so_ground is None:
-            self._so_ground.show_jumper(None, tr("SO–G: not known"))
+            self._so_ground.show_jumper(None, tr("SO–G jumper"), tr("not known"))
         else:
             words = tr("replies arrive")
             self._so_ground.show_jumper(so_ground, tr("SO–G: off"), words)

@@ -60,7 +60,7 @@ class CurrentsPanel(TracePanel):
             note = tr("One count of this board is {0:.0f} mA.").format(step)
             note = f"{note} {tr(CURRENT_ACCURACY)}"
         if name := self._device.board_name:  # the curves remain when it is disconnected
-            self.export.heading = tr("Motor currents, {0}").format(name)
+            self.export.heading = f"{tr('Motor currents')}, {name}"
         # The result of an export remains until the note changes.
         if note != self._note_text:
             self._note_text = note

@@ -43,7 +43,7 @@ class ChangeMenu(QMenu):
         self._copies = self.addMenu(tr("&Copy to"))
         set_icon(self._copies.menuAction(), "copy")
         for channel in CHANNELS:
-            text = tr("Channel {0} ({1})").format(channel, tr(CHANNEL_NAMES[channel]))
+            text = tr("Channel {0}: {1}").format(channel, tr(CHANNEL_NAMES[channel]))
             copy = partial(self._copy_to, (channel,))
             self._add(self._copies, f"copyTo{channel}Action", text, copy)
         self._copies.addSeparator()
@@ -118,7 +118,7 @@ class ChangeMenu(QMenu):
     # --- Settings files -----------------------------------------------------------------
 
     def _ask_and_load(self) -> None:
-        path = file_questions.ask_to_open(self._window, tr("Load calibrations"))
+        path = file_questions.ask_to_open(self._window, tr("Calibrations"))
         if path:
             file_questions.remember_folder(path)
             self.load_file(path)
@@ -126,7 +126,7 @@ class ChangeMenu(QMenu):
     def _ask_and_save(self) -> None:
         chosen, _ = QFileDialog.getSaveFileName(
             self._window,
-            tr("Save calibrations"),
+            tr("Calibrations"),
             str(file_questions.last_folder() / "calibrations.txt"),
             file_questions.file_filter(),
             options=QFileDialog.Option.DontConfirmOverwrite,  # only the calibrations change

@@ -30,6 +30,7 @@ from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import scaled_font, theme
 from trex_gui.ui.units import units
 from trex_gui.ui.widgets.accessible import Spoken
+from trex_gui.ui.widgets.bar import NO_VALUE
 from trex_gui.ui.widgets.behaviour import only_when_visible, strokes
 from trex_gui.ui.widgets.builders import column, named, plain
 from trex_gui.ui.widgets.circuit import write
@@ -83,7 +84,7 @@ class ChannelStrip(QAbstractButton, Spoken):
         self._show_texts(value or tr("no signal"), output, live_text(source, raw, self._curve))
 
     def show_unknown(self) -> None:
-        self._show_texts(tr("N/A"), "", tr("N/A"))
+        self._show_texts(NO_VALUE, "", tr("not known"))
 
     def _show_texts(self, value: str, output: str, spoken: str) -> None:
         if (value, output, spoken) != (self._value, self._output, self._spoken):

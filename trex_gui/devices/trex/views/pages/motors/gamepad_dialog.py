@@ -151,7 +151,7 @@ class GamepadDialog(ReusedDialog):
         self._style = ui.combo_box(
             uses,
             "gamepadStyleCombo",
-            tr("How two axes drive two motors"),
+            tr("St&icks:").replace("&", ""),
             items=[(mixed, Style.MIXED), (tank, Style.TANK)],
             on_activate=self._on_edited,
         )
@@ -164,13 +164,13 @@ class GamepadDialog(ReusedDialog):
         percent = partial(ui.spin_box, uses, lowest=0, suffix=" %", on_change=self._on_edited)
         self._dead_zone = percent(
             "gamepadDeadZoneSpin",
-            tr("Dead zone in percent of the travel"),
+            tr("&Dead zone:").replace("&", ""),
             highest=round(100 * WIDEST_DEAD_ZONE),
             tip=tr("Travel around the centre that has no effect"),
         )
         self._expo = percent(
             "gamepadExpoSpin",
-            tr("Expo in percent"),
+            tr("&Expo:").replace("&", ""),
             highest=100,
             tip=tr("0 %: linear. 100 %: cubic, finest around the centre"),
         )

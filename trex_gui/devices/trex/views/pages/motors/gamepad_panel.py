@@ -32,7 +32,7 @@ class GamepadPanel(QWidget):
             accessible=tr("Drive with a gamepad"),
             on_toggle=lambda on: self.gamepad.switch_on() if on else self.gamepad.switch_off(),
         )
-        title = tr("Gamepad")
+        title = tr("&Gamepad").replace("&", "")
         self._pads = ui.combo_box(
             self,
             "gamepadCombo",
@@ -96,7 +96,7 @@ class GamepadPanel(QWidget):
         for widget in (self._pads, self._set_up, self._unfocused):
             widget.setVisible(gamepad.on)
         self._state.show_note(gamepad.text, alarming=bool(gamepad.failure or gamepad.gone))
-        self._state.setAccessibleName(gamepad.text or tr("Gamepad"))
+        self._state.setAccessibleName(gamepad.text or tr("&Gamepad").replace("&", ""))
         self._attend()
 
     def event(self, event: QEvent) -> bool:

@@ -110,7 +110,7 @@ class Options(ui.Card):
     """Options that are rarely changed. All but the ramp are stored."""
 
     def __init__(self, motors: Motors, parent: QWidget | None = None) -> None:
-        super().__init__(tr("Options"), parent)
+        super().__init__(tr("E&xtra options").replace("&", ""), parent)
         self.setObjectName("motorsOptions")
         self._motors = motors
         self._store = Preferences()

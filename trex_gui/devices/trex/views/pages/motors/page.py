@@ -80,7 +80,7 @@ class MotorsPage(QWidget):
             AUXILIARY: DriveControl(tr("Auxiliary"), "aux", two_way=False, parent=drive_box),
         }
         self._side = side = QWidget(self)
-        title = tr("Motor currents, 10 s")
+        title = f"{tr('Motor currents')}, 10 s"
         currents = ui.named(ui.Card("", side), "currentsCard", accessible=title)
         self._strip = CurrentStrip(device, currents)
         plot = ui.button(currents, "openPlot", tr("&Open plot"), on_click=self.plot_wanted)
