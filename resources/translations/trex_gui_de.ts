@@ -3121,6 +3121,22 @@
         <translation>wechselt {0}/s</translation></message>
     <message><source>short flash {0}/s</source>
         <translation>blitzt {0}/s</translation></message>
+    <message><source>Learning: remove the Mix jumper to begin.</source>
+        <translation>Einlernen: Mix-Jumper abziehen, um zu beginnen.</translation></message>
+    <message><source>Learning: waits for a signal on any input.</source>
+        <translation>Einlernen: Wartet auf ein Signal an einem Eingang.</translation></message>
+    <message><source>Learning: leave the sticks centred for two seconds.</source>
+        <translation>Einlernen: Knüppel zwei Sekunden in Mittelstellung lassen.</translation></message>
+    <message><source>Learning: one flash per input; green is learned.</source>
+        <translation>Einlernen: Ein Blinken je Eingang; Grün ist eingelernt.</translation></message>
+    <message><source>Learning: hold each stick at both ends, ten seconds in all.</source>
+        <translation>Einlernen: Jeden Knüppel in beiden Endlagen halten, insgesamt zehn Sekunden.</translation></message>
+    <message><source>Learned; green is good. Remove SO–G, then power cycle.</source>
+        <translation>Eingelernt; Grün ist gut. SO–G abziehen, dann aus- und einschalten.</translation></message>
+    <message><source>Boot loader: remove Mix, then SO–G.</source>
+        <translation>Bootloader: Mix abziehen, dann SO–G.</translation></message>
+    <message><source>Boot loader: waits for firmware. Power cycle to leave.</source>
+        <translation>Bootloader: Wartet auf Firmware. Zum Verlassen aus- und einschalten.</translation></message>
     <message><source>The sticks control the motors.</source>
         <translation>Die Knüppel steuern die Motoren.</translation></message>
     <message><source>Safe-start: the motors wait until the sticks are centred.</source>
@@ -3701,14 +3717,6 @@ bisher {1}</translation></message>
         <translation>höchstens {0:.0f} %</translation></message>
     <message><source>Full deflection is {0:.0f} % of full speed.</source>
         <translation>Voller Ausschlag entspricht {0:.0f} % der vollen Geschwindigkeit.</translation></message>
-    <message><source>Push the stick for the left motor fully forward.</source>
-        <translation>Drücken Sie den Knüppel für den linken Motor ganz nach vorn.</translation></message>
-    <message><source>Push the stick for the right motor fully forward.</source>
-        <translation>Drücken Sie den Knüppel für den rechten Motor ganz nach vorn.</translation></message>
-    <message><source>Push the stick that drives fully forward.</source>
-        <translation>Drücken Sie den Knüppel zum Fahren ganz nach vorn.</translation></message>
-    <message><source>Push the stick that turns fully to the right.</source>
-        <translation>Drücken Sie den Knüppel zum Lenken ganz nach rechts.</translation></message>
     <message><source>The gamepad cannot drive while this window is open, but its stop button works.</source>
         <translation>Mit dem Gamepad kann nicht gefahren werden, solange dieses Fenster offen ist, aber seine Stopptaste wirkt.</translation></message>
     <message><source>Move it…</source>
@@ -3737,10 +3745,10 @@ bisher {1}</translation></message>
         <translation>&amp;Expo:</translation></message>
     <message><source>none: a moved stick drives</source>
         <translation>keine: Ein bewegter Knüppel fährt</translation></message>
-    <message><source>Press the button to hold while driving.</source>
-        <translation>Drücken Sie die Taste, die beim Fahren gehalten wird.</translation></message>
-    <message><source>Press the button that stops everything.</source>
-        <translation>Drücken Sie die Taste, die alles stoppt.</translation></message>
+    <message><source>Push the stick fully to the right.</source>
+        <translation>Drücken Sie den Knüppel ganz nach rechts.</translation></message>
+    <message><source>Press the button.</source>
+        <translation>Drücken Sie die Taste.</translation></message>
     <message><source>Without a button to hold, a bumped stick drives the motors. The gamepad cannot drive while this window is open.</source>
         <translation>Ohne eine Taste zum Halten treibt ein angestoßener Knüppel die Motoren an. Mit dem Gamepad kann nicht gefahren werden, solange dieses Fenster offen ist.</translation></message>
     <message><source>Live state</source>
@@ -3753,6 +3761,8 @@ bisher {1}</translation></message>
         <translation>&amp;Linker Motor</translation></message>
     <message><source>Right &amp;motor</source>
         <translation>&amp;Rechter Motor</translation></message>
+    <message><source>Push the stick fully forward.</source>
+        <translation>Drücken Sie den Knüppel ganz nach vorn.</translation></message>
     <message><source>pressed</source>
         <translation>gedrückt</translation></message>
     <message><source>{0}: detect</source>
@@ -5155,6 +5165,8 @@ bisher {1}</translation></message>
         <translation>empfangen {0}</translation></message>
     <message><source>not connected</source>
         <translation>nicht verbunden</translation></message>
+    <message><source>no data yet</source>
+        <translation>noch keine Daten</translation></message>
     <message><source>Columns</source>
         <translation>Spalten</translation></message>
     <message><source>Rows</source>

@@ -3121,6 +3121,22 @@
         <translation>alterne {0}/s</translation></message>
     <message><source>short flash {0}/s</source>
         <translation>éclair bref {0}/s</translation></message>
+    <message><source>Learning: remove the Mix jumper to begin.</source>
+        <translation>Apprentissage : retirez le cavalier Mix pour commencer.</translation></message>
+    <message><source>Learning: waits for a signal on any input.</source>
+        <translation>Apprentissage : attend un signal sur une entrée.</translation></message>
+    <message><source>Learning: leave the sticks centred for two seconds.</source>
+        <translation>Apprentissage : laissez les manches centrés deux secondes.</translation></message>
+    <message><source>Learning: one flash per input; green is learned.</source>
+        <translation>Apprentissage : un clignotement par entrée ; vert signifie apprise.</translation></message>
+    <message><source>Learning: hold each stick at both ends, ten seconds in all.</source>
+        <translation>Apprentissage : maintenez chaque manche aux deux extrémités, dix secondes en tout.</translation></message>
+    <message><source>Learned; green is good. Remove SO–G, then power cycle.</source>
+        <translation>Apprentissage terminé ; vert signifie réussi. Retirez SO–G, puis coupez et remettez l'alimentation.</translation></message>
+    <message><source>Boot loader: remove Mix, then SO–G.</source>
+        <translation>Chargeur d'amorçage : retirez Mix, puis SO–G.</translation></message>
+    <message><source>Boot loader: waits for firmware. Power cycle to leave.</source>
+        <translation>Chargeur d'amorçage : attend un firmware. Coupez et remettez l'alimentation pour en sortir.</translation></message>
     <message><source>The sticks control the motors.</source>
         <translation>Les manches commandent les moteurs.</translation></message>
     <message><source>Safe-start: the motors wait until the sticks are centred.</source>
@@ -3701,14 +3717,6 @@ avant {1}</translation></message>
         <translation>au plus {0:.0f} %</translation></message>
     <message><source>Full deflection is {0:.0f} % of full speed.</source>
         <translation>La pleine course correspond à {0:.0f} % de la pleine vitesse.</translation></message>
-    <message><source>Push the stick for the left motor fully forward.</source>
-        <translation>Poussez à fond vers l'avant le manche du moteur gauche.</translation></message>
-    <message><source>Push the stick for the right motor fully forward.</source>
-        <translation>Poussez à fond vers l'avant le manche du moteur droit.</translation></message>
-    <message><source>Push the stick that drives fully forward.</source>
-        <translation>Poussez à fond vers l'avant le manche qui fait avancer.</translation></message>
-    <message><source>Push the stick that turns fully to the right.</source>
-        <translation>Poussez à fond vers la droite le manche qui fait tourner.</translation></message>
     <message><source>The gamepad cannot drive while this window is open, but its stop button works.</source>
         <translation>La manette ne peut pas piloter tant que cette fenêtre est ouverte, mais son bouton d'arrêt fonctionne.</translation></message>
     <message><source>Move it…</source>
@@ -3737,10 +3745,10 @@ avant {1}</translation></message>
         <translation>&amp;Expo :</translation></message>
     <message><source>none: a moved stick drives</source>
         <translation>aucun : un manche déplacé fait tourner les moteurs</translation></message>
-    <message><source>Press the button to hold while driving.</source>
-        <translation>Appuyez sur le bouton à maintenir pour piloter.</translation></message>
-    <message><source>Press the button that stops everything.</source>
-        <translation>Appuyez sur le bouton qui arrête tout.</translation></message>
+    <message><source>Push the stick fully to the right.</source>
+        <translation>Poussez le manche à fond vers la droite.</translation></message>
+    <message><source>Press the button.</source>
+        <translation>Appuyez sur le bouton.</translation></message>
     <message><source>Without a button to hold, a bumped stick drives the motors. The gamepad cannot drive while this window is open.</source>
         <translation>Sans bouton à maintenir, un manche heurté fait tourner les moteurs. La manette ne peut pas piloter tant que cette fenêtre est ouverte.</translation></message>
     <message><source>Live state</source>
@@ -3753,6 +3761,8 @@ avant {1}</translation></message>
         <translation>Moteur &amp;gauche</translation></message>
     <message><source>Right &amp;motor</source>
         <translation>Moteur &amp;droit</translation></message>
+    <message><source>Push the stick fully forward.</source>
+        <translation>Poussez le manche à fond vers l'avant.</translation></message>
     <message><source>pressed</source>
         <translation>appuyé</translation></message>
     <message><source>{0}: detect</source>
@@ -5155,6 +5165,8 @@ avant {1}</translation></message>
         <translation>reçu      {0}</translation></message>
     <message><source>not connected</source>
         <translation>pas connecté</translation></message>
+    <message><source>no data yet</source>
+        <translation>pas encore de données</translation></message>
     <message><source>Columns</source>
         <translation>Colonnes</translation></message>
     <message><source>Rows</source>

@@ -113,7 +113,7 @@ def test_every_control_works_with_the_keyboard(set_up: Panel) -> None:
 
 def test_axes_and_button_are_detected(set_up: Panel) -> None:
     set_up.click("gamepadFirstDetect")
-    assert "Push the stick that drives fully forward" in set_up.text("gamepadSetUpNote")
+    assert "Push the stick fully forward" in set_up.text("gamepadSetUpNote")
     set_up.pads.move(OTHER_Y, -1.0)
     set_up.wait(lambda: set_up.profile.first == Axis(OTHER_Y, inverted=True))
     set_up.click("gamepadSecondDetect")

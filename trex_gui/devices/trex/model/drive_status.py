@@ -1,6 +1,12 @@
 """Whether the motors follow the setpoints of the window, and which drivers have shut down."""
 
-from trex_gui.devices.trex.board.drive_status import DriveInputs, drive_statuses
+from trex_gui.devices.trex.board.drive_status import (
+    AUXILIARY,
+    DriveInputs,
+    MotorSetpoint,
+    drive_statuses,
+    motor_setpoint,
+)
 from trex_gui.devices.trex.driving.blockers import DriveBlocker
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.ui.devices.connection import ConnectionState
@@ -30,6 +36,13 @@ def drive_inputs(device: Device) -> DriveInputs:
         armed=motors.armed,
         stop_reason=motors.stop_reason,
     )
+
+
+def setpoint_of(device: Device, motor: int, inputs: DriveInputs) -> MotorSetpoint:
+    """Return the setpoint of a motor: 1, 2 or `AUXILIARY`."""
+    drive = device.motors.drive(motor)
+    sent = device.motors.auxiliary if motor == AUXILIARY else drive.signed if drive else 0
+    return motor_setpoint(motor, inputs, device.board.newest, sent)
 
 
 def recent_fault_text(device: Device) -> str:

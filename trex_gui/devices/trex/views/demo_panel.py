@@ -19,6 +19,7 @@ from trex_gui.devices.trex.model.demo import (
     DemoMotor,
     DemoSnapshot,
 )
+from trex_gui.devices.trex.model.drive_texts import direction_text
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.protocol.descriptions import CHANNEL_ROLES, who_controls
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode, channels_in
@@ -118,12 +119,9 @@ def jumper_hint(snapshot: DemoSnapshot) -> str:
 
 def motor_text(motor: DemoMotor) -> str:
     """Return what a motor does: `forward 64`."""
-    direction = {
-        "forward": tr("forward"),
-        "reverse": tr("reverse"),
-        "brake": tr("brake") if motor.speed else tr("coast"),
-    }.get(motor.direction, motor.direction)
-    return f"{direction} {motor.speed}" if motor.speed else direction
+    if motor.direction == "brake":
+        return f"{tr('brake')} {motor.speed}" if motor.speed else tr("coast")
+    return direction_text(motor.speed if motor.direction == "forward" else -motor.speed)
 
 
 class DemoPanel(DemoDock):

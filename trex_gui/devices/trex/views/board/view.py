@@ -12,14 +12,13 @@ from trex_gui.devices.trex.board.drive_status import (
     AUXILIARY,
     DriveInputs,
     SetpointSource,
-    motor_setpoint,
 )
 from trex_gui.devices.trex.board.errors import error_names
 from trex_gui.devices.trex.board.quality import quality_text
 from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, PACKETS, led_patterns
 from trex_gui.devices.trex.model.channel_text import CHANNEL_NAMES
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.drive_status import drive_inputs
+from trex_gui.devices.trex.model.drive_status import drive_inputs, setpoint_of
 from trex_gui.devices.trex.model.drive_texts import direction_text, limit_text, setpoint_text
 from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode, Status, UartError
 from trex_gui.devices.trex.views.bars import input_axis
@@ -266,9 +265,7 @@ class BoardView(QWidget):
         device, motors = self._device, self._device.motors
         for number, part in self._motors.items():
             drive = motors.drive(number)
-            sent = 0 if drive is None else drive.signed
-            sent = motors.auxiliary if number == AUXILIARY else sent
-            setpoint = motor_setpoint(number, inputs, device.board.newest, sent)
+            setpoint = setpoint_of(device, number, inputs)
             is_off = inputs.board is not None and number in inputs.board.shut_down
             speed = 0 if is_off else setpoint.speed
             lines, alarm = [part.accessibleName()], ""

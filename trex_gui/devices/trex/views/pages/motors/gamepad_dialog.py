@@ -310,19 +310,12 @@ class GamepadDialog(ReusedDialog):
         self._note.setAccessibleName(text)
 
     def _prompt(self) -> str:
-        is_tank = self._gamepad.profile.style is Style.TANK
-        left = tr("Push the stick for the left motor fully forward.")
-        right = tr("Push the stick for the right motor fully forward.")
-        drive = tr("Push the stick that drives fully forward.")
-        turn = tr("Push the stick that turns fully to the right.")
-        prompts = {
-            "first": left if is_tank else drive,
-            "second": right if is_tank else turn,
-            "hold": tr("Press the button to hold while driving."),
-            "stop": tr("Press the button that stops everything."),
-        }
+        if self._detecting in _AXES:
+            turns = self._detecting == "second" and self._gamepad.profile.style is Style.MIXED
+            to_the_right = tr("Push the stick fully to the right.")
+            return to_the_right if turns else tr("Push the stick fully forward.")
         if self._detecting:
-            return prompts[self._detecting]
+            return tr("Press the button.")
         if self._gamepad.profile.hold is None:
             return tr(
                 "Without a button to hold, a bumped stick drives the motors. The gamepad cannot "

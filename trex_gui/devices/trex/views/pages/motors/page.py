@@ -13,12 +13,11 @@ from trex_gui.devices.trex.board.drive_status import (
     DriveInputs,
     SetpointSource,
     drive_statuses,
-    motor_setpoint,
 )
 from trex_gui.devices.trex.driving.blockers import DriveBlocker
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.drive_status import drive_inputs
+from trex_gui.devices.trex.model.drive_status import drive_inputs, setpoint_of
 from trex_gui.devices.trex.model.drive_texts import (
     limit_text,
     report_text,
@@ -284,10 +283,7 @@ class MotorsPage(QWidget):
 
     def _setpoint_of(self, number: int, inputs: DriveInputs) -> tuple[int, str]:
         """Return the speed at which a motor is set to turn, and words for it."""
-        motors, telemetry = self._motors, self._device.telemetry
-        drive = motors.drive(number)
-        sent = motors.auxiliary if number == AUXILIARY else drive.signed if drive else 0
-        setpoint = motor_setpoint(number, inputs, self._device.board.newest, sent)
+        telemetry, setpoint = self._device.telemetry, setpoint_of(self._device, number, inputs)
         match setpoint.source:
             case SetpointSource.JOINT:
                 return self._setpoint_of(1, inputs)[0], tr("works with motor 1")
@@ -296,7 +292,7 @@ class MotorsPage(QWidget):
             case SetpointSource.CHANNEL if telemetry.raw and telemetry.raw_of(number) is None:
                 return 0, tr("no signal")
             case SetpointSource.SERIAL if number != AUXILIARY:
-                return setpoint.speed, setpoint_text(drive)
+                return setpoint.speed, setpoint_text(self._motors.drive(number))
             case SetpointSource.SERIAL | SetpointSource.CHANNEL:
                 return setpoint.speed, share_text(setpoint.speed)
         return 0, "" if setpoint.source is SetpointSource.NOT_ARMED else NO_VALUE
