@@ -180,9 +180,12 @@ class ChannelStrip(QAbstractButton, Spoken):
         write(painter, line, self._output, "accent", bold=True, align=_RIGHT)
         advance = painter.fontMetrics().horizontalAdvance
         values = line.adjusted(0, 0, -advance("  −000"), 0)
-        color = "window_text" if self._output else "muted"
-        write(painter, values, self._value, color, bold=True, align=_RIGHT)
-        taken = advance(self._value) * 11 // 10 + 6  # bold text is wider
+        color, value = "window_text" if self._output else "muted", self._value
+        widest = max(advance(f"0 {tr(name)} {value}") for name in CHANNEL_NAMES.values())
+        if self._output and widest * 1.1 > values.width():
+            value = value.split()[0]  # the unit is beside the curve
+        write(painter, values, value, color, bold=True, align=_RIGHT)
+        taken = advance(value) * 11 // 10 + 6  # bold text is wider
         role = values.adjusted(advance("0 ") + 4, 0, -taken, 0)
         painter.setFont(self.font())
         if self._mark:
