@@ -311,7 +311,7 @@ def test_layout_is_saved_opened_remembered_and_reset(
     path.write_text("version = 2", encoding="utf-8")
     button.open(path)
     panel.wait_for_files()
-    assert "version: is 2" in panel.text("pageState")
+    assert "version = 2" in panel.text("pageState")
     assert usual.traces[0].color == "pink"
 
 

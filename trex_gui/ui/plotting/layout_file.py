@@ -68,6 +68,10 @@ def read_layout(data: bytes, name: str, known: Collection[str]) -> PlotLayout:
     except (ValueError, RecursionError) as error:
         why = tr("it is nested too deeply") if isinstance(error, RecursionError) else error
         raise SettingsError.of(name, tr("this is not a plot layout: {0}").format(why)) from error
+    version = found.get("version")
+    if version != VERSION or isinstance(version, bool):
+        why = f"version = {shortened(version)}"
+        raise SettingsError.of(name, tr("this is not a plot layout: {0}").format(why))
     if problems := [Finding(None, *problem) for problem in _problems(found, known)]:
         raise SettingsError(name, problems)
     return PlotLayout(float(found["seconds"]), float(found["top"]), found["curves"])
@@ -76,10 +80,7 @@ def read_layout(data: bytes, name: str, known: Collection[str]) -> PlotLayout:
 def _problems(found: Mapping[str, Any], known: Collection[str]) -> Iterator[tuple[str, str]]:
     """Yield what is wrong in a layout: the key, and the message."""
     is_not = tr("is {0}, not {1}")
-    version, curves = found.get("version"), found.get("curves", {})
-    if version != VERSION or isinstance(version, bool):
-        yield "version", is_not.format(shortened(version), VERSION)
-        return
+    curves = found.get("curves", {})
     for key in _KEYS:
         if key not in found:
             yield key, tr("is missing")

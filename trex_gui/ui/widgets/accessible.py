@@ -60,6 +60,7 @@ class _Interface(QAccessibleWidget):
             shown = widget.spoken_range()
             return f"{shown.value:g}" if shown else widget.spoken_state()
         if kind is QAccessible.Text.Description:
+            said = "" if said == widget.accessibleName() else said  # a tool tip that is the name
             return "\n".join(part for part in (widget.spoken_state(), said) if part)
         return said
 

@@ -50,6 +50,7 @@ class BoardPart(QAbstractButton, Spoken):
         never_mirror(self)
         self.setObjectName(f"boardPart{name}")
         self.setAccessibleName(accessible)
+        self.setToolTip(accessible)  # as a property; see `event`
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self.lines: tuple[str, ...] = ()

@@ -225,10 +225,12 @@ class MotorsPage(QWidget):
         facts = _stored_facts(device)
         self._stored.setText(_table(facts, linked=is_connected))
         self._stored.setEnabled(is_connected)
-        said = (f"{title}: {' · '.join(texts)}" for title, texts in facts.items())
-        self._stored.setAccessibleName(", ".join(said) or NO_VALUE)
+        self._stored.setAccessibleName("" if facts else NO_VALUE)
         warning = timeout_warning(device)
         self._stored.setToolTip("" if warning is None else ui.plain(warning.text))
+        said = [f"{title}: {', '.join(texts)}" for title, texts in facts.items()]
+        said += [] if warning is None else [warning.text]
+        self._stored.setAccessibleDescription(". ".join(said))
 
     @Slot()
     def _on_holder_changed(self) -> None:
