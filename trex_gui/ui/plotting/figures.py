@@ -26,7 +26,7 @@ from trex_gui.core.events import Event
 from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.ui.plotting.history import Statistics
-from trex_gui.ui.plotting.marks import EVENT_COLORS, charge_text, mean_text, value_text
+from trex_gui.ui.plotting.marks import EVENT_COLORS, charge_text, value_text
 from trex_gui.ui.plotting.plot import TracePlot
 from trex_gui.ui.plotting.traces import TraceInfo, Traces
 from trex_gui.ui.theme.theme import follow_theme, theme
@@ -197,10 +197,9 @@ class TraceTable(QAbstractTableModel):
         value = self._value(source, trace.name, column)
         if value is None:
             return ""
-        if column in {TraceColumn.MEAN, TraceColumn.RMS}:
-            return mean_text(value, unit)
+        text = value_text(value, unit, mean=column in {TraceColumn.MEAN, TraceColumn.RMS})
         near = self._limit_state(trace, column) is not LimitState.BELOW
-        return f"{WARNING_SIGN} {value_text(value, unit)}" if near else value_text(value, unit)
+        return f"{WARNING_SIGN} {text}" if near else text
 
     def _limit_state(self, trace: TraceInfo, column: TraceColumn) -> LimitState:
         source = self._plot.source

@@ -34,19 +34,19 @@ _FAR = 60  # pixels that a word may be moved to the left to make space for newer
 _BESIDE = 8  # pixels between the cursor and its values
 
 
-def value_text(value: float, unit: str) -> str:
-    """Return a value with two decimals and its unit, plain counts whole, with a sign."""
+def value_text(value: float, unit: str, *, mean: bool = False) -> str:
+    """Return a value with two decimals and its unit, plain counts whole, with a sign.
+
+    A `mean` has one decimal more: it is known better than a single sample.
+    """
     if not math.isfinite(value):
         return NO_VALUE
-    text = f"{Number(value):.2f} {unit}" if unit else f"{value:+.0f}" if round(value) else "0"
+    text = f"{value:+.0f}" if round(value) else "0"
+    if unit:
+        text = f"{Number(value):.{3 if mean else 2}f} {unit}"
+    elif mean:
+        text = f"{Number(value):.1f}"
     return text.replace("-", MINUS)
-
-
-def mean_text(value: float, unit: str) -> str:
-    """Return a value that is known better than a single sample."""
-    if not math.isfinite(value):
-        return NO_VALUE
-    return (f"{Number(value):.3f} {unit}" if unit else f"{Number(value):.1f}").replace("-", MINUS)
 
 
 def charge_text(found: Statistics) -> str:

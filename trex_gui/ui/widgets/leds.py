@@ -1,6 +1,7 @@
 """LEDs as they look on a board: lit, dark, or in one of their patterns."""
 
 import re
+from collections.abc import Sequence
 
 from PySide6.QtCore import QPointF, QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPen, QShowEvent
@@ -83,30 +84,23 @@ class Leds(QWidget):
         self._since = now()
         self._motion = Motion(self, self._on_frame)
         self.lamps = (Lamp("led_red", self), Lamp("led_green", self))
-        self._names = (tr("Red"), tr("Green"))
-        self._words = (ElidedLabel("", self), ElidedLabel("", self))
-
-        (red, green), (red_words, green_words) = self.lamps, self._words
-        lamps = row(red, (red_words, 1), margins=0), row(green, (green_words, 1), margins=0)
-        if stacked:
-            column(*lamps, into=self, margins=0)
-        else:
-            row(*((lamp, 1) for lamp in lamps), into=self, margins=0)
-        self.show_patterns(("off", "off"), ("off", "off"), ("", ""))
+        self._labels = (ElidedLabel("", self), ElidedLabel("", self))
+        pairs = zip(self.lamps, self._labels, strict=True)
+        lamps = ((row(lamp, (label, 1), margins=0), 1) for lamp, label in pairs)
+        (column if stacked else row)(*lamps, into=self, margins=0)
+        self.show_patterns(("off", "off"))
 
     def show_patterns(
-        self, shown: tuple[str, str], words: tuple[str, str], meanings: tuple[str, str]
+        self, shown: tuple[str, str], words: Sequence[str] = ("", ""), meaning: str = ""
     ) -> None:
-        """Show a pattern on each LED. `words` are beside it, `meanings` in its tool tip."""
+        """Show a pattern on each LED, with words beside it; `meaning` is said instead of them."""
         self._shown = shown
-        for index in range(2):
-            name, meaning = self._names[index], meanings[index]
-            text = tr("{0}: {1}").format(name, words[index]) if words[index] else name
-            self._words[index].setText(text)
-            spoken = f"{tr('{0} LED').format(name)}: {meaning or words[index]}"
-            self.lamps[index].setAccessibleName(spoken)
-            for widget in (self.lamps[index], self._words[index]):
-                widget.setToolTip(plain(spoken))
+        names = tr("Red"), tr("Green")
+        for lamp, label, name, text in zip(self.lamps, self._labels, names, words, strict=True):
+            label.setText(tr("{0}: {1}").format(name, text) if text else name)
+            lamp.setAccessibleName(f"{tr('{0} LED').format(name)}: {meaning or text}")
+            for widget in (lamp, label):
+                widget.setToolTip(plain(lamp.accessibleName()))
         self._run()
 
     def show_moment(self, seconds: float) -> None:

@@ -143,13 +143,15 @@ def test_leds_blink_and_are_explained(qtbot: QtBot) -> None:
     leds = Leds()
     qtbot.addWidget(leds)
     leds.show()
-    leds.show_patterns(("on", "blink 4/s"), ("on", "blink 4/s"), ("on: because", "blink 4/s: so"))
+    leds.show_patterns(("on", "blink 4/s"), ("on", "blink 4/s"))
     red, green = leds.lamps
     qtbot.waitUntil(lambda: green.lit)
     qtbot.waitUntil(lambda: not green.lit)
     assert red.lit
-    assert red.accessibleName() == red.toolTip() == "Red LED: on: because"
-    assert green.accessibleName() == "Green LED: blink 4/s: so"
+    assert red.accessibleName() == red.toolTip() == "Red LED: on"
+    assert green.accessibleName() == "Green LED: blink 4/s"
+    leds.show_patterns(("on", "blink 4/s"), meaning="learns")
+    assert green.accessibleName() == "Green LED: learns"
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
@@ -174,7 +176,7 @@ def test_lit_led_differs_without_colour(qtbot: QtBot, qapp: QApplication, scheme
 def test_hidden_leds_do_not_blink(qtbot: QtBot, virtual_time: VirtualRuntime) -> None:
     leds = Leds()
     qtbot.addWidget(leds)
-    leds.show_patterns(("off", "blink 4/s"), ("", ""), ("", ""))
+    leds.show_patterns(("off", "blink 4/s"))
     with qtbot.waitExposed(leds):
         leds.show()
     green = leds.lamps[1]

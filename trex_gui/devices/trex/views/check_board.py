@@ -87,7 +87,7 @@ class SightsPage(Page):
         for number, (patterns, *texts) in enumerate(_SIGHTS):
             words, meaning, to_do = map(tr, texts)
             leds, shown = Leds(self), ui.label(self, text=words, wrap=True)
-            leds.show_patterns(patterns, ("", ""), (words, words))
+            leds.show_patterns(patterns, meaning=words)
             title = ui.label(self, text=meaning, bold=True, wrap=True)
             # Without an alignment: with one, text that wraps would not get its height.
             about = ui.column(title, Muted(to_do, self), 1, margins=0, spacing=0)

@@ -442,11 +442,11 @@ class Drawing(BoardRows):
 
     def show_leds(self, snapshot: DemoSnapshot | None) -> None:
         if snapshot is None:
-            self._leds.show_patterns(("off", "off"), ("", ""), ("", ""))
+            self._leds.show_patterns(("off", "off"))
             return
         red, green = led_patterns(snapshot)
         shown = snapshot.leds.red, snapshot.leds.green
-        self._leds.show_patterns(shown, (led_words(red), led_words(green)), ("", ""))
+        self._leds.show_patterns(shown, (led_words(red), led_words(green)))
 
     def show_snapshot(self, snapshot: DemoSnapshot) -> None:
         super().show_snapshot(snapshot)

@@ -62,7 +62,7 @@ class JumperPicture(Painted):
         self.setAccessibleName(", ".join(text for text, _ in self._jumpers.values()))
         self._leds.setVisible(leds is not None)
         if leds is not None:
-            self._leds.show_patterns(leds, ("", ""), ("", ""))
+            self._leds.show_patterns(leds)
         self.updateGeometry()
         self.update()
 
