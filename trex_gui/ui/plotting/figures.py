@@ -25,6 +25,7 @@ from PySide6.QtWidgets import (
 from trex_gui.core.events import Event
 from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
+from trex_gui.ui.plotting.axes import clock_text
 from trex_gui.ui.plotting.history import Statistics
 from trex_gui.ui.plotting.marks import EVENT_COLORS, charge_text, value_text
 from trex_gui.ui.plotting.plot import TracePlot
@@ -338,7 +339,7 @@ class EventList(QListWidget):
         self.clear()
         for event in self._events:
             dot = swatch(theme().color(EVENT_COLORS[event.kind]), QSize(8, 8))
-            text = f"{self._plot.text_of_time(event.time)}  {event.text}"
+            text = f"{clock_text(event.time - (self._origin or 0.0))}  {event.text}"
             item = QListWidgetItem(QIcon(dot), text, self)
             item.setToolTip(plain(event.text))
             item.setSizeHint(QSize(1, self.fontMetrics().height() + 4))  # a long text is elided

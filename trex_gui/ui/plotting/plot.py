@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.events import Event
 from trex_gui.core.translation import tr, tr_noop
-from trex_gui.ui.plotting.axes import Span, ValueAxis, ago_labels, clock_text, since_labels
+from trex_gui.ui.plotting.axes import Span, ValueAxis, ago_labels, since_labels
 from trex_gui.ui.plotting.canvas import Curve, Line, PlotCanvas
 from trex_gui.ui.plotting.history import Floats, Points
 from trex_gui.ui.plotting.marks import EVENT_COLORS, MAX_MARKS, CurveTags, EventMarks, Readout
@@ -100,7 +100,9 @@ class TracePlot(Painted):
             lambda x0, x1: self.show_span(self._time_at(x0), self._time_at(x1))
         )
         self._canvas.zoomed.connect(lambda factor, x: self._zoom(factor, self._time_at(x)))
-        self._canvas.panned.connect(self._on_panned)
+        self._canvas.panned.connect(
+            lambda pixels: self._pan(-pixels / max(1.0, self._canvas.frame.width()))
+        )
         self._canvas.arranged.connect(self._on_arranged)
         self._marks.chosen.connect(self.event_chosen)
 
@@ -179,9 +181,6 @@ class TracePlot(Painted):
     def _on_view_changed(self) -> None:
         self.draw()
         self.view_changed.emit()
-
-    def text_of_time(self, time: float) -> str:
-        return clock_text(time - (self.origin or 0.0))
 
     def draw(self) -> None:
         """Draw a frame. Its cost does not depend on the number of samples."""
@@ -320,10 +319,6 @@ class TracePlot(Painted):
         mark = self.mark_time
         near = mark is not None and abs(self._canvas.x_of(mark - self.span.end) - x) < _NEAR_MARK
         self.set_mark(None if near else self._time_at(x))
-
-    @Slot(float)
-    def _on_panned(self, pixels: float) -> None:
-        self._pan(-pixels / max(1.0, self._canvas.frame.width()))
 
     def _zoom(self, factor: float, around: float) -> None:
         self.span.zoom(factor, around)

@@ -10,6 +10,7 @@ from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.accessible import Spoken
 
+_FRAME_MS = 40
 _LONGEST_FRAME = 0.2  # seconds: a window that was held up does not jump
 
 
@@ -21,12 +22,10 @@ def never_mirror(target: QWidget | QGraphicsWidget | QPainter) -> None:
 class Motion:
     """Frames of a drawing, none while nothing moves, it is hidden or the system wants no motion."""
 
-    def __init__(
-        self, widget: QWidget, step: Callable[[float], object], milliseconds: int = 40
-    ) -> None:
+    def __init__(self, widget: QWidget, step: Callable[[float], object]) -> None:
         """`step` takes the seconds since the frame before."""
         self._widget, self._step = widget, step
-        self._timer = new_timer(widget, milliseconds, self._on_frame)
+        self._timer = new_timer(widget, _FRAME_MS, self._on_frame)
         self._at = 0.0
 
     @property

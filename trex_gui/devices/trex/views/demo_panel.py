@@ -266,9 +266,7 @@ class Drawing(BoardRows):
     def _part(
         self, kind: type[PartT], name: str, accessible: str, tip: str, on_click: OnClick
     ) -> PartT:
-        made = ui.named(kind("", accessible, on_click, self), name, tip=tip)
-        made.tip = tip
-        return made
+        return ui.named(kind("", accessible, on_click, self), name, tip=tip)
 
     def _add_input(self, channel: int) -> None:
         source, board, grid = InputSource.RC, self._demo, self._inputs

@@ -11,24 +11,21 @@ from trex_gui.ui.theme.theme import scaled_font, theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.circuit import Jumper, jumpers_size, paint_body, paint_jumpers
 from trex_gui.ui.widgets.leds import Leds
-from trex_gui.ui.widgets.painted import Motion, Painted, Painter
+from trex_gui.ui.widgets.painted import Painted, Painter
 
-_PULSE_MS = 600
 _SCALE = 1.4  # size of its texts, relative to others
 _LEFT, _ABOVE, _LEDS = 1.8, 1.3, 1.9  # lines of text beside and above the jumpers, for LEDs
 
 
 class JumperPicture(Painted):
-    """Names the position of each jumper; a frame pulses round those to be moved."""
+    """Names the position of each jumper; a frame is round those to be moved."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("jumperPicture")
         self._jumpers: dict[str, Jumper] = {}
         self._moved: Collection[str] = ()
-        self._is_bright = True
         self._leds = Leds(self)
-        self._motion = Motion(self, self._on_pulse, _PULSE_MS)
         ui.column(self._leds, 1, into=self, margins=(32, 20, 24, 20))
 
     def show_jumpers(
@@ -89,7 +86,7 @@ class JumperPicture(Painted):
         with Painter(self) as painter:
             paint_body(painter, QRectF(self.rect()).adjusted(1, 1, -1, -1), "")
             painter.setPen(QPen(color("accent"), 2))
-            painter.setBrush(color("selected" if self._is_bright else "board"))
+            painter.setBrush(color("selected"))
             for number, key in enumerate(self._jumpers):
                 if key in self._moved:
                     top = at.y() + number * step - 0.2 * line
@@ -97,8 +94,3 @@ class JumperPicture(Painted):
                     painter.drawRoundedRect(box, 8, 8)
             painter.setFont(scaled_font(self.font(), _SCALE))
             paint_jumpers(painter, at, [*self._jumpers.values()], line)
-        self._motion.run(bool(self._moved))
-
-    def _on_pulse(self, _seconds: float) -> None:
-        self._is_bright = not self._is_bright
-        self.update()

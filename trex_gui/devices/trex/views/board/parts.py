@@ -3,15 +3,14 @@
 import math
 from collections.abc import Callable
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, Qt
-from PySide6.QtGui import QAccessible, QColor, QHelpEvent, QPainter, QPaintEvent, QPen, QPolygonF
-from PySide6.QtWidgets import QAbstractButton, QToolTip, QWidget
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QAccessible, QColor, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtWidgets import QAbstractButton, QWidget
 
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
 from trex_gui.devices.trex.views.bars import paint_input
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.accessible import Spoken
-from trex_gui.ui.widgets.builders import plain
 from trex_gui.ui.widgets.circuit import (
     jumper_size,
     paint_block,
@@ -34,7 +33,6 @@ class BoardPart(QAbstractButton, Spoken):
 
     spoken_role = QAccessible.Role.Button
     spoken_from = 0  # the first line that says more than the name
-    tip = ""  # what a click does, where it does not open a page
 
     def __init__(
         self,
@@ -50,7 +48,7 @@ class BoardPart(QAbstractButton, Spoken):
         never_mirror(self)
         self.setObjectName(f"boardPart{name}")
         self.setAccessibleName(accessible)
-        self.setToolTip(accessible)  # as a property; see `event`
+        self.setToolTip(accessible)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self.lines: tuple[str, ...] = ()
@@ -65,14 +63,6 @@ class BoardPart(QAbstractButton, Spoken):
 
     def spoken_state(self) -> str:
         return ", ".join(filter(None, self.lines[self.spoken_from :]))
-
-    def event(self, event: QEvent) -> bool:
-        """Show the lines as a tool tip, which as a property would be read out once more."""
-        if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
-            text = "\n".join(filter(None, (*self.lines, self.tip)))
-            QToolTip.showText(event.globalPos(), plain(text), self)
-            return True
-        return super().event(event)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
