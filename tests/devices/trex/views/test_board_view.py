@@ -89,6 +89,15 @@ def test_channels_drive_in_rc_mode(drawing: Drawing, quick_simulator: SimulatedD
     assert drawing.find(JumperPart, "boardPartModeJumper").is_on
 
 
+def test_parts_stay_inside_the_drawing_at_any_size(drawing: Drawing) -> None:
+    least, most = drawing.view.minimumSizeHint(), drawing.view.sizeHint()
+    for width in range(least.width(), 2 * most.width(), 40):
+        for height in (least.height(), most.height(), 2 * most.height()):
+            drawing.view.resize(width, height)
+            for part in drawing.find_all(BoardPart):
+                assert drawing.view.rect().contains(part.geometry()), (width, height, part)
+
+
 def test_each_part_opens_its_page_with_the_keyboard(drawing: Drawing) -> None:
     pages: list[str] = []
     drawing.view.page_wanted.connect(pages.append)

@@ -129,7 +129,7 @@ class BoardView(QWidget):
         for part in self.findChildren(BoardPart):
             part.setFont(scaled_font(self.font(), line / base))
         extra = max(0.0, width / line - least.width() / base)  # to be shared out
-        columns = [round(line * min(most, least + extra / 3)) for least, most in self._columns()]
+        columns = [round(line * min(most, least + extra / 4)) for least, most in self._columns()]
         wire = round(min(5.0, _WIRE + extra / 8) * line)
         left = max(0, (width - sum(columns) - 2 * wire) // 2)
         channels, body, motors = columns
