@@ -11,6 +11,7 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
 from trex_gui.devices.trex.views.bars import paint_input
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.accessible import Spoken
+from trex_gui.ui.widgets.builders import plain
 from trex_gui.ui.widgets.circuit import (
     jumper_size,
     paint_block,
@@ -48,7 +49,7 @@ class BoardPart(QAbstractButton, Spoken):
         never_mirror(self)
         self.setObjectName(f"boardPart{name}")
         self.setAccessibleName(accessible)
-        self.setToolTip(accessible)
+        self.setToolTip(plain(accessible))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self.lines: tuple[str, ...] = ()
