@@ -1321,14 +1321,6 @@
         <translation>Minimum</translation></message>
     <message><source>Maximum</source>
         <translation>Maximum</translation></message>
-    <message><source>Neutral ({1}) is beyond the input: {3}. No stick position gives 0.</source>
-        <translation>Die Neutralstellung ({1}) liegt außerhalb des Eingangsbereichs: {3}. Keine Knüppelstellung ergibt 0.</translation></message>
-    <message><source>a pulse is {0} to {1}</source>
-        <translation>ein Impuls dauert {0} bis {1}</translation></message>
-    <message><source>a voltage is {0} to {1}</source>
-        <translation>eine Spannung beträgt {0} bis {1}</translation></message>
-    <message><source>The deadband ({0} to each side of neutral) reaches minimum and maximum: there is nothing between 0 and full output.</source>
-        <translation>Der Totbereich ({0} auf jeder Seite der Neutralstellung) reicht bis zum Minimum und zum Maximum: Zwischen 0 und vollem Ausgang liegt nichts.</translation></message>
     <message><source>no signal</source>
         <translation>kein Signal</translation></message>
     <message><source>{0}, output {1}</source>
@@ -2029,10 +2021,6 @@
         <translation>setzen</translation></message>
     <message><source>no TReX</source>
         <translation>kein TReX</translation></message>
-    <message><source>no signal</source>
-        <translation>kein Signal</translation></message>
-    <message><source>Serial commands control the motors (serial mode).</source>
-        <translation>Serielle Befehle steuern die Motoren (serieller Modus).</translation></message>
     <message><source>Serial commands control the motors: channel 5 overrides the other inputs.</source>
         <translation>Serielle Befehle steuern die Motoren: Kanal 5 hat Vorrang vor den anderen Eingängen.</translation></message>
     <message><source>motor {0}: {1:.2f} A</source>
@@ -2733,18 +2721,6 @@
         <translation>Prob&amp;leme</translation></message>
     <message><source>None since {0}.</source>
         <translation>Keine seit {0}.</translation></message>
-    <message><source>motor 1</source>
-        <translation>Motor 1</translation></message>
-    <message><source>motor 2</source>
-        <translation>Motor 2</translation></message>
-    <message><source>auxiliary</source>
-        <translation>Hilfsmotor</translation></message>
-    <message><source>flip</source>
-        <translation>Umdrehen</translation></message>
-    <message><source>override</source>
-        <translation>Vorrang</translation></message>
-    <message><source>device number {0}</source>
-        <translation>Gerätenummer {0}</translation></message>
     <message><source>not known</source>
         <translation>nicht bekannt</translation></message>
     <message><source>works with motor 1</source>
@@ -3121,22 +3097,6 @@
         <translation>wechselt {0}/s</translation></message>
     <message><source>short flash {0}/s</source>
         <translation>blitzt {0}/s</translation></message>
-    <message><source>Learning: remove the Mix jumper to begin.</source>
-        <translation>Einlernen: Mix-Jumper abziehen, um zu beginnen.</translation></message>
-    <message><source>Learning: waits for a signal on any input.</source>
-        <translation>Einlernen: Wartet auf ein Signal an einem Eingang.</translation></message>
-    <message><source>Learning: leave the sticks centred for two seconds.</source>
-        <translation>Einlernen: Knüppel zwei Sekunden in Mittelstellung lassen.</translation></message>
-    <message><source>Learning: one flash per input; green is learned.</source>
-        <translation>Einlernen: Ein Blinken je Eingang; Grün ist eingelernt.</translation></message>
-    <message><source>Learning: hold each stick at both ends, ten seconds in all.</source>
-        <translation>Einlernen: Jeden Knüppel in beiden Endlagen halten, insgesamt zehn Sekunden.</translation></message>
-    <message><source>Learned; green is good. Remove SO–G, then power cycle.</source>
-        <translation>Eingelernt; Grün ist gut. SO–G abziehen, dann aus- und einschalten.</translation></message>
-    <message><source>Boot loader: remove Mix, then SO–G.</source>
-        <translation>Bootloader: Mix abziehen, dann SO–G.</translation></message>
-    <message><source>Boot loader: waits for firmware. Power cycle to leave.</source>
-        <translation>Bootloader: Wartet auf Firmware. Zum Verlassen aus- und einschalten.</translation></message>
     <message><source>The sticks control the motors.</source>
         <translation>Die Knüppel steuern die Motoren.</translation></message>
     <message><source>Safe-start: the motors wait until the sticks are centred.</source>
@@ -3191,32 +3151,6 @@
         <translation>Der Mix-Jumper: Eingang 2 fährt vorwärts, Eingang 1 lenkt; wirkt sofort</translation></message>
     <message><source>Connects SO to ground; with Mix a power-up then learns the inputs' calibration</source>
         <translation>Verbindet SO mit Masse; zusammen mit Mix lernt das Board beim nächsten Einschalten die Kalibrierung der Eingänge ein</translation></message>
-    <message><source>RC mode.</source>
-        <translation>RC-Modus.</translation></message>
-    <message><source>Analog mode.</source>
-        <translation>Analogmodus.</translation></message>
-    <message><source>Serial mode.</source>
-        <translation>Serieller Modus.</translation></message>
-    <message><source>Serial mode, inputs read as voltages.</source>
-        <translation>Serieller Modus, Eingänge als Spannungen gelesen.</translation></message>
-    <message><source>Serial commands control the motors.</source>
-        <translation>Serielle Befehle steuern die Motoren.</translation></message>
-    <message><source>Learning: remove the Mix jumper to begin.</source>
-        <translation>Einlernen: Mix-Jumper abziehen, um zu beginnen.</translation></message>
-    <message><source>Learning: waits for a signal on any input.</source>
-        <translation>Einlernen: Wartet auf ein Signal an einem Eingang.</translation></message>
-    <message><source>Learning: leave the sticks centred for two seconds.</source>
-        <translation>Einlernen: Knüppel zwei Sekunden in Mittelstellung lassen.</translation></message>
-    <message><source>Learning: one flash per input; green is learned.</source>
-        <translation>Einlernen: Ein Blinken je Eingang; Grün ist eingelernt.</translation></message>
-    <message><source>Learning: hold each stick at both ends, ten seconds in all.</source>
-        <translation>Einlernen: Jeden Knüppel in beiden Endlagen halten, insgesamt zehn Sekunden.</translation></message>
-    <message><source>Learned; green is good. Remove SO–G, then power cycle.</source>
-        <translation>Eingelernt; Grün ist gut. SO–G abziehen, dann aus- und einschalten.</translation></message>
-    <message><source>Boot loader: remove Mix, then SO–G.</source>
-        <translation>Bootloader: Mix abziehen, dann SO–G.</translation></message>
-    <message><source>Boot loader: waits for firmware. Power cycle to leave.</source>
-        <translation>Bootloader: Wartet auf Firmware. Zum Verlassen aus- und einschalten.</translation></message>
     <message><source>serial</source>
         <translation>seriell</translation></message>
     <message><source>Demo TReX</source>
@@ -3653,10 +3587,6 @@ bisher {1}</translation></message>
         <translation>Kein Board ist verbunden. Wählen Sie oben im Hauptfenster einen Port und klicken Sie auf „Verbinden“; ohne Hardware wählen Sie das Demo-Board.</translation></message>
     <message><source>Joint mode: the board does not sense currents.</source>
         <translation>Parallelbetrieb: Das Board misst keine Ströme.</translation></message>
-    <message><source>Motor currents, {0}</source>
-        <translation>Motorströme, {0}</translation></message>
-    <message><source>No current has been read yet.</source>
-        <translation>Es wurde noch kein Strom gelesen.</translation></message>
     <message><source>One count of this board is {0:.0f} mA.</source>
         <translation>Ein Count entspricht bei diesem Board {0:.0f} mA.</translation></message>
     <message><source>Set every count to zero, and forget when errors were seen</source>
@@ -4635,10 +4565,6 @@ bisher {1}</translation></message>
         <translation>Die ausgewählten Zeilen kopieren, oder alles Angezeigte</translation></message>
     <message><source>Save a report for support; it is shown before it is written</source>
         <translation>Einen Bericht für den Support speichern; er wird vorher angezeigt</translation></message>
-    <message><source>Prob&amp;lems</source>
-        <translation>Prob&amp;leme</translation></message>
-    <message><source>Lo&amp;g</source>
-        <translation>Pr&amp;otokoll</translation></message>
     <message><source>T&amp;raffic</source>
         <translation>Date&amp;nverkehr</translation></message>
     <message><source>Round trips of the last minute: up to {0:.0f} ms</source>
@@ -5165,8 +5091,6 @@ bisher {1}</translation></message>
         <translation>empfangen {0}</translation></message>
     <message><source>not connected</source>
         <translation>nicht verbunden</translation></message>
-    <message><source>no data yet</source>
-        <translation>noch keine Daten</translation></message>
     <message><source>Columns</source>
         <translation>Spalten</translation></message>
     <message><source>Rows</source>
@@ -5209,10 +5133,6 @@ Soll die Datei aus den Einstellungen neu geschrieben werden? Ihre Kommentare geh
         <translation>Nicht erledigt</translation></message>
     <message><source>Warning</source>
         <translation>Warnung</translation></message>
-    <message><source>{0} LED: {1}</source>
-        <translation>LED {0}: {1}</translation></message>
-    <message><source>Find now</source>
-        <translation>Jetzt suchen</translation></message>
     <message><source>Reconnect</source>
         <translation>Neu verbinden</translation></message>
     <message><source>Stop them now</source>

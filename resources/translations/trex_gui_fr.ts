@@ -1321,14 +1321,6 @@
         <translation>Minimum</translation></message>
     <message><source>Maximum</source>
         <translation>Maximum</translation></message>
-    <message><source>Neutral ({1}) is beyond the input: {3}. No stick position gives 0.</source>
-        <translation>Le neutre ({1}) est hors de la plage de l'entrée : {3}. Aucune position du manche ne donne 0.</translation></message>
-    <message><source>a pulse is {0} to {1}</source>
-        <translation>une impulsion dure de {0} à {1}</translation></message>
-    <message><source>a voltage is {0} to {1}</source>
-        <translation>une tension va de {0} à {1}</translation></message>
-    <message><source>The deadband ({0} to each side of neutral) reaches minimum and maximum: there is nothing between 0 and full output.</source>
-        <translation>La zone morte ({0} de chaque côté du neutre) atteint le minimum et le maximum : il n'y a rien entre 0 et la sortie maximale.</translation></message>
     <message><source>no signal</source>
         <translation>pas de signal</translation></message>
     <message><source>{0}, output {1}</source>
@@ -2029,10 +2021,6 @@
         <translation>régler immédiatement</translation></message>
     <message><source>no TReX</source>
         <translation>aucun TReX</translation></message>
-    <message><source>no signal</source>
-        <translation>pas de signal</translation></message>
-    <message><source>Serial commands control the motors (serial mode).</source>
-        <translation>Les commandes série commandent les moteurs (mode série).</translation></message>
     <message><source>Serial commands control the motors: channel 5 overrides the other inputs.</source>
         <translation>Les commandes série commandent les moteurs : la voie 5 leur donne la priorité sur les autres entrées.</translation></message>
     <message><source>motor {0}: {1:.2f} A</source>
@@ -2733,18 +2721,6 @@
         <translation>Prob&amp;lèmes</translation></message>
     <message><source>None since {0}.</source>
         <translation>Aucun depuis {0}.</translation></message>
-    <message><source>motor 1</source>
-        <translation>moteur 1</translation></message>
-    <message><source>motor 2</source>
-        <translation>moteur 2</translation></message>
-    <message><source>auxiliary</source>
-        <translation>auxiliaire</translation></message>
-    <message><source>flip</source>
-        <translation>retournement</translation></message>
-    <message><source>override</source>
-        <translation>priorité</translation></message>
-    <message><source>device number {0}</source>
-        <translation>numéro d'appareil {0}</translation></message>
     <message><source>not known</source>
         <translation>inconnu</translation></message>
     <message><source>works with motor 1</source>
@@ -3121,22 +3097,6 @@
         <translation>alterne {0}/s</translation></message>
     <message><source>short flash {0}/s</source>
         <translation>éclair bref {0}/s</translation></message>
-    <message><source>Learning: remove the Mix jumper to begin.</source>
-        <translation>Apprentissage : retirez le cavalier Mix pour commencer.</translation></message>
-    <message><source>Learning: waits for a signal on any input.</source>
-        <translation>Apprentissage : attend un signal sur une entrée.</translation></message>
-    <message><source>Learning: leave the sticks centred for two seconds.</source>
-        <translation>Apprentissage : laissez les manches centrés deux secondes.</translation></message>
-    <message><source>Learning: one flash per input; green is learned.</source>
-        <translation>Apprentissage : un clignotement par entrée ; vert signifie apprise.</translation></message>
-    <message><source>Learning: hold each stick at both ends, ten seconds in all.</source>
-        <translation>Apprentissage : maintenez chaque manche aux deux extrémités, dix secondes en tout.</translation></message>
-    <message><source>Learned; green is good. Remove SO–G, then power cycle.</source>
-        <translation>Apprentissage terminé ; vert signifie réussi. Retirez SO–G, puis coupez et remettez l'alimentation.</translation></message>
-    <message><source>Boot loader: remove Mix, then SO–G.</source>
-        <translation>Chargeur d'amorçage : retirez Mix, puis SO–G.</translation></message>
-    <message><source>Boot loader: waits for firmware. Power cycle to leave.</source>
-        <translation>Chargeur d'amorçage : attend un firmware. Coupez et remettez l'alimentation pour en sortir.</translation></message>
     <message><source>The sticks control the motors.</source>
         <translation>Les manches commandent les moteurs.</translation></message>
     <message><source>Safe-start: the motors wait until the sticks are centred.</source>
@@ -3191,32 +3151,6 @@
         <translation>Le cavalier Mix : l'entrée 2 fait avancer, l'entrée 1 fait tourner ; prend effet immédiatement</translation></message>
     <message><source>Connects SO to ground; with Mix a power-up then learns the inputs' calibration</source>
         <translation>Relie SO à la masse ; avec Mix, une mise sous tension apprend alors l'étalonnage des entrées</translation></message>
-    <message><source>RC mode.</source>
-        <translation>Mode RC.</translation></message>
-    <message><source>Analog mode.</source>
-        <translation>Mode analogique.</translation></message>
-    <message><source>Serial mode.</source>
-        <translation>Mode série.</translation></message>
-    <message><source>Serial mode, inputs read as voltages.</source>
-        <translation>Mode série, entrées lues comme tensions.</translation></message>
-    <message><source>Serial commands control the motors.</source>
-        <translation>Les commandes série commandent les moteurs.</translation></message>
-    <message><source>Learning: remove the Mix jumper to begin.</source>
-        <translation>Apprentissage : retirez le cavalier Mix pour commencer.</translation></message>
-    <message><source>Learning: waits for a signal on any input.</source>
-        <translation>Apprentissage : attend un signal sur une entrée.</translation></message>
-    <message><source>Learning: leave the sticks centred for two seconds.</source>
-        <translation>Apprentissage : laissez les manches centrés deux secondes.</translation></message>
-    <message><source>Learning: one flash per input; green is learned.</source>
-        <translation>Apprentissage : un clignotement par entrée ; vert signifie apprise.</translation></message>
-    <message><source>Learning: hold each stick at both ends, ten seconds in all.</source>
-        <translation>Apprentissage : maintenez chaque manche aux deux extrémités, dix secondes en tout.</translation></message>
-    <message><source>Learned; green is good. Remove SO–G, then power cycle.</source>
-        <translation>Apprentissage terminé ; vert signifie réussi. Retirez SO–G, puis coupez et remettez l'alimentation.</translation></message>
-    <message><source>Boot loader: remove Mix, then SO–G.</source>
-        <translation>Chargeur d'amorçage : retirez Mix, puis SO–G.</translation></message>
-    <message><source>Boot loader: waits for firmware. Power cycle to leave.</source>
-        <translation>Chargeur d'amorçage : attend un firmware. Coupez et remettez l'alimentation pour en sortir.</translation></message>
     <message><source>serial</source>
         <translation>série</translation></message>
     <message><source>Demo TReX</source>
@@ -3653,10 +3587,6 @@ avant {1}</translation></message>
         <translation>Aucune carte n'est connectée. Choisissez un port en haut de la fenêtre principale et cliquez sur « Connecter » ; sans matériel, choisissez la carte de démo.</translation></message>
     <message><source>Joint mode: the board does not sense currents.</source>
         <translation>Mode jumelé : la carte ne mesure pas les courants.</translation></message>
-    <message><source>Motor currents, {0}</source>
-        <translation>Courants des moteurs, {0}</translation></message>
-    <message><source>No current has been read yet.</source>
-        <translation>Aucun courant n'a encore été lu.</translation></message>
     <message><source>One count of this board is {0:.0f} mA.</source>
         <translation>Un count de cette carte vaut {0:.0f} mA.</translation></message>
     <message><source>Set every count to zero, and forget when errors were seen</source>
@@ -4635,10 +4565,6 @@ avant {1}</translation></message>
         <translation>Copier les lignes sélectionnées, ou tout ce qui est affiché</translation></message>
     <message><source>Save a report for support; it is shown before it is written</source>
         <translation>Enregistrer un rapport pour l'assistance ; il est d'abord affiché</translation></message>
-    <message><source>Prob&amp;lems</source>
-        <translation>Prob&amp;lèmes</translation></message>
-    <message><source>Lo&amp;g</source>
-        <translation>&amp;Journal</translation></message>
     <message><source>T&amp;raffic</source>
         <translation>&amp;Trafic</translation></message>
     <message><source>Round trips of the last minute: up to {0:.0f} ms</source>
@@ -5165,8 +5091,6 @@ avant {1}</translation></message>
         <translation>reçu      {0}</translation></message>
     <message><source>not connected</source>
         <translation>pas connecté</translation></message>
-    <message><source>no data yet</source>
-        <translation>pas encore de données</translation></message>
     <message><source>Columns</source>
         <translation>Colonnes</translation></message>
     <message><source>Rows</source>
@@ -5209,10 +5133,6 @@ Réécrire le fichier à partir des réglages ? Ses commentaires seront perdus.
         <translation>Non fait</translation></message>
     <message><source>Warning</source>
         <translation>Avertissement</translation></message>
-    <message><source>{0} LED: {1}</source>
-        <translation>LED {0} : {1}</translation></message>
-    <message><source>Find now</source>
-        <translation>Rechercher maintenant</translation></message>
     <message><source>Reconnect</source>
         <translation>Reconnecter</translation></message>
     <message><source>Stop them now</source>

@@ -64,7 +64,7 @@ class InputStrip(ChannelStrip):
         if time > self._newest:
             self.add_samples((time,), (math.nan if raw is None else raw,))
         text = tr("no signal") if raw is None else source.text(raw)
-        self.show_value(text, "" if output is None else signed_text(output), text)
+        self.show_texts(text, "" if output is None else signed_text(output), text)
 
 
 class ChannelRow(Generic[ChannelT]):

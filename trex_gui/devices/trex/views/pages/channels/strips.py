@@ -72,21 +72,26 @@ class ChannelStrip(QAbstractButton, Spoken):
         theme().changed.connect(self.update)
 
     def set_curve(self, source: InputSource, curve: ChannelCurve | None) -> None:
+        """Set what makes the output of an input, and whose marks are shown."""
+        self._curve = curve
+        self.set_scale(source, curve.calibration if curve else None)
+
+    def set_scale(self, source: InputSource, calibration: Calibration | None) -> None:
         """Set whose minimum, neutral and maximum are marked. The scale contains them."""
-        self._curve, self._calibration = curve, curve.calibration if curve else None
-        self._axis = input_axis(source, self._calibration)
+        self._calibration = calibration
+        self._axis = input_axis(source, calibration)
         self.update()
 
     def show_value(self, source: InputSource, raw: int | None) -> None:
         """Show an input as a value, and what its curve makes of it."""
         output = "" if raw is None or self._curve is None else signed_text(self._curve.output(raw))
         value = "" if raw is None else units().ordered(source.text(raw), str(raw))[0]
-        self._show_texts(value or tr("no signal"), output, live_text(source, raw, self._curve))
+        self.show_texts(value or tr("no signal"), output, live_text(source, raw, self._curve))
 
     def show_unknown(self) -> None:
-        self._show_texts(NO_VALUE, "", tr("not known"))
+        self.show_texts(NO_VALUE, "", tr("not known"))
 
-    def _show_texts(self, value: str, output: str, spoken: str) -> None:
+    def show_texts(self, value: str, output: str, spoken: str) -> None:
         if (value, output, spoken) != (self._value, self._output, self._spoken):
             self._value, self._output, self._spoken = value, output, spoken
             self.update(0, 0, self.width(), self._bar_top())
