@@ -208,12 +208,21 @@ class DemoDock(QDockWidget):
     wanted_changed = Signal(bool)  # `wanted`
 
     def __init__(
-        self, name: str, key: str, use: DeviceController[Any], parent: QWidget | None = None
+        self,
+        name: str,
+        key: str,
+        use: DeviceController[Any],
+        make: Callable[[QWidget], QWidget],
+        parent: QWidget | None = None,
     ) -> None:
-        """Create a dock with an object name; `key` stores whether it is wanted."""
+        """Create a dock with an object name.
+
+        `key` stores whether it is wanted. `make` returns what it shows, the first time.
+        """
         super().__init__(parent)
         self.setObjectName(name)
         self._key = key
+        self._make = make
         self._use = use
         self._store = Preferences()
         self._width = self._width_before = 0
@@ -232,10 +241,6 @@ class DemoDock(QDockWidget):
             if button is not None:
                 set_icon(button, sign)
 
-    def hold(self, view: QWidget) -> None:
-        """Show `view`; it scrolls both ways on a small screen, where the pages need the room."""
-        self.setWidget(ScrollBox(view, self, sideways=True))
-
     def set_wanted(self, wanted: bool) -> None:
         if wanted != self.wanted:
             self.wanted = wanted
@@ -251,6 +256,8 @@ class DemoDock(QDockWidget):
     def show_if_wanted(self) -> None:
         there = self.wanted and self._use.demo_in_use
         if there and self.isHidden():
+            if self.widget() is None:  # on a small screen the pages need the room: it scrolls
+                self.setWidget(ScrollBox(self._make(self), self, sideways=True))
             self._make_room()
             self.show()
         elif not there and not self.isHidden():

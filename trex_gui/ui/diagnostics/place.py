@@ -1,23 +1,22 @@
 """The place *Diagnostics* of a device."""
 
 from collections.abc import Callable
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from PySide6.QtCore import QSignalBlocker, Slot
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.translation import tr
-from trex_gui.ui.diagnostics.log_page import LogPage
-from trex_gui.ui.diagnostics.problems import Problem, ProblemsPage
 from trex_gui.ui.frame.places import Place
 from trex_gui.ui.frame.workspace import PageInfo, Workspace
-from trex_gui.ui.plotting.page import PlotPage
 from trex_gui.ui.theme.theme import follow_theme, set_look
-from trex_gui.ui.traffic.page import TrafficPage
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import PageHead
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 from trex_gui.ui.widgets.view import View, copy_lines
+
+if TYPE_CHECKING:
+    from trex_gui.ui.diagnostics.problems import Problem, ProblemsPage
 
 _SEARCH = 26  # average characters
 
@@ -64,7 +63,7 @@ class Diagnostics(Place):
         self._search.setMinimumWidth(width)
 
     def pages(
-        self, problems: Callable[[], ProblemsPage], traffic: Callable[[], View]
+        self, problems: "Callable[[], ProblemsPage]", traffic: Callable[[], View]
     ) -> tuple[PageInfo, ...]:
         """Return the three pages. The arguments make the first and the last."""
         owner = self._workspace
@@ -78,6 +77,8 @@ class Diagnostics(Place):
             return page
 
         def make_log() -> QWidget:
+            from trex_gui.ui.diagnostics.log_page import LogPage  # noqa: PLC0415 - later
+
             page = self._joined(LogPage(owner.log, owner.key, owner.message_help, self))
             page.help_wanted.connect(self._show_help)
             return page
@@ -111,7 +112,10 @@ class Diagnostics(Place):
             self._view.search(text)
 
     @Slot(object)
-    def _show_more(self, problem: Problem) -> None:
+    def _show_more(self, problem: "Problem") -> None:
+        from trex_gui.ui.plotting.page import PlotPage  # noqa: PLC0415 - later
+        from trex_gui.ui.traffic.page import TrafficPage  # noqa: PLC0415 - later
+
         workspace = self._workspace
         workspace.show_page(problem.page)
         box = workspace.page_at(workspace.current)

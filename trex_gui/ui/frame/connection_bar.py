@@ -1,6 +1,7 @@
 """The bar above the pages: state of the connection with port and line settings, search, help."""
 
 from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Signal, Slot
 from PySide6.QtGui import QKeySequence, QShortcut
@@ -11,7 +12,6 @@ from trex_gui.core.translation import tr
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, Ports
-from trex_gui.ui.frame.find_dialog import FindDialog
 from trex_gui.ui.frame.workspace import LineChoice
 from trex_gui.ui.notifier import Answer, ConnectWith, Remedy
 from trex_gui.ui.theme.theme import follow_theme, set_look, set_text_color
@@ -20,6 +20,9 @@ from trex_gui.ui.widgets.behaviour import ConfirmButton
 from trex_gui.ui.widgets.labels import ElidedLabel
 from trex_gui.ui.widgets.leds import Lamp
 from trex_gui.ui.widgets.messages import InlinePrompt
+
+if TYPE_CHECKING:
+    from trex_gui.ui.frame.find_dialog import FindDialog
 
 _NOT_CONNECTED, _OTHER = "not connected", "other"
 
@@ -230,6 +233,8 @@ class ConnectionBar(QFrame):
     @Slot()
     def find_board(self, *, at_once: bool = False) -> None:
         """Open the search. `at_once`: of the port that is shown."""
+        from trex_gui.ui.frame.find_dialog import FindDialog  # noqa: PLC0415 - not at the start
+
         if self._dialog is None:
             self._dialog = FindDialog(
                 self._manager, self._ports, self._unless_busy, self._line_choices, self.window()

@@ -28,12 +28,12 @@ from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.views.demo_panel import (
-    DemoPanel,
     jumper_hint,
     led_patterns,
     led_words,
     state_text,
 )
+from trex_gui.ui.devices.demo_panel import DemoDock
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.program import Program
 from trex_gui.ui.theme.theme import theme
@@ -252,12 +252,12 @@ def test_alarming_note_is_bold_and_coloured(qtbot: QtBot, qapp: QApplication) ->
 # --- Visibility -------------------------------------------------------------------------
 
 
-def panel_of(window: WindowDriver) -> DemoPanel:
-    return window.find(DemoPanel, "demoPanel")
+def panel_of(window: WindowDriver) -> DemoDock:
+    return window.find(DemoDock, "demoPanel")
 
 
 @pytest.fixture
-def panel(window: WindowDriver) -> DemoPanel:
+def panel(window: WindowDriver) -> DemoDock:
     return panel_of(window)
 
 
@@ -277,7 +277,7 @@ def restart(program: Program, qtbot: QtBot) -> Callable[[Program], WindowDriver]
     return again
 
 
-def test_panel_is_shown_with_the_demo_unless_closed(window: WindowDriver, panel: DemoPanel) -> None:
+def test_panel_is_shown_with_the_demo_unless_closed(window: WindowDriver, panel: DemoDock) -> None:
     connector, action = trex(window.program).controller, window.action("demo")
     demo = window.program.ports.demo_of("trex")
     assert panel.isHidden()
@@ -312,7 +312,7 @@ def test_panel_is_shown_with_the_demo_unless_closed(window: WindowDriver, panel:
 
 
 def test_panel_is_restored_at_the_next_start(
-    program: Program, panel: DemoPanel, restart: Callable[[Program], WindowDriver]
+    program: Program, panel: DemoDock, restart: Callable[[Program], WindowDriver]
 ) -> None:
     trex(program).controller.connect_to(program.ports.demo_of("trex"))
     program.window.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, panel)
@@ -335,7 +335,7 @@ def test_panel_is_restored_at_the_next_start(
 
 @pytest.mark.qt_log_ignore("This plugin does not support")  # said by offscreen
 def test_panel_closes_with_the_connection_and_the_window(
-    window: WindowDriver, panel: DemoPanel
+    window: WindowDriver, panel: DemoDock
 ) -> None:
     connector, demo = trex(window.program).controller, window.program.ports.demo_of("trex")
     window.window.setGeometry(0, 0, 780, 620)  # of the 800 that the screen has

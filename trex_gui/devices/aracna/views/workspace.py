@@ -105,9 +105,9 @@ class AracnaWorkspace(Workspace):
         frame.seen_changed.connect(traffic.set_window_seen)
         self.bar = MotionBar(robot, self.recordings.indicator, self)
         ui.column(tabs, into=self, margins=0)
-        self._demo = DemoDock("aracnaDemoPanel", "aracna/demo_panel", controller, frame)
+        make_demo, key = partial(DemoRobotView, controller), "aracna/demo_panel"
+        self._demo = DemoDock("aracnaDemoPanel", key, controller, make_demo, frame)
         self._demo.setWindowTitle(tr("Demo Aracna"))
-        self._demo.hold(DemoRobotView(controller, self._demo))
         self.stop_text = tr("&Stop sequence")  # this robot has no stop
         self.docks = (self._demo,)
         self.moving = {"aracna_move", "aracna_play", "aracna_led"}

@@ -35,7 +35,6 @@ from trex_gui.devices.trex.session.messages import (
     SetWatched,
     Write,
 )
-from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
 from trex_gui.ui.devices.connection import ConnectionState, DeviceConnection
 from trex_gui.ui.notifier import ConnectWith, Remedies, Remedy, remedies_of
@@ -89,6 +88,8 @@ class Connection(DeviceConnection[ConnectionSettings]):
         return isinstance(request, Write)
 
     def new_session(self, settings: ConnectionSettings, *, may_move: bool) -> MakeSession:
+        from trex_gui.devices.trex.session.session import TrexSession  # noqa: PLC0415 - not at the start
+
         self.is_guarded = False
         return lambda inbox, emit: TrexSession(
             settings, inbox, emit, self.open_logged, may_move=may_move

@@ -30,7 +30,7 @@ from trex_gui.devices.trex.views.board.parts import (
     MotorPart,
     PlugPart,
 )
-from trex_gui.ui.devices.demo_panel import Columns, DemoDock, DemoPanelBody, Rows, add_cable
+from trex_gui.ui.devices.demo_panel import Columns, DemoPanelBody, Rows, add_cable
 from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.circuit import paint_block, paint_body, text_width
@@ -122,15 +122,6 @@ def motor_text(motor: DemoMotor) -> str:
     if motor.direction == "brake":
         return f"{tr('brake')} {motor.speed}" if motor.speed else tr("coast")
     return direction_text(motor.speed if motor.direction == "forward" else -motor.speed)
-
-
-class DemoPanel(DemoDock):
-    def __init__(
-        self, controller: TrexController, learning: Learning, parent: QWidget | None = None
-    ) -> None:
-        super().__init__("demoPanel", "demo_panel/wanted", controller, parent)
-        self.setWindowTitle(tr("Demo TReX"))
-        self.hold(DemoBoardView(controller, learning, self))
 
 
 class DemoBoardView(DemoPanelBody[DemoSnapshot]):

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Qt, Signal, Slot
 from PySide6.QtWidgets import QDialogButtonBox, QInputDialog, QListView, QWidget
@@ -18,13 +19,15 @@ from trex_gui.devices.trex.protocol.device_table import Model, device_table
 from trex_gui.devices.trex.settings.document import Settings, factory_settings
 from trex_gui.devices.trex.views.changes.dialog import ChangesDialog
 from trex_gui.devices.trex.views.changes.files import load_dialog
-from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 from trex_gui.devices.trex.views.shown_settings import ShownSettings
 from trex_gui.ui.files import in_background
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.builders import named, tab_order
 from trex_gui.ui.widgets.file_questions import SaveAnswer
 from trex_gui.ui.widgets.placement import keep_on_screen, resize_with_font
+
+if TYPE_CHECKING:
+    from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 
 SAMPLES = {  # the first comment of each sample says what it is for
     "autonomous_robot": tr_noop(
@@ -160,6 +163,10 @@ class SettingsFiles(QObject):
 
     @Slot(object)
     def open_editor(self, document: SettingsDocument) -> None:
+        from trex_gui.devices.trex.views.settings_editor.window import (  # noqa: PLC0415
+            SettingsEditor,
+        )
+
         editor = SettingsEditor(document, self._device)
         self.editors.append(editor)
         editor.send_requested.connect(partial(self._send, editor))
@@ -170,11 +177,11 @@ class SettingsFiles(QObject):
         editor.closed.connect(partial(self._on_editor_closed, editor))
         _raise(editor)
 
-    def _on_editor_closed(self, editor: SettingsEditor) -> None:
+    def _on_editor_closed(self, editor: "SettingsEditor") -> None:
         if editor in self.editors:
             self.editors.remove(editor)
 
-    def _send(self, editor: SettingsEditor) -> None:
+    def _send(self, editor: "SettingsEditor") -> None:
         """Offer to load the settings of an editor into the board."""
         if editor.document.settings is not None and self._device.state is not None:
             self._offer(editor.document)
@@ -242,8 +249,8 @@ class SettingsFiles(QObject):
 
     def _save_and_leave(
         self,
-        editors: list[SettingsEditor],
-        discarded: dict[SettingsEditor, str],
+        editors: "list[SettingsEditor]",
+        discarded: "dict[SettingsEditor, str]",
         leave: Callable[[], object],
     ) -> None:
         """Save one after the other. What was discarded is asked about again if it changes."""
@@ -259,7 +266,7 @@ class SettingsFiles(QObject):
             editor.close_at_once()
 
 
-def _raise(editor: SettingsEditor) -> None:
+def _raise(editor: "SettingsEditor") -> None:
     editor.show()
     editor.activateWindow()
 

@@ -22,7 +22,6 @@ from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
-from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
 from trex_gui.ui.files import in_background
 from trex_gui.ui.widgets import file_questions
 
@@ -166,6 +165,10 @@ class ShownSettings(QObject):
         return text, kept.format(names) if hidden else ""
 
     def preview(self) -> QDialog | None:
+        from trex_gui.devices.trex.views.settings_editor.printed import (  # noqa: PLC0415
+            PrintedSettings,
+        )
+
         settings, state = self._device.draft.shown, self._device.state
         if settings is None or state is None:
             return None

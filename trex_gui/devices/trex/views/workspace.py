@@ -15,20 +15,14 @@ from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
-from trex_gui.devices.trex.model.report import settings_parts, status_text
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.views.board.page import BoardPage
 from trex_gui.devices.trex.views.boards import BoardPanel
-from trex_gui.devices.trex.views.demo_panel import DemoPanel
 from trex_gui.devices.trex.views.help import GUIDE, TOPICS, message_help
 from trex_gui.devices.trex.views.learning.flow import LearnFlow
-from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
 from trex_gui.devices.trex.views.motor_controls import ControlBar, arm
-from trex_gui.devices.trex.views.pages.channels.page import ChannelsPage
 from trex_gui.devices.trex.views.pages.currents import CurrentsPage
-from trex_gui.devices.trex.views.pages.errors import ErrorsPage
-from trex_gui.devices.trex.views.pages.parameters.page import ParametersPage
 from trex_gui.devices.trex.views.prompts import ClosePrompt, RestorePrompt
 from trex_gui.devices.trex.views.recordings import Recordings
 from trex_gui.devices.trex.views.settings_commands import SettingsCommands
@@ -36,6 +30,7 @@ from trex_gui.devices.trex.views.settings_files import SettingsFiles
 from trex_gui.devices.trex.views.start_texts import start_texts
 from trex_gui.devices.trex.views.steps import Steps
 from trex_gui.devices.trex.views.traffic_comparison import compare_traffic
+from trex_gui.ui.devices.demo_panel import DemoDock
 from trex_gui.ui.devices.undo import undo_titles
 from trex_gui.ui.diagnostics.place import Diagnostics
 from trex_gui.ui.frame.main_window import MainWindow
@@ -56,6 +51,7 @@ from trex_gui.ui.widgets.behaviour import ReusedDialog
 
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.pages.currents_panel import PlotWindow
+    from trex_gui.devices.trex.views.pages.errors import ErrorsPage
     from trex_gui.devices.trex.views.tools import Tools
     from trex_gui.ui.traffic.page import TrafficPage
 
@@ -84,7 +80,6 @@ class TrexWorkspace(Workspace):
         tabs = ui.named(self.pages, "tabs", accessible=tr("Pages"))
         ui.tab_order(panel, tabs.tabBar())
         diagnostics = Diagnostics(self, "diagnostics", frame.show_help)
-        make_errors = partial(ErrorsPage, device, self)
         self.add_pages(
             (
                 PageInfo("board", tr("B&oard"), self._make_board_page, "board"),
@@ -92,7 +87,7 @@ class TrexWorkspace(Workspace):
                 PageInfo("motors", tr("&Motors"), self._make_motors_page, "motor"),
                 PageInfo("currents", tr("C&urrents"), partial(CurrentsPage, device, self), "plot"),
                 PageInfo("parameters", tr("&Parameters"), self._make_parameters_page, "settings"),
-                *diagnostics.pages(make_errors, self._make_traffic_page),
+                *diagnostics.pages(self._make_errors_page, self._make_traffic_page),
             )
         )
 
@@ -101,7 +96,9 @@ class TrexWorkspace(Workspace):
         self.page_changed.connect(bar.set_page)
         ui.row(panel, (tabs, 1), into=self, margins=0)
         self._learning = learning = Learning(device, self)
-        self._demo = DemoPanel(controller, learning, frame)
+        make_demo, key = self._make_demo_view, "demo_panel/wanted"
+        self._demo = DemoDock("demoPanel", key, controller, make_demo, frame)
+        self._demo.setWindowTitle(tr("Demo TReX"))
         self.files = files = SettingsFiles(device, frame)
         self.docks = (self._demo,)
         self.moving = {"run"}
@@ -149,6 +146,8 @@ class TrexWorkspace(Workspace):
         return page
 
     def _make_channels_page(self) -> QWidget:
+        from trex_gui.devices.trex.views.pages.channels.page import ChannelsPage  # noqa: PLC0415
+
         page = ChannelsPage(self._device, self._linter, self)
         page.power_cycle_requested.connect(self._settings.power.guide)
         page.learn_requested.connect(self._learn.learn)
@@ -164,10 +163,19 @@ class TrexWorkspace(Workspace):
         return page
 
     def _make_parameters_page(self) -> QWidget:
+        from trex_gui.devices.trex.views.pages.parameters.page import (  # noqa: PLC0415
+            ParametersPage,
+        )
+
         page = ParametersPage(self._device, self._linter, self)
         page.power_cycle_requested.connect(self._settings.power.guide)
         self._parameter_shown.connect(page.table.show_parameter)
         return page
+
+    def _make_demo_view(self, parent: QWidget) -> QWidget:
+        from trex_gui.devices.trex.views.demo_panel import DemoBoardView  # noqa: PLC0415
+
+        return DemoBoardView(self._controller, self._learning, parent)
 
     @Slot()
     def _show_plot(self) -> None:
@@ -177,6 +185,11 @@ class TrexWorkspace(Workspace):
             self._plot = PlotWindow(self._device)
         self._plot.show()
         self._plot.activateWindow()
+
+    def _make_errors_page(self) -> "ErrorsPage":
+        from trex_gui.devices.trex.views.pages.errors import ErrorsPage  # noqa: PLC0415
+
+        return ErrorsPage(self._device, self)
 
     def _make_traffic_page(self) -> "TrafficPage":
         from trex_gui.devices.trex.model.packet_sender import TrexPacketSender  # noqa: PLC0415
@@ -298,6 +311,11 @@ class TrexWorkspace(Workspace):
         self._on_actions_changed()
 
     def report_parts(self) -> dict[str, Callable[[], str]]:
+        from trex_gui.devices.trex.model.report import (  # noqa: PLC0415
+            settings_parts,
+            status_text,
+        )
+
         device = self._device
         status = status_text(device)
         return {
@@ -395,6 +413,10 @@ class TrexWorkspace(Workspace):
         self._settings.propose_crc()
 
     def edit_line_settings(self) -> None:
+        from trex_gui.devices.trex.views.line_settings_dialog import (  # noqa: PLC0415
+            LineSettingsDialog,
+        )
+
         dialog = self._frame.findChild(LineSettingsDialog)
         if dialog is None:
             dialog = LineSettingsDialog(self._controller.settings, self._frame)
