@@ -16,6 +16,7 @@ from trex_gui.core.resource_files import resource
 from trex_gui.ui.theme.theme import follow_theme, theme
 
 _SIZES = (16, 24, 32, 48, 64)  # pixels; what lies between is scaled down from the next
+_PLACES = tuple((sum(_SIZES[:index]), size) for index, size in enumerate(_SIZES))
 _BUTTON_ICON = 16  # pixels at a font size of 100 %, as in Fusion
 
 
@@ -90,33 +91,34 @@ _SIGNS = {
 
 @cache
 def _render(name: str, color: int, disabled: int, selected: int) -> QIcon:
+    shapes = _shapes(name)
     made = QIcon()
     for mode, argb, opacity in (
         (QIcon.Mode.Normal, color, 1.0),
         (QIcon.Mode.Disabled, disabled, 0.55),
         (QIcon.Mode.Selected, selected, 1.0),
     ):
-        tint = QColor(argb)
+        tint, tinted = QColor(argb), QPixmap(shapes)
         tint.setAlphaF(opacity)
-        for shape in _shapes(name):
-            made.addPixmap(_tinted(shape, tint), mode)
+        with QPainter(tinted) as painter:
+            painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceIn)
+            painter.fillRect(tinted.rect(), tint)
+        for left, size in _PLACES:
+            made.addPixmap(tinted.copy(left, 0, size, size), mode)
     return made
 
 
 @cache
-def _shapes(name: str) -> tuple[QPixmap, ...]:
-    """Return an icon in each size, drawn once for all colours: that is what takes long."""
+def _shapes(name: str) -> QPixmap:
+    """Return an icon in each size, side by side, drawn once for all colours."""
     drawing = resource(f"icons/{name}.svg").read_text(encoding="utf-8")
     renderer = QSvgRenderer(QByteArray(drawing.replace("currentColor", "black").encode()))
-    return tuple(_pixmap(renderer, size) for size in _SIZES)
-
-
-def _tinted(shape: QPixmap, color: QColor) -> QPixmap:
-    pixmap = QPixmap(shape)
-    with QPainter(pixmap) as painter:
-        painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceIn)
-        painter.fillRect(pixmap.rect(), color)
-    return pixmap
+    shapes = QPixmap(sum(_SIZES), max(_SIZES))
+    shapes.fill(Qt.GlobalColor.transparent)
+    with QPainter(shapes) as painter:
+        for left, size in _PLACES:
+            renderer.render(painter, QRectF(left, 0, size, size))
+    return shapes
 
 
 @cache
@@ -124,13 +126,9 @@ def application_icon() -> QIcon:
     renderer = QSvgRenderer(str(resource("icons/trex-studio.svg")))
     made = QIcon()
     for size in (*_SIZES, 128, 256):
-        made.addPixmap(_pixmap(renderer, size))
+        pixmap = QPixmap(size, size)
+        pixmap.fill(Qt.GlobalColor.transparent)
+        with QPainter(pixmap) as painter:
+            renderer.render(painter, QRectF(0, 0, size, size))
+        made.addPixmap(pixmap)
     return made
-
-
-def _pixmap(renderer: QSvgRenderer, size: int) -> QPixmap:
-    pixmap = QPixmap(size, size)
-    pixmap.fill(Qt.GlobalColor.transparent)
-    with QPainter(pixmap) as painter:
-        renderer.render(painter, QRectF(0, 0, size, size))
-    return pixmap
