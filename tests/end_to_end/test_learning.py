@@ -26,7 +26,8 @@ from trex_gui.devices.trex.views.steps import Steps
 @pytest.fixture
 def learning(connected_window: WindowDriver, quick_simulator: SimulatedDevice) -> LearningDialog:
     window = connected_window
-    dialog = window.find(Steps, "learnDialog")
+    dialog = window.dialog("learnDialog").root
+    assert isinstance(dialog, Steps)
     return LearningDialog(dialog, window.device, quick_simulator, window.qtbot)
 
 

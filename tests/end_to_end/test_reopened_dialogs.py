@@ -10,7 +10,6 @@ from PySide6.QtWidgets import QCheckBox, QDialog, QLineEdit, QPushButton, QSpinB
 from tests.support.program import trex
 from tests.support.window import WindowDriver
 from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
-from trex_gui.devices.trex.views.power_cycle import PowerCycleFlow
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 
 
@@ -23,7 +22,7 @@ def openers(window: WindowDriver) -> dict[str, Callable[[], object]]:
         "helpDialog": lambda: window.window.show_help("safety.md"),
         "historyDialog": lambda: window.trigger("history"),
         "learnDialog": lambda: window.trigger("learn"),
-        "powerCycleDialog": window.window.findChildren(PowerCycleFlow)[0].guide,
+        "powerCycleDialog": trex(window.program).workspace._settings.guide,
         "reviewDialog": lambda: window.trigger("apply"),
     }
 

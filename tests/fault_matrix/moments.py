@@ -109,7 +109,8 @@ def _end_calibrating(scene: Scene) -> None:
 
 
 def _learning_dialog(scene: Scene) -> LearningDialog:
-    dialog = scene.window.find(Steps, "learnDialog")
+    dialog = scene.window.dialog("learnDialog").root
+    assert isinstance(dialog, Steps)
     return LearningDialog(dialog, scene.window.device, scene.board, scene.window.qtbot)
 
 

@@ -133,6 +133,8 @@ class Scene:
         self.board.do(f"eeprom serial_timeout {SERIAL_TIMEOUT}", "power cycle")
         self.others_before = self.others()
         self.url = self.line.url
+        for dialog in ("learnDialog", "reviewDialog"):
+            window.dialog(dialog)
         self._labels = [window.root.findChild(QLabel, name) for name in LABELS]
         self._due = now() + LOOK_MS / 1000
         self.listen_to(window.device.notifier)

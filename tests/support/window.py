@@ -30,6 +30,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.program import aracna, trex
 from trex_gui.devices.aracna.model.robot import Robot
+from trex_gui.devices.trex.views.workspace import TrexWorkspace
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.ports import Port
 from trex_gui.ui.files import background
@@ -284,7 +285,14 @@ class WindowDriver(WidgetDriver):
             yield page
 
     def dialog(self, name: str) -> WidgetDriver:
-        """Return the dialog with this object name."""
+        """Return the dialog with this object name, also one that was not opened yet."""
+        makers: dict[str, Callable[[TrexWorkspace], object]] = {
+            "learnDialog": lambda workspace: workspace._tools.learn,
+            "powerCycleDialog": lambda workspace: workspace._settings._power,
+            "reviewDialog": lambda workspace: workspace._settings._review,
+        }
+        if name in makers:
+            makers[name](trex(self.program).workspace)
         return WidgetDriver(self.find(QDialog, name), self.qtbot)
 
     def action(self, key: str) -> QAction:

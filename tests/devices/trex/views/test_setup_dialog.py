@@ -283,7 +283,7 @@ def test_assistant_is_made_when_opened_and_joins_the_other_dialogs(
     go_to(window, dialog, SetupStep.STICKS)
     window.click("setupLearnButton")
     window.wait(lambda: window.has("learnRestPage"))
-    assert not window.find(QWidget, "learnDialog").isVisible(), "it is a step here"
+    assert not window.dialog("learnDialog").root.isVisible(), "it is a step here"
     window.click("setupBackButton")
     assert window.has("setupSticksPage")
 

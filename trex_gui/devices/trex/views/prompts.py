@@ -10,7 +10,6 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.settings.board_records import utc_now
 from trex_gui.devices.trex.settings.comparison import ComparisonRow
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.views.changes.review import Review
 from trex_gui.devices.trex.views.settings_files import SettingsFiles
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.notifier import Answer
@@ -22,7 +21,7 @@ class ClosePrompt(QObject):
     """Asks whether to apply, save, keep or discard edits before the window closes."""
 
     def __init__(
-        self, device: Device, files: SettingsFiles, review: Review, frame: MainWindow
+        self, device: Device, files: SettingsFiles, review: Callable[[], object], frame: MainWindow
     ) -> None:
         super().__init__(frame)
         self._device = device
@@ -64,7 +63,7 @@ class ClosePrompt(QObject):
             answer = Answer("closeYes", tr("Close anyway"), keep)
             question.ask(text, answer, still=lambda: device.writer.running)
         else:
-            apply = Answer("applyFirst", tr("Review and apply…"), self._review.review)
+            apply = Answer("applyFirst", tr("Review and apply…"), self._review)
             question.ask(
                 tr("There are unapplied changes."),
                 *([apply] if device.writer.can_apply else []),

@@ -3,6 +3,8 @@
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
+from functools import cached_property
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -14,12 +16,13 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
-from trex_gui.devices.trex.views.changes.review import Review
-from trex_gui.devices.trex.views.power_cycle import PowerCycleFlow
-from trex_gui.devices.trex.views.steps import Steps
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.notifier import Answer
 from trex_gui.ui.translations import error_sentence
+
+if TYPE_CHECKING:
+    from trex_gui.devices.trex.views.changes.review import Review
+    from trex_gui.devices.trex.views.power_cycle import PowerCycleFlow
 
 
 class SettingsCommands(QObject):
@@ -30,13 +33,43 @@ class SettingsCommands(QObject):
     ) -> None:
         super().__init__(frame)
         self._device = device
+        self._linter, self._boards, self._frame = linter, boards, frame
         self._question = frame.question
-        self.review = Review(device, linter, boards, frame)
-        self.power = PowerCycleFlow(device)
-        Steps(device, self.power, frame)
-
         device.applied.connect(self._on_applied)
         device.applied.connect(frame.question.reconsider)
+
+    @cached_property
+    def _review(self) -> "Review":
+        from trex_gui.devices.trex.views.changes.review import Review  # noqa: PLC0415 - later
+
+        return Review(self._device, self._linter, self._boards, self._frame)
+
+    @cached_property
+    def _power(self) -> "PowerCycleFlow":
+        from trex_gui.devices.trex.views.power_cycle import PowerCycleFlow  # noqa: PLC0415 - later
+        from trex_gui.devices.trex.views.steps import Steps  # noqa: PLC0415
+
+        flow = PowerCycleFlow(self._device)
+        Steps(self._device, flow, self._frame)
+        return flow
+
+    @Slot()
+    def review(self) -> None:
+        """Let the user review what is written, or show the progress of writing it."""
+        self._review.review()
+
+    def review_defaults(self, *, serial_only: bool) -> None:
+        self._review.review_defaults(serial_only=serial_only)
+
+    @Slot()
+    def close_if_verified(self) -> None:
+        """Close the review if its result asks for nothing more."""
+        self._review.close_if_verified()
+
+    @Slot()
+    def guide(self) -> None:
+        """Guide the user through a power cycle."""
+        self._power.guide()
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
@@ -49,8 +82,8 @@ class SettingsCommands(QObject):
             return
         notifier.cleared.emit()
         if any(result.key == ParameterKey.FACTORY_RESET for result in results):
-            self.power.guide()
-        elif not self.review.dialog.isVisible():
+            self.guide()
+        elif not self._review.dialog.isVisible():
             notifier.info.emit(tr("%n setting(s) written and verified.", "", len(results)))
 
     @Slot()
@@ -83,7 +116,7 @@ class SettingsCommands(QObject):
         """Edit the line settings that the board stores, and let the user review that."""
         key, parameters = ParameterKey.UART_SETTINGS, self._device.parameters
         if parameters.values.stored.get(key) != parameters.values.active_of(key):
-            self.power.guide()
+            self.guide()
             return
         self.parameter_wanted.emit(key)
         wire = parameters.values.value_of(key)
@@ -97,4 +130,4 @@ class SettingsCommands(QObject):
                 "to use it, too."
             )
             self._device.notifier.info.emit(text.format(name))
-            self.review.review()
+            self.review()

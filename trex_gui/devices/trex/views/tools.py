@@ -1,5 +1,6 @@
 """Windows beside the pages. This module is imported when the first of them is opened."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -9,9 +10,9 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.views.bench.dialog import BenchDialog
 from trex_gui.devices.trex.views.changes.boards import ApplyToSeveral
-from trex_gui.devices.trex.views.changes.review import Review
 from trex_gui.devices.trex.views.check_board import CheckBoardFlow
 from trex_gui.devices.trex.views.history_dialog import HistoryDialog
+from trex_gui.devices.trex.views.learning.flow import LearnFlow
 from trex_gui.devices.trex.views.setup.flow import SetupFlow
 from trex_gui.devices.trex.views.steps import Steps
 from trex_gui.ui.frame.main_window import MainWindow
@@ -25,25 +26,32 @@ class Tools:
     device: Device
     boards: BoardList
     learning: Learning
-    review: Review
+    review: Callable[[], object]
     frame: MainWindow
 
     @cached_property
     def bench(self) -> BenchDialog:
         dialog = BenchDialog(self.device, Bench(self.device, self.frame), self.frame)
-        dialog.apply_requested.connect(self.review.review)
+        dialog.apply_requested.connect(self.review)
         return dialog
 
     @cached_property
     def history(self) -> HistoryDialog:
         dialog = HistoryDialog(self.device, self.frame)
-        dialog.restore_requested.connect(self.review.review)
+        dialog.restore_requested.connect(self.review)
         return dialog
+
+    @cached_property
+    def learn(self) -> LearnFlow:
+        flow = LearnFlow(self.learning)
+        flow.apply_requested.connect(self.review)
+        Steps(self.device, flow, self.frame)
+        return flow
 
     @cached_property
     def setup(self) -> SetupFlow:
         flow = SetupFlow(self.device, self.learning)
-        flow.apply_requested.connect(self.review.review)
+        flow.apply_requested.connect(self.review)
         Steps(self.device, flow, self.frame)
         return flow
 

@@ -15,12 +15,12 @@ from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
+from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.views.board.page import BoardPage
 from trex_gui.devices.trex.views.boards import BoardPanel
 from trex_gui.devices.trex.views.help import GUIDE, TOPICS, message_help
-from trex_gui.devices.trex.views.learning.flow import LearnFlow
 from trex_gui.devices.trex.views.motor_controls import ControlBar, arm
 from trex_gui.devices.trex.views.pages.currents import CurrentsPage
 from trex_gui.devices.trex.views.prompts import ClosePrompt, RestorePrompt
@@ -28,7 +28,6 @@ from trex_gui.devices.trex.views.recordings import Recordings
 from trex_gui.devices.trex.views.settings_commands import SettingsCommands
 from trex_gui.devices.trex.views.settings_files import SettingsFiles
 from trex_gui.devices.trex.views.start_texts import start_texts
-from trex_gui.devices.trex.views.steps import Steps
 from trex_gui.devices.trex.views.traffic_comparison import compare_traffic
 from trex_gui.ui.devices.demo_panel import DemoDock
 from trex_gui.ui.devices.undo import undo_titles
@@ -107,8 +106,6 @@ class TrexWorkspace(Workspace):
         self._settings = settings = SettingsCommands(device, self._linter, boards, frame)
         self._close_prompt = ClosePrompt(device, files, settings.review, frame)
         RestorePrompt(device, files, frame.question)
-        self._learn = LearnFlow(learning)
-        Steps(device, self._learn, frame)
         self._plot: PlotWindow | None = None
         learning.begun.connect(controller.demo_board.centre_sticks)
 
@@ -120,12 +117,10 @@ class TrexWorkspace(Workspace):
         self.recordings.used.connect(partial(frame.files.recent.note, self.key, "recording"))
         self.recordings.settings_wanted.connect(self.files.open_editor)
         settings.parameter_wanted.connect(self._show_parameter)
-        for reviewed in (bar.apply_requested, self._learn.apply_requested):
-            reviewed.connect(settings.review.review)
+        bar.apply_requested.connect(settings.review)
         # The test of the sticks follows, once the review has its result.
-        learning.stored.connect(
-            settings.review.close_if_verified, Qt.ConnectionType.QueuedConnection
-        )
+        learning.stored.connect(settings.close_if_verified, Qt.ConnectionType.QueuedConnection)
+        learning.begun.connect(lambda: self._tools.learn)  # it tests what the set-up learned, too
         controller.demo_board.rejected.connect(self.notifier.error)
         for changed in (
             self.recordings.changed,
@@ -149,9 +144,9 @@ class TrexWorkspace(Workspace):
         from trex_gui.devices.trex.views.pages.channels.page import ChannelsPage  # noqa: PLC0415
 
         page = ChannelsPage(self._device, self._linter, self)
-        page.power_cycle_requested.connect(self._settings.power.guide)
-        page.learn_requested.connect(self._learn.learn)
-        page.test_requested.connect(self._learn.test)
+        page.power_cycle_requested.connect(self._settings.guide)
+        page.learn_requested.connect(self._learn)
+        page.test_requested.connect(self._test_sticks)
         return page
 
     def _make_motors_page(self) -> QWidget:
@@ -168,7 +163,7 @@ class TrexWorkspace(Workspace):
         )
 
         page = ParametersPage(self._device, self._linter, self)
-        page.power_cycle_requested.connect(self._settings.power.guide)
+        page.power_cycle_requested.connect(self._settings.guide)
         self._parameter_shown.connect(page.table.show_parameter)
         return page
 
@@ -216,6 +211,14 @@ class TrexWorkspace(Workspace):
     def _set_up(self) -> None:
         self._tools.setup.open()
 
+    @Slot(object)
+    def _learn(self, channels: Sequence[int] = CHANNELS) -> None:
+        self._tools.learn.learn(channels)
+
+    @Slot()
+    def _test_sticks(self) -> None:
+        self._tools.learn.test()
+
     def _open_bench(self) -> None:
         self._tools.bench.show_in_front()
 
@@ -245,9 +248,9 @@ class TrexWorkspace(Workspace):
         device, files, shown = self._device, self.files, self.files.shown
         keys = QKeySequence.StandardKey
         settings, compare = self._settings, partial(compare_traffic, self.notifier, self)
-        reload, review, activate = settings.reload, settings.review.review, settings.power.guide
-        factory = partial(settings.review.review_defaults, serial_only=False)
-        serial = partial(settings.review.review_defaults, serial_only=True)
+        reload, review, activate = settings.reload, settings.review, settings.guide
+        factory = partial(settings.review_defaults, serial_only=False)
+        serial = partial(settings.review_defaults, serial_only=True)
         plot_title = tr("Plot of currents in its o&wn window")
 
         def open_guide() -> None:
@@ -285,8 +288,8 @@ class TrexWorkspace(Workspace):
                 Entry("to_boards", tr("A&pply a file to several boards…"), self._apply_to_boards),
                 SEPARATOR,
                 Entry("setup", tr("Set &up my robot…"), self._set_up, "", "settings"),
-                Entry("learn", tr("Lear&n channels…"), self._learn.learn, "", "calibrate"),
-                Entry("test_sticks", tr("&Test the sticks…"), self._learn.test),
+                Entry("learn", tr("Lear&n channels…"), self._learn, "", "calibrate"),
+                Entry("test_sticks", tr("&Test the sticks…"), self._test_sticks),
                 Entry("bench", tr("&Bench test…"), self._open_bench, "Ctrl+B", "plot"),
                 SEPARATOR,
                 Entry("defaults", tr("Restore factor&y defaults…"), factory),
