@@ -12,7 +12,6 @@ from shiboken6 import Shiboken
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.boards import BoardList
 from trex_gui.devices.trex.model.controller import TrexController
-from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.protocol.flags import CHANNELS
@@ -49,6 +48,7 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 
 if TYPE_CHECKING:
+    from trex_gui.devices.trex.model.learning.learning import Learning
     from trex_gui.devices.trex.views.pages.currents_panel import PlotWindow
     from trex_gui.devices.trex.views.pages.errors import ErrorsPage
     from trex_gui.devices.trex.views.tools import Tools
@@ -94,7 +94,6 @@ class TrexWorkspace(Workspace):
         self.bar = bar = ControlBar(device, self.recordings.indicator, self)
         self.page_changed.connect(bar.set_page)
         ui.row(panel, (tabs, 1), into=self, margins=0)
-        self._learning = learning = Learning(device, self)
         make_demo, key = self._make_demo_view, "demo_panel/wanted"
         self._demo = DemoDock("demoPanel", key, controller, make_demo, frame)
         self._demo.setWindowTitle(tr("Demo TReX"))
@@ -107,7 +106,6 @@ class TrexWorkspace(Workspace):
         self._close_prompt = ClosePrompt(device, files, settings.review, frame)
         RestorePrompt(device, files, frame.question)
         self._plot: PlotWindow | None = None
-        learning.begun.connect(controller.demo_board.centre_sticks)
 
         frame.seen_changed.connect(device.set_seen)
         self.files.staged.connect(lambda: self.show_page("parameters"))
@@ -118,9 +116,6 @@ class TrexWorkspace(Workspace):
         self.recordings.settings_wanted.connect(self.files.open_editor)
         settings.parameter_wanted.connect(self._show_parameter)
         bar.apply_requested.connect(settings.review)
-        # The test of the sticks follows, once the review has its result.
-        learning.stored.connect(settings.close_if_verified, Qt.ConnectionType.QueuedConnection)
-        learning.begun.connect(lambda: self._tools.learn)  # it tests what the set-up learned, too
         controller.demo_board.rejected.connect(self.notifier.error)
         for changed in (
             self.recordings.changed,
@@ -195,6 +190,18 @@ class TrexWorkspace(Workspace):
         page = TrafficPage(traffic, "transcript", tr("a board"), self.notifier, self, sender=sender)
         self._frame.seen_changed.connect(page.set_window_seen)
         return page
+
+    @cached_property
+    def _learning(self) -> "Learning":
+        from trex_gui.devices.trex.model.learning.learning import Learning  # noqa: PLC0415 - later
+
+        learning = Learning(self._device, self)
+        learning.begun.connect(self._controller.demo_board.centre_sticks)
+        learning.begun.connect(lambda: self._tools.learn)  # it tests what the set-up learned, too
+        # The test of the sticks follows, once the review has its result.
+        review_done = self._settings.close_if_verified
+        learning.stored.connect(review_done, Qt.ConnectionType.QueuedConnection)
+        return learning
 
     @cached_property
     def _tools(self) -> "Tools":
