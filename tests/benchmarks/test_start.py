@@ -1,7 +1,8 @@
 """Seconds from the command to a painted window, and to a window that shows a live board.
 
 The yardstick is a bare window with one plot, which any program with these libraries has to load.
-Both take turns in one run, with bytecode as an installed program has it.
+Both take turns in one run, with bytecode as an installed program has it. The two are compared in
+processor time, which other processes change least.
 """
 
 import os
@@ -13,7 +14,7 @@ from tests.benchmarks.conftest import ReportFigure
 
 _BARE = """
 import time
-begun = time.perf_counter()
+begun, used = time.perf_counter(), time.process_time()
 from PySide6.QtWidgets import QApplication, QMainWindow
 from pyqtgraph import PlotWidget
 app = QApplication([])
@@ -24,22 +25,24 @@ window.setCentralWidget(plot)
 window.resize(1100, 760)
 window.show()
 app.processEvents()
-print(time.perf_counter() - begun)
+print(time.perf_counter() - begun, time.process_time() - used)
 """
 
 _PROBE = """
 import time
-begun = time.perf_counter()
+begun, used = time.perf_counter(), time.process_time()
 from PySide6.QtWidgets import QApplication
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.workers.threads import GuiThreadCollector
 from trex_gui.composition import build
 app = QApplication([])
 QApplication.setOrganizationName("TReX Studio benchmark")
 theme().install(app)
+collector = GuiThreadCollector(app)
 program = build()
 program.window.show()
 app.processEvents()
-shown = time.perf_counter()
+shown, used = time.perf_counter(), time.process_time() - used
 program.complete()
 program.connect_to_demo("trex")
 device = program.device_manager.current.device
@@ -47,7 +50,7 @@ while device.telemetry.raw is None:
     app.processEvents()
 live = time.perf_counter()
 assert program.close()
-print(shown - begun, live - begun)
+print(shown - begun, used, live - begun)
 """
 
 _RUNS = 8  # of each, and one before that writes the bytecode
@@ -71,8 +74,8 @@ def test_start_to_window_and_to_live_board_is_measured(
     _run(_BARE, tmp_path)
     _run(_PROBE, tmp_path)
     runs = [(*_run(_BARE, tmp_path), *_run(_PROBE, tmp_path)) for _ in range(_RUNS)]
-    bare, window, live = (min(taken) for taken in zip(*runs, strict=True))
+    bare, bare_used, window, used, live = (min(taken) for taken in zip(*runs, strict=True))
     figure("start to bare window with a plot", bare, "s")
     figure("start to window", window, "s")
-    figure("start to window, to bare window", window / bare, "ratio")
+    figure("processor time to window, to bare window", used / bare_used, "ratio", at_most=1.2)
     figure("start to live simulated board", live, "s")
