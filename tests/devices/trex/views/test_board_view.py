@@ -11,6 +11,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.drive_status import drive_inputs
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.views.board.parts import BoardPart, JumperPart, LedPart, MotorPart
 from trex_gui.devices.trex.views.board.view import BoardView
@@ -23,7 +24,7 @@ class Drawing(WidgetDriver):
         self.view, self.device = view, device
 
     def said(self, name: str) -> str:
-        self.view.show_board()
+        self.view.show_board(drive_inputs(self.device))
         part = self.find(BoardPart, f"boardPart{name}")
         return f"{part.accessibleName()}: {part.spoken_state()}"
 

@@ -5,7 +5,7 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.board.drive_status import DriveStatus, drive_statuses
+from trex_gui.devices.trex.board.drive_status import DriveInputs, DriveStatus, drive_statuses
 from trex_gui.devices.trex.board.mirror import SetUp
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.driving.blockers import DriveBlocker, Effect
@@ -100,7 +100,7 @@ class BoardPage(QWidget):
     def _on_device_changed(self) -> None:
         state, settings = self._device.state, self._device.settings
         is_idle = self._device.link is ConnectionState.DISCONNECTED
-        status, *_ = self._show_motors()
+        _, status = self._show_motors()
         is_lost = self._lost.show_loss(f"{status.text} {status.remedy}".strip())
         self._start.setVisible(is_idle and not is_lost)
         self._report.setVisible(not is_idle or is_lost)
@@ -137,10 +137,12 @@ class BoardPage(QWidget):
         return facts
 
     @Slot()
-    def _show_motors(self) -> tuple[DriveStatus, ...]:
-        statuses = drive_statuses(drive_inputs(self._device))
+    def _show_motors(self) -> tuple[DriveInputs, DriveStatus]:
+        """Show why the motors do what they do. Return from what it follows, and the first."""
+        inputs = drive_inputs(self._device)
+        statuses = drive_statuses(inputs)
         self._reasons.show_statuses(statuses)
-        return statuses
+        return inputs, statuses[0]
 
     @Slot()
     def _show_problems(self) -> None:
@@ -154,9 +156,9 @@ class BoardPage(QWidget):
     @Slot()
     @only_when_visible
     def _on_text_due(self) -> None:
-        self._show_motors()
+        inputs, _ = self._show_motors()
         if self._report.isVisible():
-            self._view.show_board()
+            self._view.show_board(inputs)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

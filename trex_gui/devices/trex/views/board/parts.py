@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable
 
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QPointF, QRect, QRectF, Qt
 from PySide6.QtGui import QAccessible, QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QAbstractButton, QWidget
 
@@ -34,6 +34,7 @@ class BoardPart(QAbstractButton, Spoken):
 
     spoken_role = QAccessible.Role.Button
     spoken_from = 0  # the first line that says more than the name
+    ground = ""  # the colour that is around it; with none, what it lies on is painted as well
 
     def __init__(
         self,
@@ -60,14 +61,21 @@ class BoardPart(QAbstractButton, Spoken):
     def show_lines(self, *lines: str, alarm: str = "") -> None:
         if (lines, alarm) != (self.lines, self.alarm):
             self.lines, self.alarm = lines, alarm
-            self.update()
+            self.update(self._place_of_lines())
+
+    def _place_of_lines(self) -> QRect:
+        return self.rect()
 
     def spoken_state(self) -> str:
         return ", ".join(filter(None, self.lines[self.spoken_from :]))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
+        # Here, because styles take it from buttons.
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent, bool(self.ground))
         with Painter(self) as painter:
+            if self.ground:
+                painter.fillRect(self.rect(), theme().color(self.ground))
             if self.underMouse() and self.isEnabled():
                 painter.setPen(Qt.PenStyle.NoPen)
                 painter.setBrush(theme().color("selected"))
@@ -88,6 +96,7 @@ class ChannelPart(BoardPart):
     """An input: its value on a bar with the marks of its calibration."""
 
     spoken_from = 2
+    ground = "base"
     _axis = (0, 1)
     _count: int | None = None
     _calibration: Calibration | None = None
@@ -120,6 +129,7 @@ class LedPart(BoardPart):
     """A LED in the pattern that the board shows, with the pattern in words."""
 
     spoken_from = 1
+    ground = "board"
     pattern = ""  # as `leds.is_lit` takes it; empty while it is not known
     _is_lit = False
 
@@ -143,6 +153,7 @@ class LedPart(BoardPart):
 class JumperPart(BoardPart):
     """Two pins, with the jumper on them or without; where it is not known, dashed."""
 
+    ground = "board"
     is_on: bool | None = None
 
     def show_jumper(self, is_on: bool | None, *lines: str) -> None:
@@ -214,10 +225,16 @@ class SerialPart(BoardPart):
     PINS = ("SI", "SO", "GND")
     body_width = 0  # of the board, on whose lower edge the header is
 
-    def paint(self, painter: QPainter) -> None:
+    def _place_of_lines(self) -> QRect:
+        return self.rect().adjusted(0, int(self._box().bottom()), 0, 0)
+
+    def _box(self) -> QRectF:
         height = self.fontMetrics().height()
         pin = text_width(self.font(), *self.PINS) + height
-        box = QRectF((self.body_width - 3 * pin) / 2, 1, 3 * pin, 1.7 * height)
+        return QRectF((self.body_width - 3 * pin) / 2, 1, 3 * pin, 1.7 * height)
+
+    def paint(self, painter: QPainter) -> None:
+        height, box = self.fontMetrics().height(), self._box()
         paint_block(painter, box, self.PINS)
         x = box.center().x()
         painter.setPen(QPen(theme().color(self.color), 4))

@@ -63,6 +63,7 @@ class BoardView(QWidget):
         self.setAccessibleName(tr("The board"))
         self._device = device
         self._body = QRect()
+        self._shown_name = self._name()
         self._began = now()
         self._motion = Motion(self, self._on_frame)
 
@@ -163,7 +164,6 @@ class BoardView(QWidget):
             part.setGeometry(room.left(), top, room.width(), height)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        del event
         body, line = QRectF(self._body), self._serial.fontMetrics().height()
         with Painter(self) as painter:
             painter.setPen(QPen(theme().color("board_edge"), 5))
@@ -173,8 +173,10 @@ class BoardView(QWidget):
             for motor in self._motors.values():
                 y = motor.geometry().center().y()
                 painter.drawLine(QPointF(body.right(), y), QPointF(motor.x() + 4, y))
+            if not event.region().intersects(self._body.adjusted(-6, 0, line, 0)):
+                return
             painter.setFont(self._serial.font())
-            paint_body(painter, body, self._name())
+            paint_body(painter, body, self._shown_name)
             for part in self._channels.values():
                 y = part.y() + part.height_of_bar
                 paint_block(painter, QRectF(body.left() - 6, y - line / 2, 12, line))
@@ -188,10 +190,9 @@ class BoardView(QWidget):
 
     # --- What the board reports ---------------------------------------------------------
 
-    def show_board(self) -> None:
+    def show_board(self, inputs: DriveInputs) -> None:
         """Show the newest of everything; what is not known is drawn as unknown."""
         device = self._device
-        inputs = drive_inputs(device)
         board = inputs.board if inputs.link is None else None
         self._show_channels()
         self._show_jumpers()
@@ -215,7 +216,9 @@ class BoardView(QWidget):
         self._show_leds()
         motors = self._motors.values()
         self._motion.run(any(one.moves for one in self._leds) or any(one.speed for one in motors))
-        self.update()
+        if self._name() != self._shown_name:
+            self._shown_name = self._name()
+            self.update()
 
     def _show_channels(self) -> None:
         device, state = self._device, self._device.state
@@ -310,4 +313,4 @@ class BoardView(QWidget):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        self.show_board()
+        self.show_board(drive_inputs(self._device))
