@@ -178,6 +178,7 @@ def test_controls_have_a_visible_outline_in_every_theme(window: WindowDriver) ->
         window.trigger(key)
     GamepadDialog(window.find(GamepadPanel, "gamepadPanel").gamepad, window.window)
     LineSettingsDialog(trex(window.program).controller.settings, window.window)
+    window.dialog("powerCycleDialog")
     for bar in window.find_all(ActionBar):
         buttons = (each for each in bar.findChildren(QPushButton) if each is not bar.stop)
         assert [each.text() for each in buttons if not each.icon().isNull()] == [], "on amber"

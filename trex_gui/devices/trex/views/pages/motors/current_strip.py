@@ -11,6 +11,7 @@ from trex_gui.ui.plotting.axes import ValueAxis
 from trex_gui.ui.plotting.canvas import PlotCanvas
 
 _SECONDS, _BINS = 10.0, 200
+_STEP = 0.1  # seconds of new samples that are drawn at once
 _SERIES = {1: Series.CURRENT1, 2: Series.CURRENT2}
 
 
@@ -29,9 +30,18 @@ class CurrentStrip(PlotCanvas):
         self.set_margins(left="0.0 A", top=8, right=1, x_axis=False)
         self.draw()
 
+    def _newest(self) -> float:
+        span = self._device.telemetry.currents.span
+        return span[1] if span is not None else 0.0
+
+    def follow(self) -> None:
+        """Draw again if there is enough that is new."""
+        if abs(self._newest() - self._end) >= _STEP:
+            self.draw()
+
     def draw(self) -> None:
-        history = self._device.telemetry.currents
-        end = history.span[1] if history.span is not None else 0.0
+        history, end = self._device.telemetry.currents, self._newest()
+        self._end = end
         highest = 0.0
         for motor, series in _SERIES.items():
             times, amps = history.points(series, end - _SECONDS, end, _BINS)

@@ -304,7 +304,7 @@ class MotorsPage(QWidget):
     def _on_frame_due(self) -> None:
         self._hold_still()
         self._show_setpoints()
-        self._strip.draw()
+        self._strip.follow()
 
     @Slot()
     @only_when_visible
