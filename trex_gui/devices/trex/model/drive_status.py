@@ -1,10 +1,12 @@
 """Whether the motors follow the setpoints of the window, and which drivers have shut down."""
 
+from collections.abc import Iterable
+
 from trex_gui.devices.trex.board.drive_status import (
     AUXILIARY,
     DriveInputs,
+    DriveStatus,
     MotorSetpoint,
-    drive_statuses,
     motor_setpoint,
 )
 from trex_gui.devices.trex.driving.blockers import DriveBlocker
@@ -45,7 +47,6 @@ def setpoint_of(device: Device, motor: int, inputs: DriveInputs) -> MotorSetpoin
     return motor_setpoint(motor, inputs, device.board.newest, sent)
 
 
-def recent_fault_text(device: Device) -> str:
+def fault_text(statuses: Iterable[DriveStatus]) -> str:
     """Return which motor drivers have shut down recently, as sentences; empty if none has."""
-    statuses = drive_statuses(drive_inputs(device))
     return " ".join(one.text for one in statuses if one.blocker is DriveBlocker.FAULT)

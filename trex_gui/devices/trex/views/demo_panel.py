@@ -394,7 +394,7 @@ class Drawing(BoardRows):
         def update(snapshot: DemoSnapshot) -> None:
             motor = snapshot.motors[number - 1]
             turns = {"forward": 1, "reverse": -1}.get(motor.direction, 0)
-            made.speed = 0 if motor.fault else turns * motor.speed
+            made.show_speed(0 if motor.fault else turns * motor.speed)
             current = f"{Number(motor.current):.1f}\u00a0A"
             fault = (tr("Fault"),) if motor.fault else ()
             made.show_lines(

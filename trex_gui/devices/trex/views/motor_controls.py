@@ -1,15 +1,17 @@
 """Stop and *Arm motors*: the row below every page, and what asks before arming."""
 
+from collections.abc import Iterable
+
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QDialog, QFrame, QWidget
 
 from trex_gui.core.texts import title_of
 from trex_gui.core.translation import Number, tr
-from trex_gui.devices.trex.board.drive_status import drive_statuses
+from trex_gui.devices.trex.board.drive_status import DriveStatus, drive_statuses
 from trex_gui.devices.trex.driving.blockers import DriveBlocker
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.drive_status import drive_inputs, recent_fault_text
+from trex_gui.devices.trex.model.drive_status import drive_inputs, fault_text
 from trex_gui.devices.trex.model.drive_texts import timeout_warning
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.theme import set_look, set_style_property
@@ -308,11 +310,12 @@ class ControlBar(MotorBar):
     @Slot()
     def _on_changed(self) -> None:
         motors, pending = self._device.motors, self._device.draft.pending
-        fault = recent_fault_text(self._device)
+        statuses = drive_statuses(drive_inputs(self._device))
+        fault = fault_text(statuses)
         may_matter = self._device.may_stop_matter
         alarming = bool(fault) or motors.armed or may_matter or self._is_beyond_reach
         self._state.show_note(
-            " ".join(filter(None, (fault, self._state_text()))),
+            " ".join(filter(None, (fault, self._state_text(statuses)))),
             alarming=alarming,
             color="danger" if self._is_out_of_reach else "warning",
         )
@@ -335,7 +338,7 @@ class ControlBar(MotorBar):
         is_locked_out = not motors.is_available and not self._device.driving.reaches_several
         return self._device.is_connected and is_locked_out and motors.locked_for > 0
 
-    def _state_text(self) -> str:
+    def _state_text(self, statuses: Iterable[DriveStatus]) -> str:
         """Return what is sent, or the first reason why nothing is. Faults are in another text."""
         device, motors = self._device, self._device.motors
         if motors.armed:
@@ -346,5 +349,4 @@ class ControlBar(MotorBar):
             return device.driving.lost_board
         if self._is_beyond_reach:
             return tr("Channels control the motors: Stop does not affect them.")
-        statuses = drive_statuses(drive_inputs(device))
         return next((one.text for one in statuses if one.blocker is not DriveBlocker.FAULT), "")

@@ -54,6 +54,7 @@ class BoardPart(QAbstractButton, Spoken):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self.lines: tuple[str, ...] = ()
+        self._seen = QRect()  # what is painted now
         self.alarm = ""  # the colour of the theme in which the last line is written, if it alarms
         self.clicked.connect(open_page)
         theme().changed.connect(self.update)
@@ -70,7 +71,7 @@ class BoardPart(QAbstractButton, Spoken):
         return ", ".join(filter(None, self.lines[self.spoken_from :]))
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        del event
+        self._seen = event.rect()
         # Here, because styles take it from buttons.
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent, bool(self.ground))
         with Painter(self) as painter:
@@ -87,9 +88,10 @@ class BoardPart(QAbstractButton, Spoken):
         raise NotImplementedError
 
     def write_beside(self, painter: QPainter, left: float) -> None:
-        """Write the lines beside a shape that ends at `left`."""
-        place = QRectF(left, 0, self.width() - left, self.height())
-        write_lines(painter, place, self.lines, alarm=self.alarm)
+        """Write the lines beside a shape that ends at `left`, unless only that is painted."""
+        if self._seen.right() > left:
+            place = QRectF(left, 0, self.width() - left, self.height())
+            write_lines(painter, place, self.lines, alarm=self.alarm)
 
 
 class ChannelPart(BoardPart):
@@ -110,7 +112,9 @@ class ChannelPart(BoardPart):
         self, axis: tuple[int, int], count: int | None, calibration: Calibration | None
     ) -> None:
         """Show a raw count on an axis of raw counts; `None` is no signal, or nothing known."""
-        self._axis, self._count, self._calibration = axis, count, calibration
+        if (axis, count, calibration) != (self._axis, self._count, self._calibration):
+            self._axis, self._count, self._calibration = axis, count, calibration
+            self.update()
 
     def paint(self, painter: QPainter) -> None:
         room = QRectF(self.rect()).adjusted(4, 2, -4, -2)
@@ -141,7 +145,7 @@ class LedPart(BoardPart):
         lit = is_lit(self.pattern, seconds)
         if lit != self._is_lit:
             self._is_lit = lit
-            self.update()
+            self.update(0, 0, self.fontMetrics().height() + 12, self.height())
 
     def paint(self, painter: QPainter) -> None:
         radius = self.fontMetrics().height() / 2
@@ -174,10 +178,18 @@ class MotorPart(BoardPart):
     speed = 0  # what it is told, -127 to 127
     _angle = 0.0
 
+    def show_speed(self, speed: int) -> None:
+        if speed != self.speed:
+            self.speed = speed
+            self._update_wheel()
+
     def turn(self, seconds: float) -> None:
         if self.speed:
             self._angle += 360 * _TURNS * self.speed / FULL_SCALE * seconds
-            self.update(0, 0, self._wheel().toRect().right() + 12, self.height())
+            self._update_wheel()
+
+    def _update_wheel(self) -> None:
+        self.update(0, 0, self._wheel().toRect().right() + 12, self.height())
 
     def _wheel(self) -> QRectF:
         line = self.fontMetrics().height()

@@ -297,7 +297,7 @@ class BoardView(QWidget):
             elif setpoint.may_turn:
                 lines.append(tr("may still turn"))
                 alarm = "danger"
-            part.speed = 0 if setpoint.may_turn else speed
+            part.show_speed(0 if setpoint.may_turn else speed)
             part.show_lines(*lines, alarm=alarm)
 
     # --- What moves ---------------------------------------------------------------------

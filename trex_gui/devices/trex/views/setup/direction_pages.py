@@ -8,8 +8,9 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from trex_gui.core.translation import tr
+from trex_gui.devices.trex.board.drive_status import drive_statuses
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.drive_status import recent_fault_text
+from trex_gui.devices.trex.model.drive_status import drive_inputs, fault_text
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.setup.pulses import STRONGER
 from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup
@@ -247,7 +248,7 @@ class WiringPage(Page):
             text = tr("Motor {0} is driven in pulses. Release the button to stop it.")
             text = text.format(pulses.motor)
         if not blocker:
-            text = recent_fault_text(self._device) or text
+            text = fault_text(drive_statuses(drive_inputs(self._device))) or text
         self._note_label.show_note(text, alarming=self._device.motors.armed)
         wiring = self._setup.wiring
         rewiring = wiring.rewiring(self._setup.driver) if wiring else None
