@@ -3153,8 +3153,6 @@
         <translation>Verbindet SO mit Masse; zusammen mit Mix lernt das Board beim nächsten Einschalten die Kalibrierung der Eingänge ein</translation></message>
     <message><source>serial</source>
         <translation>seriell</translation></message>
-    <message><source>Demo TReX</source>
-        <translation>Demo-TReX</translation></message>
     <message><source>Factory state</source>
         <translation>Werkszustand</translation></message>
     <message><source>The wire from SO is broken: the board executes commands, no reply arrives</source>
@@ -4415,6 +4413,8 @@ bisher {1}</translation></message>
         <translation><numerusform>%n Transaktion: Das simulierte Board antwortet gleich.</numerusform><numerusform>%n Transaktionen: Das simulierte Board antwortet gleich.</numerusform></translation></message>
     <message><source>Plot of currents in its o&amp;wn window</source>
         <translation>Stromkurven in eigenem &amp;Fenster</translation></message>
+    <message><source>Demo TReX</source>
+        <translation>Demo-TReX</translation></message>
     <message><source>a settings file of a TReX</source>
         <translation>eine Einstellungsdatei eines TReX</translation></message>
     <message><source>a board</source>

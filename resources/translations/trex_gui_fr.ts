@@ -3153,8 +3153,6 @@
         <translation>Relie SO à la masse ; avec Mix, une mise sous tension apprend alors l'étalonnage des entrées</translation></message>
     <message><source>serial</source>
         <translation>série</translation></message>
-    <message><source>Demo TReX</source>
-        <translation>Démo TReX</translation></message>
     <message><source>Factory state</source>
         <translation>État d'usine</translation></message>
     <message><source>The wire from SO is broken: the board executes commands, no reply arrives</source>
@@ -4415,6 +4413,8 @@ avant {1}</translation></message>
         <translation><numerusform>%n transaction : la carte simulée répond la même chose.</numerusform><numerusform>%n transactions : la carte simulée répond la même chose.</numerusform></translation></message>
     <message><source>Plot of currents in its o&amp;wn window</source>
         <translation>Courbes des courants dans une &amp;fenêtre séparée</translation></message>
+    <message><source>Demo TReX</source>
+        <translation>Démo TReX</translation></message>
     <message><source>a settings file of a TReX</source>
         <translation>un fichier de réglages d'un TReX</translation></message>
     <message><source>a board</source>
