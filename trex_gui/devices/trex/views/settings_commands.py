@@ -6,7 +6,7 @@ from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtCore import QObject, Qt, Signal, Slot
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
@@ -21,6 +21,7 @@ from trex_gui.ui.notifier import Answer
 from trex_gui.ui.translations import error_sentence
 
 if TYPE_CHECKING:
+    from trex_gui.devices.trex.model.learning.learning import Learning
     from trex_gui.devices.trex.views.changes.review import Review
     from trex_gui.devices.trex.views.power_cycle import PowerCycleFlow
 
@@ -65,6 +66,14 @@ class SettingsCommands(QObject):
     def close_if_verified(self) -> None:
         """Close the review if its result asks for nothing more."""
         self._review.close_if_verified()
+
+    def make_learning(self, parent: QObject) -> "Learning":
+        from trex_gui.devices.trex.model.learning.learning import Learning  # noqa: PLC0415 - later
+
+        made = Learning(self._device, parent)
+        # The test of the sticks follows, once the review has its result.
+        made.stored.connect(self.close_if_verified, Qt.ConnectionType.QueuedConnection)
+        return made
 
     @Slot()
     def guide(self) -> None:

@@ -14,6 +14,7 @@ from trex_gui.devices.trex.model.boards import BoardList
 from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
+from trex_gui.devices.trex.model.report import settings_parts, status_text
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.protocol.parameters import parameters_of
@@ -193,15 +194,10 @@ class TrexWorkspace(Workspace):
 
     @cached_property
     def _learning(self) -> "Learning":
-        from trex_gui.devices.trex.model.learning.learning import Learning  # noqa: PLC0415 - later
-
-        learning = Learning(self._device, self)
-        learning.begun.connect(self._controller.demo_board.centre_sticks)
-        learning.begun.connect(lambda: self._tools.learn)  # it tests what the set-up learned, too
-        # The test of the sticks follows, once the review has its result.
-        review_done = self._settings.close_if_verified
-        learning.stored.connect(review_done, Qt.ConnectionType.QueuedConnection)
-        return learning
+        made = self._settings.make_learning(self)
+        made.begun.connect(self._controller.demo_board.centre_sticks)
+        made.begun.connect(lambda: self._tools.learn)  # it tests what the set-up learned, too
+        return made
 
     @cached_property
     def _tools(self) -> "Tools":
@@ -321,11 +317,6 @@ class TrexWorkspace(Workspace):
         self._on_actions_changed()
 
     def report_parts(self) -> dict[str, Callable[[], str]]:
-        from trex_gui.devices.trex.model.report import (  # noqa: PLC0415
-            settings_parts,
-            status_text,
-        )
-
         device = self._device
         status = status_text(device)
         return {
