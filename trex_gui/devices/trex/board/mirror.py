@@ -179,7 +179,7 @@ class BoardMirror:
     @property
     def control_text(self) -> str:
         """Sentence that names who controls the motors, or an empty text."""
-        if self.state is None or self.serial_controls is None or not self.is_responding:
+        if self.state is None or self.serial_controls is None:
             return ""
         return who_controls(self.state.mode, self.serial_controls, joint=self.is_joint)
 
