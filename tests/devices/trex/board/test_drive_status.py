@@ -99,6 +99,11 @@ RC = BoardInputs(mode=Mode.RC, by_serial=False)
             "Doubtful: the line is noisy",
         ),
         (
+            DriveInputs(board=replace(SERIAL, faults=(1, 2), doubtful=(2,))),
+            [DriveBlocker.FAULT, DriveBlocker.FAULT, DriveBlocker.NOT_ARMED],
+            "low voltage). Reduce",  # this one is not doubtful
+        ),
+        (
             DriveInputs(board=replace(SERIAL, faults=(2,)), armed=True),
             [DriveBlocker.FAULT, DriveBlocker.RUNNING],
             "Motor 2",

@@ -118,6 +118,15 @@ def test_board_that_lost_its_number_differs_from_what_was_applied(shelf: Shelf) 
     assert shelf.connect(with_values(NEW, serial_timeout=3), ONE) == {"serial_timeout"}
 
 
+@pytest.mark.parametrize(("adapter", "number"), [("", 7), (ONE, 3)])
+def test_only_a_board_as_new_at_a_known_adapter_may_have_lost_its_number(
+    shelf: Shelf, adapter: str, number: int
+) -> None:
+    shelf.connect(NEW, adapter)
+    shelf.write(device_number=12)
+    assert not shelf.connect(with_values(NEW, device_number=number), adapter)
+
+
 def test_board_that_gets_its_number_back_gets_its_notes_back(shelf: Shelf) -> None:
     notes = {"serial_timeout": "The radio drops out."}
     shelf.connect(NEW, ONE)

@@ -28,7 +28,7 @@ from trex_gui.devices.trex.client.telemetry import (
 )
 from trex_gui.devices.trex.driving.requests import CommandsRepeated
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop, TimeoutTrial
-from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
+from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, NEARLY_NEUTRAL
 from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.device_table import device_table
@@ -391,9 +391,11 @@ def test_steps_of_the_set_up_are_those_that_are_stored(watched: Watched) -> None
     found = [watched.board.set_up]
     watched.read(state(serial_timeout=0, motor1_current_limit=5, motor2_current_limit=9))
     found.append(watched.board.set_up)
-    watched.board.note_written(Written((), replace(state(serial_timeout=5), calibrated=3), LINE))
-    found.append(watched.board.set_up)
-    assert found == [None, SetUp(False, True, False), SetUp(True, False, True)]
+    for first, second in ((5, 0), (0, 9)):
+        written = state(serial_timeout=5, motor1_current_limit=first, motor2_current_limit=second)
+        watched.board.note_written(Written((), replace(written, calibrated=3), LINE))
+        found.append(watched.board.set_up)
+    assert found == [None, SetUp(False, True, False), *[SetUp(True, False, True)] * 2]
 
 
 def test_replies_show_that_so_is_not_grounded(watched: Watched) -> None:
@@ -443,7 +445,7 @@ def test_motor_current_shows_that_safe_start_is_over(pushed: Watched) -> None:
 
 
 def test_required_channel_losing_signal_begins_safe_start_again(pushed: Watched) -> None:
-    drive(pushed, 0)
+    drive(pushed, NEARLY_NEUTRAL)
     drive(pushed, 100)
     assert not may_hold(pushed)
     drive(pushed, 0, signal=False)

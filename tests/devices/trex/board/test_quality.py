@@ -66,6 +66,7 @@ def test_line_with_stray_bytes_is_noisy_although_no_reply_is_lost() -> None:
     line = MeasuredLine()
     assert True in line.run(20, stray=0.2)
     assert line.quality.lost == 0
+    assert line.run(20)[-1] is False, "earlier ones do not count"
 
 
 def test_judgement_does_not_flicker_between_its_thresholds() -> None:
@@ -104,5 +105,16 @@ def test_new_connection_is_measured_anew() -> None:
     assert line.quality.reset()
     assert line.quality.is_noisy is None
     assert not line.quality.reset()
+    for seconds in (0, 1 / 30):
+        line.run(seconds)
+        assert line.quality.rate == 0, "not known before some time has passed"
     line.run(6)
     assert line.quality.is_noisy is False
+
+
+@pytest.mark.parametrize("failure", ["missing", "corrupted"])
+def test_replies_may_be_corrupted_for_five_seconds_after_a_failure(failure: str) -> None:
+    quality, failed = ConnectionQuality(), Counters(**{failure: 1})
+    assert not quality.has_failed_lately(9.0, Counters())
+    found = [quality.has_failed_lately(10.0 + age, failed) for age in (0.0, 4.9, 5.0)]
+    assert found == [True, True, False]

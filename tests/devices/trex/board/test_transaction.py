@@ -4,10 +4,11 @@ from pathlib import Path
 
 import pytest
 
+from tests.devices.trex.session.helpers import staged
 from trex_gui.core.errors import NoReply
 from trex_gui.core.files import data_folder
 from trex_gui.devices.trex.board.keeper import Keeper
-from trex_gui.devices.trex.client.reading import DeviceState
+from trex_gui.devices.trex.client.reading import DeviceState, read_everything
 from trex_gui.devices.trex.client.writing import WriteResult, after_writing
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
 from trex_gui.devices.trex.protocol.commands import Signature
@@ -34,11 +35,11 @@ LINK = ConnectionSettings("/dev/ttyUSB0")
 class Kept(Keeper):
     """Keeps what it has said."""
 
-    def __init__(self) -> None:
+    def __init__(self, state: DeviceState = STATE) -> None:
         self.said: list[str] = []
         self.warned: list[str] = []
         super().__init__(self.said.append, self.warned.append)
-        self.memory.take_board(settings_of(STATE), STATE.source, utc_now(), opened=True)
+        self.memory.take_board(settings_of(state), state.source, utc_now(), opened=True)
         self.load()
 
     def finish(self, results: list[WriteResult]) -> None:
@@ -106,6 +107,22 @@ def test_files_that_cannot_be_saved_are_said_once(tmp_path: Path) -> None:
     assert [text.partition(".")[0] for text in kept.warned] == [
         "what was applied is not remembered"
     ]
+
+
+@pytest.mark.parametrize("tried", [3, 4])
+def test_board_that_differs_too_much_from_what_was_read_is_not_restored(tried: int) -> None:
+    stage, settings = staged()
+    client = stage.client(settings)
+    state = read_everything(client.request)
+    kept, is_restored = Kept(state), tried < 4
+    before = kept.memory.record
+    keys = ("serial_timeout", "motor_mode", "motor1_acceleration", "motor2_acceleration")
+    with kept.restored_afterwards(client, state, "a trial") as store:
+        for key in keys[:tried]:
+            store(state.specs[key], 1)
+    assert (read_everything(client.request) == state) is is_restored
+    assert (kept.memory.record == before) is is_restored
+    assert ("The board may store other settings" in " ".join(kept.said)) is not is_restored
 
 
 @pytest.mark.parametrize("text", ["product: TReX\n!", "product: TReX Jr\n"])
