@@ -349,7 +349,7 @@ def _hint(spec: ParameterSpec, node: Node) -> str:
 def _meant(spec: ParameterSpec, node: Node) -> int | AmbiguousNumber | None:
     """Return the wire value of a physical one, such as `1.5 s`, or of a number in quotes."""
     text = _words(node)
-    if len(text) > len("19200 baud, no error detection, 1 stop bit") or not text.strip():
+    if len(text) > len("19200 baud, no error detection, 1 stop bit"):
         return None
     if _INTEGER.fullmatch(text) and _integer(node) is None:  # in quotes
         wire = int(text, 0)
