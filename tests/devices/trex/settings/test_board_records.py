@@ -92,7 +92,10 @@ def test_calibrations_of_both_sources_are_kept_with_their_age() -> None:
     assert remarks == ["rc calibrations: read 2026-03-14T15:09:00+00:00"]
 
     assert record.after_reading(stored(), RC, LATER).settings.calibrations[key] != LEARNED
-    record = record.after_writing(learned, RC, (), NOW).after_reading(stored(), RC, LATER)
+    applied = record.after_writing(learned, RC, (), NOW)
+    assert applied.after_reading(learned, RC, LATER).known[RC] == Known(LATER, True)
+    record = applied.after_reading(stored(), RC, LATER)
+    assert record.known[RC] == Known(NOW, True)
     assert record.settings.calibrations[key] == LEARNED, "what was applied stays known"
     assert differing(record, stored()) == {key: (stored().calibrations[key], LEARNED)}
     assert not differing(record, stored(ANALOG))
@@ -111,10 +114,12 @@ def test_records_are_settings_files(tmp_path: Path) -> None:
     text = records.path(BOARD).read_text()
     assert read_settings(text)[0] == record.settings
 
-    records.path(BOARD).write_text(text.replace("# parameters: applied", "# parameters: applied x"))
-    damaged = records.load(BOARD)
-    assert damaged is not None
-    assert (damaged.applied, damaged.settings.parameters) == (None, {})
+    line = f"# parameters: applied {NOW.isoformat()}"
+    for time in ("x", "9999-12-31T23:00:00+00:00"):  # not in every time zone
+        records.path(BOARD).write_text(text.replace(line, f"# parameters: applied {time}"))
+        damaged = records.load(BOARD)
+        assert damaged is not None
+        assert (damaged.applied, damaged.settings.parameters) == (None, {})
     records.path(BOARD).write_text("product: TReX\n!")
     with pytest.raises(SettingsError):
         records.load(BOARD)
@@ -122,3 +127,16 @@ def test_records_are_settings_files(tmp_path: Path) -> None:
     records.save(BOARD, record)
     records.save(BOARD, None)
     assert records.load(BOARD) is None
+
+
+def test_last_record_at_the_adapter_is_of_the_board_that_lost_its_number(tmp_path: Path) -> None:
+    records = BoardRecords(tmp_path)
+    kept = {3: ("here", 2), 7: ("here", 4), 9: ("here", 3), 12: ("there", 5), 13: ("new", None)}
+    for number, (adapter, day) in kept.items():
+        applied = None if day is None else NOW.replace(day=day)
+        record = replace(EMPTY, applied=applied, adapter=adapter)
+        records.save(replace(BOARD, device_number=number), record)
+    found = records.of_other_number(replace(BOARD, device_number=7), "here")
+    assert found is not None
+    assert found.applied == NOW.replace(day=3)
+    assert records.of_other_number(BOARD, "new") is None, "nothing was applied to it"

@@ -32,6 +32,7 @@ def test_conversion_for_the_same_board_carries_everything_over() -> None:
         (TREX, JR, 1, 3, "Rounded down to steps of 0.08 A: 1 becomes 3."),
         (JR, TREX, 60, 16, "The same value in steps of 0.3 A: 60 becomes 16."),
         (JR, TREX, 63, 16, "Rounded down to steps of 0.3 A: 63 becomes 16."),
+        (JR, TREX, 5, 1, "Rounded down to steps of 0.3 A: 5 becomes 1."),
         (JR, TREX, 1, 1, "A TReX has at least 0.3 A; 0 switches it off (twin)."),
         (JR, TREX, 0, 0, ""),
     ],

@@ -66,7 +66,11 @@ def test_snapshot_lists_time_board_adapter_and_reason(history: SettingsHistory) 
     assert (snapshot.adapter, snapshot.reason) == ("FT232R (ttyUSB0)", "Apply")
 
 
-def test_newest_snapshot_is_first_even_within_one_second(history: SettingsHistory) -> None:
+@pytest.mark.parametrize("at_once", [2, 2000])
+def test_newest_snapshot_is_first_even_within_one_second(
+    history: SettingsHistory, monkeypatch: pytest.MonkeyPatch, at_once: int
+) -> None:
+    monkeypatch.setattr("trex_gui.devices.trex.settings.history._SORTED_AT_ONCE", at_once)
     paths = [take(history, minutes, serial_timeout=minutes) for minutes in (2, 0, 1, 1, 1)]
     listed = [snapshot.path for snapshot in history.snapshots()]
     assert listed == [paths[0], paths[4], paths[3], paths[2], paths[1]]
@@ -339,6 +343,15 @@ def test_loading_removed_snapshot_reports_missing_file(history: SettingsHistory)
     assert history.snapshots() == ()
     with pytest.raises(SettingsError, match="no such file"):
         history.load(snapshot)
+
+
+def test_snapshot_that_cannot_be_removed_is_reported(history: SettingsHistory) -> None:
+    path = take(history)
+    path.unlink()
+    path.mkdir()
+    (snapshot,) = history.snapshots()
+    with pytest.raises(SettingsError, match="cannot be removed"):
+        history.remove(snapshot)
 
 
 @pytest.mark.skipif(os.name == "nt" or os.geteuid() == 0, reason="root may write everywhere")
