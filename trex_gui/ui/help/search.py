@@ -14,7 +14,7 @@ from trex_gui.core.resource_files import resource
 
 Kind = Literal["page", "parameter", "action", "message", "help"]
 
-_KINDS = {"help": 0.85, "message": 0.65}  # weights; that of the others is 1
+_KINDS = {"help": 0.8, "message": 0.6}  # weights; that of the others is 1
 _TEXT = 0.65  # weight of a word of the text, where one of the title has up to 1
 _SYNONYM, _MISSPELT = 0.8, 0.5  # weights of words that mean the same, or look alike
 _WHOLE = 2  # weight of a title of which each word was typed
