@@ -2357,6 +2357,8 @@
         <translation>Sie ist leer.</translation></message>
     <message><source>It does not say of which board it is.</source>
         <translation>Sie nennt nicht, von welchem Board sie stammt.</translation></message>
+    <message><source>it cannot be removed</source>
+        <translation>sie kann nicht entfernt werden</translation></message>
     <message><source>is damaged</source>
         <translation>ist beschädigt</translation></message>
     <message><source>is missing</source>

@@ -2357,6 +2357,8 @@
         <translation>Il est vide.</translation></message>
     <message><source>It does not say of which board it is.</source>
         <translation>Il n'indique pas de quelle carte il s'agit.</translation></message>
+    <message><source>it cannot be removed</source>
+        <translation>impossible à supprimer</translation></message>
     <message><source>is damaged</source>
         <translation>est endommagé</translation></message>
     <message><source>is missing</source>

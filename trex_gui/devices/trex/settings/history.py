@@ -163,7 +163,7 @@ class SettingsHistory:
         Raises:
             SettingsError: it cannot be removed.
         """
-        with explained(snapshot.path, tr("it cannot be written")):
+        with explained(snapshot.path, tr("it cannot be removed")):
             snapshot.path.unlink(missing_ok=True)
 
     def bound(self) -> Bound:
