@@ -34,6 +34,7 @@ def test_window_mirrors_no_painted_widget_slider_or_number(window: WindowDriver)
     assert window.root.layoutDirection() is Direction.RightToLeft
     for workspace in window.program.workspaces.values():
         workspace.make_pages()
+    window.connect_to_demo()  # whose panel has sliders
     kinds = Painted, LiveLabel, QSlider, QAbstractSpinBox
     widgets = [widget for widget in window.find_all(QWidget) if isinstance(widget, kinds)]
     assert len(widgets) > 50

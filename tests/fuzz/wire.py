@@ -319,11 +319,8 @@ class NetworkPort(Rfc2217Endpoint):
     """The protocol without its socket."""
 
     def __init__(self) -> None:
-        self._baud = 19200
+        self._baud, self._client = 19200, None
         self.welcome()
-
-    def write_raw(self, data: bytes) -> None:
-        pass
 
     def drop_client(self) -> None:
         self._manager = None

@@ -511,7 +511,7 @@ def test_shown_span_or_whole_history_is_exported(
 def test_unwritable_file_is_reported(panel: TracePanelDriver, qtbot: QtBot, tmp_path: Path) -> None:
     with qtbot.waitSignal(panel.notifier.error) as refused:
         panel.export.save_table(tmp_path / "none" / "all.csv", -math.inf, math.inf)
-    assert "was not written" in str(refused.args)
+    assert "cannot be written" in str(refused.args)
     with qtbot.waitSignal(panel.notifier.error):
         panel.export.save_picture(tmp_path / "none" / "picture.png")
     assert "there is no folder" in panel.text("pageState")
