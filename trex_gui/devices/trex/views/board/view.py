@@ -142,7 +142,7 @@ class BoardView(QWidget):
         self._place_column(
             self._motors, QRect(right, 1, motors, body_height), round(body_height / 3) - 4
         )
-        inside = self._body.adjusted(line, 0, -line, 0)
+        inside = self._body.adjusted(line + 4, 0, -line - 4, 0)  # between blocks and holes
         at = round(3.2 * line)
         half = inside.width() // 2
         for number, led in enumerate(self._leds):
