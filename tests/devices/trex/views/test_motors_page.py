@@ -9,6 +9,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.accessible_names import spoken_state
 from tests.support.simulator import StartSimulator
+from tests.support.virtual_time import VirtualRuntime
 from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -16,7 +17,7 @@ from trex_gui.devices.trex.views.pages.motors.drive_control import SpeedSlider
 from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
 from trex_gui.devices.trex.views.pages.motors.page import MotorsPage
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.labels import LiveLabel, Note
+from trex_gui.ui.widgets.labels import LiveLabel
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 
@@ -73,10 +74,10 @@ def test_page_says_why_the_ceiling_is_low(
 
 
 def test_controls_hold_still_while_armed(
-    page: MotorsPageDriver, start_simulator: StartSimulator
+    page: MotorsPageDriver, start_simulator: StartSimulator, virtual_time: VirtualRuntime
 ) -> None:
     brake = page.button("motor1Brake")
-    page.resize(1880, 830)
+    page.resize(760, 900)  # what is beside is below
     page.connect(start_simulator("--unpaced").url)
     page.device.motors.arm()
     page.wait(page.pad.isEnabled)
@@ -86,9 +87,11 @@ def test_controls_hold_still_while_armed(
         return [(place.top(), place.bottom()) for place in places]
 
     before = heights()
-    page.find(Note, "gamepadState").show_note("A long text. " * 30)
-    page.resize(1880, 700)
-    page.page.updateGeometry()
+    page.resize(760, 800)  # by the user
+    page.wait(lambda: heights() != before)
+    virtual_time.advance(0.1)
+    before = heights()
+    page.button("moreOptions").click()
     QApplication.processEvents()
     assert heights() == before
     page.device.motors.stop()

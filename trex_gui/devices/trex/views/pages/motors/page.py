@@ -62,7 +62,7 @@ class MotorsPage(QWidget):
         self._key_drive = MomentaryDrive(device.motors, "keyboard")
         self._holder = ""
         self._dragged: int | None = None
-        self._is_held_still = False
+        self._is_held_still, self._held_in = False, QSize()
         self._forget_holder = new_timer(self, 0, self._on_event_over, single_shot=True)
 
         self._head = PageHead("", self)
@@ -148,6 +148,14 @@ class MotorsPage(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._place_side()
+        if self._is_held_still and self._room() != self._held_in:
+            self._set_still(still=False)  # until the next frame
+
+    def _room(self) -> QSize:
+        """Return the size of the area in which the page scrolls, which only the window changes."""
+        viewport = self.parentWidget()
+        area = viewport.parentWidget() if viewport is not None else None
+        return self.size() if area is None else area.size()
 
     def _place_side(self) -> None:
         """Place what is beside the motors below them where there is no room."""
@@ -165,15 +173,19 @@ class MotorsPage(QWidget):
     @Slot()
     def _hold_still(self) -> None:
         """Move no control while the motors are armed, whatever needs more room beside or below."""
-        box, still = self._drive_box, self._motors.armed and self.isVisible()
+        still = self._motors.armed and self.isVisible()
         if still is not self._is_held_still:
-            self._is_held_still = still
-            if (layout := self.layout()) is not None:
-                layout.activate()  # the page may have been shown only now
-            height = box.height()
-            box.setMinimumHeight(height if still else 0)
-            box.setMaximumHeight(height if still else _UNLIMITED)
-            self._body.setAlignment(box, Qt.AlignmentFlag.AlignTop if still else _ANYWHERE)
+            self._set_still(still=still)
+
+    def _set_still(self, *, still: bool) -> None:
+        box = self._drive_box
+        self._is_held_still, self._held_in = still, self._room()
+        if (layout := self.layout()) is not None:
+            layout.activate()  # the page may have been shown or resized only now
+        height = box.height()
+        box.setMinimumHeight(height if still else 0)
+        box.setMaximumHeight(height if still else _UNLIMITED)
+        self._body.setAlignment(box, Qt.AlignmentFlag.AlignTop if still else _ANYWHERE)
 
     # --- What the user does -------------------------------------------------------------
 
