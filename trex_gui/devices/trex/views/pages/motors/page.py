@@ -174,7 +174,8 @@ class MotorsPage(QWidget):
     def _hold_still(self) -> None:
         """Move no control while the motors are armed, whatever needs more room beside or below."""
         still = self._motors.armed and self.isVisible()
-        if still is not self._is_held_still:
+        is_shrinking = self.height() > max(self._room().height(), self.minimumSizeHint().height())
+        if still is not self._is_held_still and not (still and is_shrinking):
             self._set_still(still=still)
 
     def _set_still(self, *, still: bool) -> None:
