@@ -19,7 +19,7 @@ from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationK
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.settings.rules import LintFinding
-from trex_gui.devices.trex.views.pages.parameters.filters import Shown
+from trex_gui.devices.trex.views.pages.parameters.filters import ParameterChoice
 
 LINE = LineSettings(57600, Detection.EVEN, 2)
 CALIBRATION = Calibration(2600, 3750, 5000, 60)
@@ -340,7 +340,7 @@ def test_arming_warns_about_the_serial_timeout(connected_window: WindowDriver) -
     window.open_page("parametersPage")
     window.wait(lambda: window.motors.is_available)
     window.motors.arm()
-    window.find(QTabBar, "parameterChoice").setCurrentIndex(Shown.FOUND)
+    window.find(QTabBar, "parameterChoice").setCurrentIndex(ParameterChoice.FOUND)
     window.click("parameterAccept0")
     assert window.device.parameters.values.value_of("serial_timeout") == 5
 

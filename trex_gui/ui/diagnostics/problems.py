@@ -101,7 +101,7 @@ class ProblemCard(ui.Card):
             button.setAccessibleDescription(problem.title)
 
 
-class Connection(ui.Card):
+class ConnectionCard(ui.Card):
     """Readings of the connection side by side, large, and the round trips of the last minute."""
 
     def __init__(self, name: str, traffic: TrafficModel, parent: QWidget) -> None:
@@ -215,7 +215,7 @@ class ProblemsPage(View):
         set_look(more, "link")
         more.setVisible(bool(kinds))
         self.note_row = ui.row((self._note, 1), more)
-        self._connection = Connection(name, traffic, self)
+        self._connection = ConnectionCard(name, traffic, self)
         parts = self._column, self.note_row, listed, self._connection, 1
         ui.column(*parts, into=self, margins=(0, 12, 0, 16), spacing=12)
 

@@ -33,7 +33,7 @@ class Section:
 
 
 @dataclass(frozen=True, slots=True)
-class Page:
+class HelpPage:
     name: str  # of its file
     text: str  # Markdown
     sections: tuple[Section, ...]
@@ -65,13 +65,13 @@ def _sections(name: str, text: str) -> Iterator[Section]:
         title, lines = _plain(heading["title"]), []
 
 
-def _page(name: str) -> Page:
+def _page(name: str) -> HelpPage:
     text = resource(f"help/{name}").read_text(encoding="utf-8")
-    return Page(name, text, tuple(_sections(name, text)))
+    return HelpPage(name, text, tuple(_sections(name, text)))
 
 
 @cache
-def pages() -> Sequence[Page]:
+def pages() -> Sequence[HelpPage]:
     """Return every page, in the order of the index."""
     index = _page(INDEX)
     names = dict.fromkeys(_PAGE_LINK.findall(index.text))

@@ -12,7 +12,7 @@ from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.builders import column, plain, row
 from trex_gui.ui.widgets.labels import ElidedLabel
-from trex_gui.ui.widgets.painted import Motion, Painted, Painter
+from trex_gui.ui.widgets.painted import Animation, Painted, Painter
 
 _FAST = 8.0  # flashes a second of a fast flash
 _PATTERN = re.compile(r"(blink|alternate|short flash) (\d+)/s")
@@ -82,7 +82,7 @@ class Leds(QWidget):
         super().__init__(parent)
         self._shown = ("", "")
         self._since = now()
-        self._motion = Motion(self, self._on_frame)
+        self._motion = Animation(self, self._on_frame)
         self.lamps = (Lamp("led_red", self), Lamp("led_green", self))
         self._labels = (ElidedLabel("", self), ElidedLabel("", self))
         pairs = zip(self.lamps, self._labels, strict=True)

@@ -19,7 +19,7 @@ def never_mirror(target: QWidget | QGraphicsWidget | QPainter) -> None:
     target.setLayoutDirection(Qt.LayoutDirection.LeftToRight)
 
 
-class Motion:
+class Animation:
     """Frames of a drawing, none while nothing moves, it is hidden or the system wants no motion."""
 
     def __init__(self, widget: QWidget, step: Callable[[float], object]) -> None:

@@ -5,7 +5,7 @@ from pytestqt.qtbot import QtBot
 
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.protocol.parameters import parameters_of
-from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter, Shown
+from trex_gui.devices.trex.views.pages.parameters.filters import ParameterChoice, ParameterFilter
 
 SPECS = parameters_of("trex", "1.2")
 FACTORY = {spec.key: spec.default for spec in SPECS.readable}
@@ -19,7 +19,10 @@ def model(qtbot: QtBot) -> ParameterModel:
 
 
 def keys(
-    model: ParameterModel, words: str = "", shown: Shown = Shown.ALL, *found: str
+    model: ParameterModel,
+    words: str = "",
+    shown: ParameterChoice = ParameterChoice.ALL,
+    *found: str,
 ) -> list[str]:
     """Return the visible keys."""
     rows = ParameterFilter(tuple(words.split()), shown, frozenset(found)).rows(model)
@@ -48,24 +51,24 @@ def test_words_match_names_and_descriptions_in_any_order(
 
 
 def test_not_default_filter_shows_changed_values(model: ParameterModel) -> None:
-    assert keys(model, "", Shown.NOT_DEFAULT) == ["serial_timeout"]
+    assert keys(model, "", ParameterChoice.NOT_DEFAULT) == ["serial_timeout"]
     model.edit("serial_timeout", FACTORY["serial_timeout"])
     model.edit("motor_mode", 1)
-    assert keys(model, "", Shown.NOT_DEFAULT) == ["motor_mode"]
-    assert keys(model, "", Shown.FOUND, "device_number") == ["device_number"]
+    assert keys(model, "", ParameterChoice.NOT_DEFAULT) == ["motor_mode"]
+    assert keys(model, "", ParameterChoice.FOUND, "device_number") == ["device_number"]
 
 
 def test_filters_are_combined(model: ParameterModel) -> None:
     model.edit("motor1_acceleration", 4)
     model.edit("device_number", 9)
-    found = keys(model, "acceleration", Shown.CHANGED)
+    found = keys(model, "acceleration", ParameterChoice.CHANGED)
     assert found == ["motor1_acceleration", "motor2_acceleration"]
 
 
 def test_task_without_rows_has_no_heading(model: ParameterModel) -> None:
-    assert not ParameterFilter(shown=Shown.CHANGED).rows(model)
+    assert not ParameterFilter(shown=ParameterChoice.CHANGED).rows(model)
     model.edit("motor_mode", 1)
     model.edit("ignored_channels", 3)
-    rows = ParameterFilter(shown=Shown.CHANGED).rows(model)
+    rows = ParameterFilter(shown=ParameterChoice.CHANGED).rows(model)
     headings = [model.index(row, 0).data() for row in rows if not model.rows[row].keys]
     assert headings == ["Motors and speed ramp (1 modified)", "Inputs (1 modified)"]

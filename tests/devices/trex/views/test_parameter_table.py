@@ -15,7 +15,7 @@ from trex_gui.devices.trex.model.parameters.parameters import Role
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.protocol.parameters import parameters_of
-from trex_gui.devices.trex.views.pages.parameters.filters import Shown
+from trex_gui.devices.trex.views.pages.parameters.filters import ParameterChoice
 
 SPECS = parameters_of("trexjr", "1.2")
 OLDER = parameters_of("trexjr", "1.0")
@@ -95,13 +95,13 @@ def test_hidden_parameters_are_counted_and_can_be_shown(parameters: ParametersDr
     parameters.search("flux capacitor")
     assert parameters.has("noParameterMatches")
     parameters.search("")
-    parameters.find(QTabBar, "parameterChoice").setCurrentIndex(Shown.CHANGED)
+    parameters.find(QTabBar, "parameterChoice").setCurrentIndex(ParameterChoice.CHANGED)
     assert parameters.has("noParameterMatches")
     parameters.click("showAllParameters")
     assert not parameters.has("noParameterMatches")
     parameters.model.edit("motor2_current_limit", 9)
     choice = parameters.find(QTabBar, "parameterChoice")
-    texts = [choice.tabText(shown) for shown in Shown]
+    texts = [choice.tabText(shown) for shown in ParameterChoice]
     assert texts == ["All", "Changed 1", "Not default 1", "Findings 0"]
 
     parameters.search("motor")
@@ -148,7 +148,7 @@ def test_click_on_reset_restores_the_default(parameters: ParametersDriver) -> No
 
 def test_finding_is_accepted_only_while_rows_are_enabled(parameters: ParametersDriver) -> None:
     parameters.open_file(SPECS, ignored_channels=1, required_channels=1)
-    parameters.find(QTabBar, "parameterChoice").setCurrentIndex(Shown.FOUND)
+    parameters.find(QTabBar, "parameterChoice").setCurrentIndex(ParameterChoice.FOUND)
     parameters.wait(lambda: parameters.has("parameterFinding0"))
     assert parameters.current == "required_channels"
     assert "Set Required Channels to none." in parameters.text("parameterFinding0")

@@ -36,7 +36,7 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.circuit import paint_block, paint_body, text_width
 from trex_gui.ui.widgets.labels import LiveLabel
 from trex_gui.ui.widgets.leds import Leds
-from trex_gui.ui.widgets.painted import Motion, Painter, never_mirror
+from trex_gui.ui.widgets.painted import Animation, Painter, never_mirror
 from trex_gui.ui.widgets.sliders import StickSlider
 
 BoardRows = Rows[DemoSnapshot]
@@ -217,7 +217,7 @@ class Drawing(BoardRows):
         self._sticks: dict[int, tuple[QLabel, StickSlider]] = {}
         self._plugs: list[PlugPart] = []
         self.marked: set[int] = set()
-        self._motion = Motion(self, self._on_frame)
+        self._motion = Animation(self, self._on_frame)
         self._inputs = inputs = ui.grid(margins=0, spacing=(2, 0), stretch=[(0, 1)])
         for channel in CHANNELS:
             self._add_input(channel)

@@ -11,7 +11,7 @@ from trex_gui.devices.trex.model.setup.wiring import Movement, Side
 from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets.builders import named
 from trex_gui.ui.widgets.circuit import paint_chassis, write
-from trex_gui.ui.widgets.painted import Motion, Painted, Painter, never_mirror
+from trex_gui.ui.widgets.painted import Animation, Painted, Painter, never_mirror
 
 _TREADS, _TREADS_A_SECOND = 7, 6.0  # on a wheel, at full speed: the board measures no speed
 _SIZE = 392.0, 300.0  # of the drawing, in the unit of the next
@@ -66,7 +66,7 @@ class RobotView(Painted):
         self._amounts = dict.fromkeys(Side, 0.0)
         self._colors = dict.fromkeys(Side, "outline")
         self._shifts = dict.fromkeys(Side, 0.0)  # of the treads
-        self._motion = Motion(self, self._on_frame)
+        self._motion = Animation(self, self._on_frame)
         halves = [each for each in MOVEMENTS if each.side] if asks else []
         self._parts = {each: WheelPart(each, self) for each in halves}
         for movement, part in self._parts.items():

@@ -21,8 +21,11 @@ from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.views.board.page import BoardPage
 from trex_gui.devices.trex.views.boards import BoardPanel
 from trex_gui.devices.trex.views.help import GUIDE, TOPICS, message_help
+from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
 from trex_gui.devices.trex.views.motor_controls import ControlBar, arm
 from trex_gui.devices.trex.views.pages.currents import CurrentsPage
+from trex_gui.devices.trex.views.pages.errors import ErrorsPage
+from trex_gui.devices.trex.views.pages.parameters.page import ParametersPage
 from trex_gui.devices.trex.views.prompts import ClosePrompt, RestorePrompt
 from trex_gui.devices.trex.views.recordings import Recordings
 from trex_gui.devices.trex.views.settings_commands import SettingsCommands
@@ -51,7 +54,6 @@ from trex_gui.ui.widgets.behaviour import ReusedDialog
 if TYPE_CHECKING:
     from trex_gui.devices.trex.model.learning.learning import Learning
     from trex_gui.devices.trex.views.pages.currents_panel import PlotWindow
-    from trex_gui.devices.trex.views.pages.errors import ErrorsPage
     from trex_gui.devices.trex.views.tools import Tools
     from trex_gui.ui.traffic.page import TrafficPage
 
@@ -66,7 +68,6 @@ class TrexWorkspace(Workspace):
         super().__init__(controller.plugin.key, device.notifier, frame.stack)
         self._device = device
         self._controller = controller
-        self._question = frame.question
         self._frame = frame
         self._linter = BoardLinter(device, self)
         own = ("board", "channels", "channels", "motors", "currents", "parameters")
@@ -87,7 +88,7 @@ class TrexWorkspace(Workspace):
                 PageInfo("motors", tr("&Motors"), self._make_motors_page, "motor"),
                 PageInfo("currents", tr("C&urrents"), partial(CurrentsPage, device, self), "plot"),
                 PageInfo("parameters", tr("&Parameters"), self._make_parameters_page, "settings"),
-                *diagnostics.pages(self._make_errors_page, self._make_traffic_page),
+                *diagnostics.pages(partial(ErrorsPage, device, self), self._make_traffic_page),
             )
         )
 
@@ -154,10 +155,6 @@ class TrexWorkspace(Workspace):
         return page
 
     def _make_parameters_page(self) -> QWidget:
-        from trex_gui.devices.trex.views.pages.parameters.page import (  # noqa: PLC0415
-            ParametersPage,
-        )
-
         page = ParametersPage(self._device, self._linter, self)
         page.power_cycle_requested.connect(self._settings.guide)
         self._parameter_shown.connect(page.table.show_parameter)
@@ -176,11 +173,6 @@ class TrexWorkspace(Workspace):
             self._plot = PlotWindow(self._device)
         self._plot.show()
         self._plot.activateWindow()
-
-    def _make_errors_page(self) -> "ErrorsPage":
-        from trex_gui.devices.trex.views.pages.errors import ErrorsPage  # noqa: PLC0415
-
-        return ErrorsPage(self._device, self)
 
     def _make_traffic_page(self) -> "TrafficPage":
         from trex_gui.devices.trex.model.packet_sender import TrexPacketSender  # noqa: PLC0415
@@ -255,9 +247,7 @@ class TrexWorkspace(Workspace):
         factory = partial(settings.review_defaults, serial_only=False)
         serial = partial(settings.review_defaults, serial_only=True)
         plot_title = tr("Plot of currents in its o&wn window")
-
-        def open_guide() -> None:
-            QDesktopServices.openUrl(QUrl(GUIDE))
+        open_guide = partial(QDesktopServices.openUrl, QUrl(GUIDE))
 
         return {
             Menu.FILE: (
@@ -318,9 +308,8 @@ class TrexWorkspace(Workspace):
 
     def report_parts(self) -> dict[str, Callable[[], str]]:
         device = self._device
-        status = status_text(device)
         return {
-            "status.txt": lambda: status,
+            "status.txt": partial(str, status_text(device)),  # as it is now
             **settings_parts(device),
             **super().report_parts(),
             "traffic.txt": device.connection.traffic.newest(),
@@ -372,7 +361,7 @@ class TrexWorkspace(Workspace):
             self._actions["record_with_run"].setChecked(self.recordings.starts_with_run)
             self._actions["keep_events"].setChecked(self.recordings.events.is_on)
         self.actions_changed.emit()
-        self._question.reconsider()
+        self._frame.question.reconsider()
 
     def may_close(self, leave: Callable[[], object]) -> bool:
         return self._close_prompt.may_close(leave)
@@ -400,13 +389,10 @@ class TrexWorkspace(Workspace):
         return self.recordings.shut_down() and all(kept)
 
     def line_choices(self, line: object) -> Sequence[LineChoice]:
-        texts = {
-            LineSettings(): tr("Factor&y line settings: {0}…"),
-            LineSettings(115200): tr("Fas&t: {0}…"),
-        }
+        factory, fast = tr("Factor&y line settings: {0}…"), tr("Fas&t: {0}…")
         return [
             LineChoice(text.format(other.text()), partial(self._settings.propose_line, other))
-            for other, text in texts.items()
+            for other, text in ((LineSettings(), factory), (LineSettings(115200), fast))
             if other != line
         ]
 
@@ -414,10 +400,6 @@ class TrexWorkspace(Workspace):
         self._settings.propose_crc()
 
     def edit_line_settings(self) -> None:
-        from trex_gui.devices.trex.views.line_settings_dialog import (  # noqa: PLC0415
-            LineSettingsDialog,
-        )
-
         dialog = self._frame.findChild(LineSettingsDialog)
         if dialog is None:
             dialog = LineSettingsDialog(self._controller.settings, self._frame)

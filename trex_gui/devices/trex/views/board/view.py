@@ -34,7 +34,7 @@ from trex_gui.devices.trex.views.board.parts import (
 from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.theme import follow_theme, scaled_font, theme
 from trex_gui.ui.widgets.circuit import paint_block, paint_body, text_width
-from trex_gui.ui.widgets.painted import Motion, Painter, never_mirror
+from trex_gui.ui.widgets.painted import Animation, Painter, never_mirror
 
 # Words for a setpoint that is no speed.
 _SOURCES = {
@@ -65,7 +65,7 @@ class BoardView(QWidget):
         self._body = QRect()
         self._shown_name = self._name()
         self._began = now()
-        self._motion = Motion(self, self._on_frame)
+        self._motion = Animation(self, self._on_frame)
 
         def opens(page: str) -> Callable[[], object]:
             return partial(self.page_wanted.emit, page)

@@ -8,7 +8,7 @@ from PySide6.QtCore import QModelIndex
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 
 
-class Shown(IntEnum):
+class ParameterChoice(IntEnum):
     ALL = 0
     CHANGED = auto()
     NOT_DEFAULT = auto()
@@ -20,7 +20,7 @@ class ParameterFilter:
     """Conditions that a visible row meets, all of them."""
 
     words: tuple[str, ...] = ()  # in name, key or description; in lower case
-    shown: Shown = Shown.ALL
+    shown: ParameterChoice = ParameterChoice.ALL
     found: frozenset[str] = frozenset()  # keys that a finding of the linter is about
 
     def rows(self, model: ParameterModel) -> list[int]:
@@ -45,9 +45,9 @@ class ParameterFilter:
     def _accepts(self, model: ParameterModel, keys: tuple[str, ...]) -> bool:
         values, members = model.values, [each for key in keys for each in model.text.together(key)]
         is_shown = {
-            Shown.CHANGED: values.is_modified,
-            Shown.NOT_DEFAULT: values.differs_from_default,
-            Shown.FOUND: self.found.__contains__,
+            ParameterChoice.CHANGED: values.is_modified,
+            ParameterChoice.NOT_DEFAULT: values.differs_from_default,
+            ParameterChoice.FOUND: self.found.__contains__,
         }.get(self.shown)
         if is_shown is not None and not any(map(is_shown, members)):
             return False

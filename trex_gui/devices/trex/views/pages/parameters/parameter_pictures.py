@@ -35,7 +35,7 @@ _COLOURS = {"motor1": "motor1", "motor2": "motor2", "aux": "auxiliary"}
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class Stroke:
     points: Points
     color: str = ""  # of the theme; empty: that of the parameter
     style: Qt.PenStyle = _SOLID
@@ -47,7 +47,7 @@ class Picture:
 
     text: str
     caption: str
-    lines: tuple[Line, ...]
+    lines: tuple[Stroke, ...]
     area: tuple[float, float, float] | None = None  # left, right and height
     place: tuple[float, float] = (0.5, 0.85)  # of the middle below the caption
 
@@ -68,8 +68,8 @@ def _ramp(spec: ParameterSpec, wire: int, _values: ParameterValues) -> Picture:
     seconds, value = FULL_SPEED_S / wire if wire else 0, spec.text(wire)
     top = 0.1 + 0.7 * seconds / _window(seconds, 0.6, 3, 16)
     end: Points = (0.9, 0.8), (0.9, 0), (1, 0)
-    command = Line(((0.1, 0), (0.1, 0.8), *end), "muted", _DASHED)
-    speed = Line(((0, 0), (0.1, 0), (top, 0.8), *end))
+    command = Stroke(((0.1, 0), (0.1, 0.8), *end), "muted", _DASHED)
+    speed = Stroke(((0, 0), (0.1, 0), (top, 0.8), *end))
     text = tr("Speed after an accelerate command: {0}. It slows down at once.").format(value)
     return Picture(text, value, (command, speed) if wire else (speed,))
 
@@ -85,7 +85,7 @@ def _reversal(spec: ParameterSpec, wire: int, values: ParameterValues) -> Pictur
         reached = min(1, (1 - end) / ramp) if ramp else 1  # of the ramp, at the right edge
         output += (end + ramp * reached, 0.4 - 0.4 * reached), (1, 0.4 - 0.4 * reached)
     text = tr("Reversal by an accelerate command: {0}, then the ramp.").format(value)
-    lines = Line(((0, 0.4), (1, 0.4)), "outline", _DOTTED), Line(output)
+    lines = Stroke(((0, 0.4), (1, 0.4)), "outline", _DOTTED), Stroke(output)
     return Picture(text, value, lines, (begin, end, 0.8))
 
 
@@ -97,11 +97,11 @@ def _limit(spec: ParameterSpec, wire: int, _values: ParameterValues) -> Picture:
         shown.append((x1, min(y1, limit)))
         if (y1 - limit) * (y2 - limit) < 0:
             shown.append((x1 + (x2 - x1) * (limit - y1) / (y2 - y1), limit))
-    lines = Line(demand, "muted", _DASHED), Line((*shown, (1, min(0.34, limit))))
+    lines = Stroke(demand, "muted", _DASHED), Stroke((*shown, (1, min(0.34, limit))))
     text = tr("Current of a motor that starts, limit: {0}").format(value)
     if not wire:
         return Picture(text, value, lines[1:])
-    edge = Line(((0, limit), (1, limit)), "limit")
+    edge = Stroke(((0, limit), (1, limit)), "limit")
     return Picture(text, value, (edge, *lines), place=(0.08, limit + 0.03))
 
 
@@ -118,7 +118,7 @@ def _wave(spec: ParameterSpec, _wire: int, values: ParameterValues) -> Picture |
     levels = [0.7 * (number % 2) for number in range(len(edges) + 1)]
     points = [(x, y) for x, *ends in zip(edges, levels, levels[1:], strict=False) for y in ends]
     text = tr("{0:.0f} Hz, {1:g} ms of it").format(hertz, 1000 * window)
-    return Picture(text, text, (Line((*points, (1, levels[-1]))),))
+    return Picture(text, text, (Stroke((*points, (1, levels[-1]))),))
 
 
 def _stop(
@@ -129,18 +129,18 @@ def _stop(
     seconds = wire * spec.scale if after is None else after
     end = begin + 0.55 * seconds / _window(seconds, 0.5, 1.5, 5, 15)
     is_known = after is not None or bool(values.value_of(ParameterKey.UART_ERROR_SHUTDOWN))
-    motors = Line(((end, 0.8), (end, 0.2), (1, 0.2)), "", _SOLID if is_known else _DASHED)
+    motors = Stroke(((end, 0.8), (end, 0.2), (1, 0.2)), "", _SOLID if is_known else _DASHED)
     text = tr("{0}: the motors stop.") if is_known else tr("{0}: the motors may not stop.")
     if not wire:
-        text, motors = tr("{0}: the motors keep running."), Line(((end, 0.8), (1, 0.8)))
-    signals = (Line(((x / 20, 0), (x / 20, 0.12)), "muted") for x in range(1, 6))
-    edge = Line(((begin, 0), (begin, 0.8)), "danger", _DOTTED)
-    lines = *signals, edge, Line(((0, 0.8), (end, 0.8))), motors
+        text, motors = tr("{0}: the motors keep running."), Stroke(((end, 0.8), (1, 0.8)))
+    signals = (Stroke(((x / 20, 0), (x / 20, 0.12)), "muted") for x in range(1, 6))
+    edge = Stroke(((begin, 0), (begin, 0.8)), "danger", _DOTTED)
+    lines = *signals, edge, Stroke(((0, 0.8), (end, 0.8))), motors
     return Picture(text.format(value), value, lines)
 
 
 def _brake(spec: ParameterSpec, wire: int, _values: ParameterValues) -> Picture:
-    value, speed = spec.text(wire), Line(((0, 0.8), (0.35, 0), (0.65, 0), (1, 0.8)))
+    value, speed = spec.text(wire), Stroke(((0, 0.8), (0.35, 0), (0.65, 0), (1, 0.8)))
     text = tr("Speed over the stick, brake in the deadband: {0}").format(value)
     return Picture(text, value, (speed,), (0.35, 0.65, 0.8 * wire / spec.maximum))
 
@@ -150,9 +150,9 @@ def _curve(
 ) -> Picture:
     """Draw the output over the input of the selected channels, and of the others dashed."""
     inputs, value = [number / 20 - 1 for number in range(41)], spec.text(wire)
-    lines = [Line(((0.1, 0), (0.9, 0.8)), "muted", _DASHED)]
+    lines = [Stroke(((0.1, 0), (0.9, 0.8)), "muted", _DASHED)]
     if wire:
-        lines.append(Line(tuple((0.5 + 0.4 * x, 0.4 + 0.4 * output(x)) for x in inputs)))
+        lines.append(Stroke(tuple((0.5 + 0.4 * x, 0.4 + 0.4 * output(x)) for x in inputs)))
     return Picture(f"{spec.name}: {value}", value, tuple(lines))
 
 

@@ -7,7 +7,7 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.views.pages.parameters.card import ParameterCard
-from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter, Shown
+from trex_gui.devices.trex.views.pages.parameters.filters import ParameterChoice, ParameterFilter
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets.builders import button, column, label, named, row, search_field
@@ -40,7 +40,7 @@ class ParameterTable(QWidget):
         set_look(self._choice, "switch")
         self._choice.setDrawBase(False)
         self._choice.setUsesScrollButtons(False)
-        for _ in Shown:
+        for _ in ParameterChoice:
             self._choice.addTab("")
         self._view = ParameterView(self._model, self)
         self._no_match = self._no_match_note()
@@ -78,7 +78,7 @@ class ParameterTable(QWidget):
     @Slot()
     def _show_all(self) -> None:
         self._words.clear()
-        self._choice.setCurrentIndex(Shown.ALL)
+        self._choice.setCurrentIndex(ParameterChoice.ALL)
 
     def set_rows_enabled(self, enabled: bool) -> None:
         """Enable edits. Disabled rows can still be searched."""
@@ -110,7 +110,10 @@ class ParameterTable(QWidget):
     def _update_rows(self) -> None:
         """Show the rows that match, and how many there are of each kind."""
         keys = frozenset(key for finding in self._linter.findings for key in finding.keys)
-        words, shown = self._words.text().casefold().split(), Shown(self._choice.currentIndex())
+        words, shown = (
+            self._words.text().casefold().split(),
+            ParameterChoice(self._choice.currentIndex()),
+        )
         if self._view.show_rows(ParameterFilter(tuple(words), shown, keys)):
             self._on_rows_changed()
         values = self._model.values

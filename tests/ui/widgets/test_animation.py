@@ -5,7 +5,7 @@ from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.virtual_time import VirtualRuntime
-from trex_gui.ui.widgets.painted import Motion
+from trex_gui.ui.widgets.painted import Animation
 
 
 class Drawing:
@@ -13,7 +13,7 @@ class Drawing:
         self.widget = QWidget()
         qtbot.addWidget(self.widget)
         self.steps: list[float] = []
-        self.motion = Motion(self.widget, self.steps.append)
+        self.motion = Animation(self.widget, self.steps.append)
         self.runtime = runtime
 
     def frames(self) -> int:
