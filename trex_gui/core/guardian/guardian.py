@@ -181,14 +181,15 @@ class GuardianProcess:
         with self._writing:
             if process is None or process.stdin is None or self._ended.is_set():
                 return False
+            # Before it is written: it may be read before the next statement.
+            self._unread_since = self._unread_since if self._unread else time.monotonic()
+            self._unread += 1
             try:
                 os.write(process.stdin.fileno(), f"{message}\n".encode("ascii"))
             except (OSError, ValueError) as error:
                 is_closed_here = not isinstance(error, BrokenPipeError)
                 self.has_acted |= is_closed_here and self._sent is not None
                 return False
-            self._unread_since = self._unread_since if self._unread else time.monotonic()
-            self._unread += 1
             return True
 
 

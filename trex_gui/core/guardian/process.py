@@ -35,7 +35,7 @@ if sys.platform != "win32":
 _GIVE_UP_S = 5.0  # seconds for which a stop is repeated
 _GRACE_S = 0.02  # seconds for a heartbeat that was sent in time and not read yet
 _LATE_S = 0.05  # a wait that is so much too long: this process was held up itself
-_LATE_GRACE_S = 0.25  # seconds for messages that were sent meanwhile, on a busy computer
+_LATE_GRACE_S = 0.1  # seconds for messages that were sent meanwhile
 _CLEAN_ROUNDS = 2  # stops with a clean status in a row that confirm it
 _QUIET_S = 0.03
 """Seconds of silence that end a reply: more than three bytes at 1200 baud take, and more than a
