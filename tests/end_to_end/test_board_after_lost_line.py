@@ -89,3 +89,18 @@ def test_danger_stays_in_front_until_the_stop_is_confirmed(
     assert window.device.settings is not None
     assert window.device.settings.url == first.url, "not at the port that was tried last"
     window.wait_for_text("bannerText", "The board is back.")
+
+
+def test_bar_warns_of_a_lost_board_beside_another_one(
+    window: WindowDriver, start_simulator: StartSimulator
+) -> None:
+    first, other = start_simulator("--unpaced"), start_simulator("--unpaced", "--model", "trexjr")
+    window.connect(first.url)
+    lose(window, first)
+    window.connect(other.url)
+    window.wait_for_text("bannerText", "Another board responds now")
+    window.click("bannerDismiss")
+    for page in ("boardPage", "motorsPage", "parametersPage"):
+        window.open_page(page)
+        assert window.has("motorStateLabel"), page
+        assert "No stop is known to have reached the TReX 1.2" in window.text("motorStateLabel")

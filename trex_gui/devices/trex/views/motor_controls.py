@@ -319,7 +319,9 @@ class ControlBar(MotorBar):
             alarming=alarming,
             color="danger" if self._is_out_of_reach else "warning",
         )
-        is_said = self._is_said_above or self._state.text() in self._device.notifier.shown
+        # The heads are about the board at the line, not about one that was lost before.
+        is_said = self._is_said_above and not self._device.driving.lost_board
+        is_said = is_said or self._state.text() in self._device.notifier.shown
         self._state.setVisible(motors.armed or self._is_beyond_reach or not is_said)
         self._apply.setText(apply_text(pending))
         set_look(self._apply, "primary" if pending else "")
