@@ -147,6 +147,8 @@ def test_stick_that_is_not_seen_is_named_beside_its_input(assistant: Assistant) 
     robot.push(2)
     assistant.click("setupForwardButton")
     assert "the value rises" in assistant.text("setupStick2Note")
+    robot.device.disconnect_line()
+    assistant.wait(lambda: spoken_state(strip).startswith("not known"))
 
 
 def test_buttons_are_on_amber_while_armed(assistant: Assistant) -> None:

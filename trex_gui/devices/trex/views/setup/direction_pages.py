@@ -95,8 +95,10 @@ class SticksPage(Page):
     def _show_inputs(self) -> None:
         telemetry, calibrations = self._device.telemetry, self._device.calibrations
         for channel, strip in self._strips.items():
-            marks = calibrations.stored(channel)
-            raw = telemetry.raw_of(channel)
+            if telemetry.raw is None:
+                strip.show_unknown()
+                continue
+            marks, raw = calibrations.stored(channel), telemetry.raw_of(channel)
             strip.show_input(telemetry.latest, calibrations.source, marks, raw)
 
     def _stick_text(self, channel: int, *, is_unclear: bool) -> str:
