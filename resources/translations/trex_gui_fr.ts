@@ -3092,7 +3092,7 @@
     <message><source>&amp;Turn</source>
         <translation>&amp;Rotation</translation></message>
     <message><source>&amp;Forward</source>
-        <translation>&amp;Suivant</translation></message>
+        <translation>&amp;Avancer</translation></message>
     <message><source>blink {0}/s</source>
         <translation>clignote {0}/s</translation></message>
     <message><source>alternate {0}/s</source>
