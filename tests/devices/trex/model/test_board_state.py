@@ -24,6 +24,7 @@ from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode, channel_mask
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.session.messages import Connected, ReadReason, Written
+from trex_gui.ui.runtime import runtime
 
 FACTORY = DEFAULT_CALIBRATION[InputSource.RC]
 LEARNED = Calibration(2400, 3700, 5100, 80)
@@ -82,6 +83,17 @@ def test_active_values_come_from_the_line_settings() -> None:
     }
     assert "crc7_polynomial" not in STATE.active_parameters(ConnectionSettings("virtual"))
     assert replace(STATE, mode=Mode.ANALOG).active_parameters(None) == {}
+
+
+@pytest.mark.usefixtures("qapp")
+def test_current_unit_is_that_of_another_model_at_the_same_line() -> None:
+    device, link = Device(), ConnectionSettings("virtual", name="virtual")
+    device.connection.device_read.emit(Connected(STATE, False, ReadReason.OPENED, link))
+    assert device.telemetry.ampere == pytest.approx(0.15)
+    jr = replace(STATE, signature=Signature(device_table().model("trexjr"), "1.2"))
+    device.connection.device_read.emit(Connected(jr, False, ReadReason.RESTARTED, link))
+    assert device.telemetry.ampere == pytest.approx(0.04)
+    runtime().sleep(1.0)  # its files are read
 
 
 # --- A pending reset --------------------------------------------------------------------

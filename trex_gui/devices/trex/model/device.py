@@ -285,7 +285,9 @@ class Device(QObject):
         opened = occasion is ReadReason.OPENED
         if opened:
             self.events.clear()
-            self.telemetry.begin(state.signature.model.current_unit)
+        unit = state.signature.model.current_unit
+        if opened or unit != self.telemetry.ampere:  # another model may be at the same line
+            self.telemetry.begin(unit)
         self.edit_backup.leave_board()
         self.draft.take_state(
             state, read.report.settings, power_cycled=occasion.power_cycled, opened=opened
