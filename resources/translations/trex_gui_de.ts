@@ -2713,14 +2713,14 @@
         <translation>Anz&amp;eigen</translation></message>
     <message><source>The board</source>
         <translation>Das Board</translation></message>
+    <message><source>Prob&amp;lems</source>
+        <translation>Prob&amp;leme</translation></message>
     <message><source>joint: one motor</source>
         <translation>Parallelbetrieb: ein Motor</translation></message>
     <message><source>RS-232 (everything sent comes back)</source>
         <translation>RS-232 (alles Gesendete kommt zurück)</translation></message>
     <message><source>this firmware runs at half of this baud rate</source>
         <translation>diese Firmware läuft mit der halben Baudrate</translation></message>
-    <message><source>Prob&amp;lems</source>
-        <translation>Prob&amp;leme</translation></message>
     <message><source>None since {0}.</source>
         <translation>Keine seit {0}.</translation></message>
     <message><source>not known</source>

@@ -2713,14 +2713,14 @@
         <translation>Les m&amp;ontrer</translation></message>
     <message><source>The board</source>
         <translation>La carte</translation></message>
+    <message><source>Prob&amp;lems</source>
+        <translation>Prob&amp;lèmes</translation></message>
     <message><source>joint: one motor</source>
         <translation>jumelé : un seul moteur</translation></message>
     <message><source>RS-232 (everything sent comes back)</source>
         <translation>RS-232 (tout ce qui est envoyé revient)</translation></message>
     <message><source>this firmware runs at half of this baud rate</source>
         <translation>ce micrologiciel fonctionne à la moitié de ce débit</translation></message>
-    <message><source>Prob&amp;lems</source>
-        <translation>Prob&amp;lèmes</translation></message>
     <message><source>None since {0}.</source>
         <translation>Aucun depuis {0}.</translation></message>
     <message><source>not known</source>

@@ -169,7 +169,7 @@ class StartPanel(QWidget):
 
     @Slot()
     def _on_connecting(self) -> None:
-        """Lead to the places: Qt gives the focus to anything behind a page that is hidden."""
+        """Focus the places: Qt gives the focus of a page that is hidden to any other widget."""
         focused = self._frame.focusWidget()
         if focused is not None and self.isAncestorOf(focused):
             self._frame.pages.tabBar().setFocus()

@@ -107,7 +107,7 @@ class ValueAxis:
         return low - margin, high + margin
 
     def labels(self, most: int) -> Labels:
-        """Label at most so many round values, and six; at least the ends. The last has the unit."""
+        """Label up to `most` round values, or six, but at least the ends. The last has the unit."""
         low, high = self.ends
         if most < 5 and (most < 2 or self._is_fixed):
             return value_labels([low, high], self.unit)

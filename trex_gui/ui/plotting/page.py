@@ -25,7 +25,7 @@ class PlotPage(QWidget):
         raise NotImplementedError
 
     def show_moment(self, time: float, text: str) -> None:
-        """Show the event that says `text`, or a time, where the plot is one over time."""
+        """Show the event with this text, or else the time, if the plot is one over time."""
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

@@ -10,6 +10,7 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QSplitter, QWidget
 
 from trex_gui.core.events import Event
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import Number, tr
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.plotting.axes import MAX_SPAN, MIN_SPAN, duration_text
@@ -52,7 +53,7 @@ class TracePanel(QWidget):
             self.plot, self.notifier, self, layout=self.shown_layout, use=self._use_layout
         )
         self.export = ExportButton(self.plot, self.notifier, self)
-        title = tr("C&urrents").replace("&", "")
+        title = title_of(tr("C&urrents"))
         self._head = PageHead(title, self, self.layout_button, self.export)
         self._window = combo_box(
             self,

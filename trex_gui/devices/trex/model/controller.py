@@ -247,7 +247,7 @@ class TrexController(DeviceController[ConnectionSettings]):
 
     @Slot()
     def _report_late_stop(self) -> None:
-        """Forget it once the motors are armed: the next confirmation is of another one."""
+        """Report a confirmation that came late, unless it may be that of another stop."""
         if self.is_armed or self.link is ConnectionState.DISCONNECTED:
             self._unconfirmed = ""
         elif self._unconfirmed and self.device.is_connected and not self.may_move:

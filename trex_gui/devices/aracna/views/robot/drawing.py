@@ -226,7 +226,7 @@ class RobotCard(Card):
         self._beside.setMaximumWidth(max(widest, self._beside.minimumSizeHint().width()))
 
     def show_in(self, width: int) -> None:
-        """Hide it if so many pixels do not leave enough for it."""
+        """Hide it if `width` pixels do not leave enough for it."""
         needed = self.drawing.minimumSizeHint().width() + 3 * CARD_PADDING
         self.setVisible(width >= self._beside.minimumSizeHint().width() + needed)
 

@@ -18,7 +18,7 @@ _LEFT, _ABOVE, _LEDS = 1.8, 1.3, 1.9  # lines of text beside and above the jumpe
 
 
 class JumperPicture(Painted):
-    """Names the position of each jumper; a frame is round those to be moved."""
+    """Names the position of each jumper, with a frame around those to be moved."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)

@@ -4,6 +4,7 @@ from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
 
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.board.drive_status import DriveInputs, DriveStatus, drive_statuses
 from trex_gui.devices.trex.board.mirror import SetUp
@@ -79,7 +80,7 @@ class BoardPage(QWidget):
         ui.column((self._open, 1), (self._set_up, 0, Qt.AlignmentFlag.AlignLeft), into=set_up)
         cable = ui.Card(tr("If the cable fails"), self._report)
         ui.column(TimeoutNotice(device, cable), into=cable)
-        problems = ui.Card(tr("Prob&lems").replace("&", ""), self._report)
+        problems = ui.Card(title_of(tr("Prob&lems")), self._report)
         self._problems = ui.named(Note(1, problems), "boardProblems")
         show = ui.button(problems, "showProblems", tr("Sh&ow them"))
         show.clicked.connect(lambda: self.page_wanted.emit("errors"))
@@ -138,7 +139,7 @@ class BoardPage(QWidget):
 
     @Slot()
     def _show_motors(self) -> tuple[DriveInputs, DriveStatus]:
-        """Show why the motors do what they do. Return from what it follows, and the first."""
+        """Show why the motors do what they do. Return what that follows from, and the first."""
         inputs = drive_inputs(self._device)
         statuses = drive_statuses(inputs)
         self._reasons.show_statuses(statuses)

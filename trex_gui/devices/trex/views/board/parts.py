@@ -88,7 +88,7 @@ class BoardPart(QAbstractButton, Spoken):
         raise NotImplementedError
 
     def write_beside(self, painter: QPainter, left: float) -> None:
-        """Write the lines beside a shape that ends at `left`, unless only that is painted."""
+        """Write the lines beside a shape that ends at `left`, unless only the shape is painted."""
         if self._seen.right() > left:
             place = QRectF(left, 0, self.width() - left, self.height())
             write_lines(painter, place, self.lines, alarm=self.alarm)

@@ -72,7 +72,7 @@ class ChannelStrip(QAbstractButton, Spoken):
         theme().changed.connect(self.update)
 
     def set_curve(self, source: InputSource, curve: ChannelCurve | None) -> None:
-        """Set what makes the output of an input, and whose marks are shown."""
+        """Set the curve that turns an input into an output; its calibration is marked."""
         self._curve = curve
         self.set_scale(source, curve.calibration if curve else None)
 

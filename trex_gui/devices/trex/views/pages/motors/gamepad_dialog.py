@@ -6,6 +6,7 @@ from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QHideEvent
 from PySide6.QtWidgets import QDialogButtonBox, QFormLayout, QWidget
 
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.gamepad import Gamepad, axis_text, button_text
 from trex_gui.devices.trex.model.momentary_drive import mix
@@ -151,7 +152,7 @@ class GamepadDialog(ReusedDialog):
         self._style = ui.combo_box(
             uses,
             "gamepadStyleCombo",
-            tr("St&icks:").replace("&", ""),
+            title_of(tr("St&icks:")),
             items=[(mixed, Style.MIXED), (tank, Style.TANK)],
             on_activate=self._on_edited,
         )
@@ -164,13 +165,13 @@ class GamepadDialog(ReusedDialog):
         percent = partial(ui.spin_box, uses, lowest=0, suffix=" %", on_change=self._on_edited)
         self._dead_zone = percent(
             "gamepadDeadZoneSpin",
-            tr("&Dead zone:").replace("&", ""),
+            title_of(tr("&Dead zone:")),
             highest=round(100 * WIDEST_DEAD_ZONE),
             tip=tr("Travel around the centre that has no effect"),
         )
         self._expo = percent(
             "gamepadExpoSpin",
-            tr("&Expo:").replace("&", ""),
+            title_of(tr("&Expo:")),
             highest=100,
             tip=tr("0 %: linear. 100 %: cubic, finest around the centre"),
         )

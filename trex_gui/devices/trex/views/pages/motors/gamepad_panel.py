@@ -4,6 +4,7 @@ from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Slot
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QWidget
 
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.gamepad import Gamepad
@@ -32,7 +33,7 @@ class GamepadPanel(QWidget):
             accessible=tr("Drive with a gamepad"),
             on_toggle=lambda on: self.gamepad.switch_on() if on else self.gamepad.switch_off(),
         )
-        title = tr("&Gamepad").replace("&", "")
+        title = title_of(tr("&Gamepad"))
         self._pads = ui.combo_box(
             self,
             "gamepadCombo",
@@ -96,7 +97,7 @@ class GamepadPanel(QWidget):
         for widget in (self._pads, self._set_up, self._unfocused):
             widget.setVisible(gamepad.on)
         self._state.show_note(gamepad.text, alarming=bool(gamepad.failure or gamepad.gone))
-        self._state.setAccessibleName(gamepad.text or tr("&Gamepad").replace("&", ""))
+        self._state.setAccessibleName(gamepad.text or title_of(tr("&Gamepad")))
         self._attend()
 
     def event(self, event: QEvent) -> bool:

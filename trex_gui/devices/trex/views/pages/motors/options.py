@@ -6,6 +6,7 @@ from functools import partial
 from PySide6.QtCore import QSignalBlocker, Qt, Slot
 from PySide6.QtWidgets import QCheckBox, QRadioButton, QWidget
 
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.motors import LONGEST, Motors
@@ -110,7 +111,7 @@ class Options(ui.Card):
     """Options that are rarely changed. All but the ramp are stored."""
 
     def __init__(self, motors: Motors, parent: QWidget | None = None) -> None:
-        super().__init__(tr("E&xtra options").replace("&", ""), parent)
+        super().__init__(title_of(tr("E&xtra options")), parent)
         self.setObjectName("motorsOptions")
         self._motors = motors
         self._store = Preferences()
