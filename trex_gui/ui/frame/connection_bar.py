@@ -28,7 +28,7 @@ _NOT_CONNECTED, _OTHER = "not connected", "other"
 
 # Widths in average characters
 _PORT, _LEAST_PORT = 18, 10
-_STATE, _LEAST_STATE = 26, 6  # of which the baud rate and the quality give up
+_STATE, _LEAST_STATE = 26, 6  # baud rate and quality are hidden where they leave less than 26
 _QUALITY, _CONNECT, _WIDEST = 11, 14, 116
 
 
