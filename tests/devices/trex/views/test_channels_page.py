@@ -104,6 +104,19 @@ def test_impossible_values_are_rejected_with_a_note(page: ChannelsDriver) -> Non
     assert "problem" in page.input(1)
 
 
+def test_number_that_is_typed_stays_while_the_line_is_judged(
+    page: ChannelsDriver, quick_simulator: SimulatedDevice
+) -> None:
+    field = page.find(QSpinBox, "minimumEdit")
+    page.widget.activateWindow()
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, "110")
+    quick_simulator.do("line noise 0.01")
+    page.wait(lambda: bool(page.device.board.quality.is_noisy))
+    assert field.text() == "110"
+
+
 # --- The handles ------------------------------------------------------------------------
 
 

@@ -66,6 +66,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.demo_board.factory_reset.connect(self._on_demo_factory_reset)
         device.stop_wanted.connect(self._on_stop_wanted)
         device.link_changed.connect(self._note_settings)
+        device.line_judged.connect(self.changed)
         device.motors.arming_changed.connect(self.changed)
         for changed in (device.link_changed, device.motors.arming_changed):
             changed.connect(self._report_late_stop)

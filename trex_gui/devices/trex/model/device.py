@@ -45,8 +45,9 @@ _TIMEOUT = ParameterKey.SERIAL_TIMEOUT
 
 
 class Device(QObject):
-    # `link`, `status`, `settings`, `may_move`, the judgement of the line, or what `writer` knows
+    # `link`, `status`, `settings`, `may_move`, or what `writer` knows
     link_changed = Signal()
+    line_judged = Signal()  # apart: every two seconds, in which somebody may be typing
     state_changed = Signal()  # `state` was read again, or forgotten
     request_failed = Signal(str)  # why a request or a connection failed; the notifier has it, too
     errors_changed = Signal()  # a bit was reported, or the errors were cleared or reset
@@ -253,7 +254,7 @@ class Device(QObject):
                     if self.motors.text:
                         self.motors.stop(reason)
                 case LineJudged():
-                    self.link_changed.emit()
+                    self.line_judged.emit()
 
     def _on_read(self, read: BoardRead) -> None:
         self._replaced.clear()
