@@ -98,7 +98,8 @@ class Leds(QWidget):
         names = tr("Red"), tr("Green")
         for lamp, label, name, text in zip(self.lamps, self._labels, names, words, strict=True):
             label.setText(tr("{0}: {1}").format(name, text) if text else name)
-            lamp.setAccessibleName(f"{tr('{0} LED').format(name)}: {meaning or text}")
+            said = tr("{0} LED").format(name), meaning or text
+            lamp.setAccessibleName(": ".join(filter(None, said)))
             for widget in (lamp, label):
                 widget.setToolTip(plain(lamp.accessibleName()))
         self._run()
