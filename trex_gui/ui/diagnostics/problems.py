@@ -6,7 +6,7 @@ from datetime import datetime
 from html import escape
 
 from PySide6.QtCore import QPointF, QSize, Qt, Signal, Slot
-from PySide6.QtGui import QPaintEvent, QPen
+from PySide6.QtGui import QPaintEvent, QPen, QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
 
 from trex_gui.core.texts import title_of
@@ -99,6 +99,15 @@ class ProblemCard(ui.Card):
         ):
             button.setVisible(bool(is_offered))
             button.setAccessibleDescription(problem.title)
+        self._keep_height()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._keep_height()
+
+    def _keep_height(self) -> None:
+        """Keep the height that the text needs: a page without room scrolls and cuts no text."""
+        self.setMinimumHeight(self.heightForWidth(self.width()))
 
 
 class ConnectionCard(ui.Card):
