@@ -10,6 +10,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
     QListWidget,
+    QMainWindow,
     QPlainTextEdit,
     QPushButton,
     QRadioButton,
@@ -126,3 +127,16 @@ def test_focus_is_framed_unless_it_comes_from_the_mouse(qtbot: QtBot, qapp: QApp
     assert not is_framed()
     QTest.mouseClick(window, Qt.MouseButton.LeftButton, pos=second.geometry().center())
     assert not is_framed()
+
+
+def test_menu_bar_with_the_focus_has_no_frame(qtbot: QtBot, qapp: QApplication) -> None:
+    theme().install(qapp)
+    window = QMainWindow()
+    qtbot.addWidget(window)
+    window.menuBar().addMenu("File")
+    window.show()
+    window.activateWindow()
+    QTest.qWait(0)
+    window.menuBar().setFocus()
+    assert window.menuBar().hasFocus()
+    assert not window.findChildren(QWidget, "focusFrame")

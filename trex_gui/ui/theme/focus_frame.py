@@ -2,7 +2,14 @@
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect, Qt, Slot
 from PySide6.QtGui import QRegion
-from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QFrame, QTabBar, QWidget
+from PySide6.QtWidgets import (
+    QAbstractScrollArea,
+    QApplication,
+    QFrame,
+    QMenuBar,
+    QTabBar,
+    QWidget,
+)
 from shiboken6 import Shiboken
 
 _ROOM = 3  # pixels beside the widget
@@ -28,6 +35,8 @@ class FocusFrame(QObject):
         if focused is None or focused.isWindow() or QApplication.mouseButtons():
             return
         if focused.window().windowType() is Qt.WindowType.Popup:  # a menu or a list
+            return
+        if isinstance(focused, QMenuBar):  # it shows its current menu
             return
         parent: QWidget | None = focused
         while parent is not None:
