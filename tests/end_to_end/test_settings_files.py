@@ -89,6 +89,20 @@ def test_checked_rows_become_edits(
     assert (stored.minimum, stored.deadband) == (2600, 60)
 
 
+def test_file_that_undoes_all_edits_leaves_nothing_to_write(
+    connected_window: WindowDriver, files: SettingsFiles, tmp_path: Path
+) -> None:
+    window, device = connected_window, connected_window.device
+    saved = tmp_path / "board.txt"
+    files.save(saved)
+    device.parameters.edit("motor_mode", 1)
+    dialog = files.load(saved)
+    assert "Load 1 change" in dialog.button_text()
+    dialog.click("takeChangesButton")
+    assert device.draft.pending == 0
+    assert window.text("bannerText") == "board.txt: Nothing to write."
+
+
 def test_invalid_files_change_nothing_and_findings_name_lines(
     connected_window: WindowDriver, files: SettingsFiles, tmp_path: Path
 ) -> None:

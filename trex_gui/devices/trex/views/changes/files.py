@@ -45,6 +45,7 @@ def load_dialog(
     """
     # The document itself may be edited or deleted meanwhile.
     name, settings, findings = document.name, document.settings, document.findings
+    draft = device.draft
 
     def describe(ticked_of: TickedOf) -> Changes | None:
         state = device.state
@@ -61,7 +62,7 @@ def load_dialog(
         # Settings that only the board's firmware has are not missed.
         given = conversion.settings if is_converted else replace(settings, firmware=None)
         try:
-            found = diff_against_draft(device.draft, given)
+            found = diff_against_draft(draft, given)
         except BadRequest as error:
             return Changes(heading, remarks=findings, trouble=error_sentence(error))
         rows = replace(found, rows=tuple(row for row in found.rows if not row.is_missing))
@@ -81,15 +82,16 @@ def load_dialog(
 
     def load(rows: Rows) -> None:
         try:
-            device.draft.stage(rows, tr("Load {0}").format(name))
+            draft.stage(rows, tr("Load {0}").format(name))
         except BadRequest as error:
             dialog.show_trouble(error_sentence(error))
             return
-        text = tr("{0}: %n change(s) pending: review them to write them.", "", len(rows))
-        on_staged(text.format(name))
+        count = min(len(rows), draft.pending)  # some may have undone an edit
+        text = tr("{0}: %n change(s) pending: review them to write them.", "", count)
+        nothing = tr("{0}: {1}").format(name, tr("Nothing to write."))
+        on_staged(text.format(name) if count else nothing)
         dialog.close()
 
-    draft = device.draft
     dialog = ChangesDialog(
         device,
         parent,
