@@ -15,6 +15,7 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
 from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
+from trex_gui.devices.trex.views.pages.motors.key_driver import KeyDriver
 from trex_gui.ui.preferences import Preferences
 
 LOW = 30
@@ -404,6 +405,35 @@ def test_key_is_held_despite_repeats_and_drives_nowhere_else(
     assert not keys.motors.holder, "another page"
     keys.let_nothing_happen(0.05)
     assert all(keys.target(motor)[0] == "brake" for motor in (1, 2))
+
+
+def test_repeat_that_arrives_as_release_and_press_keeps_the_speed(keys: MotorsPage) -> None:
+    driver = keys.window.findChild(KeyDriver)
+    assert driver is not None
+    driver.repeats_apart = True  # as on X11
+    window, none = keys.window.windowHandle(), Qt.KeyboardModifier.NoModifier
+
+    def send(kind: QEvent.Type, time: int, key: Qt.Key = Qt.Key.Key_W) -> None:
+        event = QKeyEvent(kind, key, none, key.value, 0, 0)
+        event.setTimestamp(time)
+        QApplication.sendEvent(window, event)
+
+    keys.motors.set_ceiling(LOW)
+    send(QEvent.Type.KeyPress, 1)
+    keys.wait_for_targets(FORWARD, FORWARD)
+    send(QEvent.Type.KeyRelease, 2)
+    send(QEvent.Type.KeyPress, 2)
+    keys.let_nothing_happen(0.1)
+    assert keys.target(1) == FORWARD
+    send(QEvent.Type.KeyRelease, 3)
+    keys.wait_for_brake("released")
+    send(QEvent.Type.KeyPress, 4)
+    keys.wait_for_targets(FORWARD, FORWARD)
+    send(QEvent.Type.KeyRelease, 5)
+    send(QEvent.Type.KeyPress, 6, Qt.Key.Key_S)
+    keys.wait_for_targets(BACK, BACK, "another key")
+    send(QEvent.Type.KeyRelease, 7, Qt.Key.Key_S)
+    keys.wait_for_brake("all are released")
 
 
 def test_keys_are_released_when_they_cannot_be_tracked(keys: MotorsPage) -> None:

@@ -1,7 +1,7 @@
 """Arrow keys or WASD drive while they are held."""
 
 from PySide6.QtCore import QEvent, QObject, Qt, Slot
-from PySide6.QtGui import QKeyEvent, QWindow
+from PySide6.QtGui import QGuiApplication, QKeyEvent, QWindow
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QAbstractSpinBox,
@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 
 from trex_gui.devices.trex.model.momentary_drive import Heading, MomentaryDrive, keys_setpoint
 from trex_gui.devices.trex.model.motors import Motors
+from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.widgets.behaviour import PressMonitor
 
 _HEADINGS: dict[int, Heading] = {
@@ -38,6 +39,7 @@ _CHANGING_KEYS: set[int] = {  # they change the names under which others are rel
     *(Qt.Key.Key_CapsLock, Qt.Key.Key_NumLock, Qt.Key.Key_ScrollLock, Qt.Key.Key_Mode_switch),
     *(Qt.Key.Key_Super_L, Qt.Key.Key_Super_R, Qt.Key.Key_Hyper_L, Qt.Key.Key_Hyper_R),
 }
+_REPEAT_MS = 20  # within which X11 delivers the press of a repeated key after its release
 
 
 class KeyDriver(QObject):
@@ -49,6 +51,10 @@ class KeyDriver(QObject):
     A key is identified by its place on the keyboard: it may be released under another name than
     it was pressed, after a switch of the layout or with Num Lock. All keys count as released when
     an unknown one is released, and when a key like Shift changes.
+
+    On X11 a held key repeats as a release and a press of the same time. Qt marks them as repeats
+    only if it has received both when it handles the first, which it often has not: without a
+    short wait for the press the motors would brake now and then while a key is held.
     """
 
     def __init__(self, drive: MomentaryDrive, motors: Motors, page: QWidget, pad: QWidget) -> None:
@@ -61,6 +67,9 @@ class KeyDriver(QObject):
         self._keys: dict[int, Heading] = {}  # those that are down, by their place
         self._modifiers = Qt.KeyboardModifier.NoModifier
         self._watch = PressMonitor(page)
+        self.repeats_apart = QGuiApplication.platformName() == "xcb"
+        self._released = 0, 0  # place and time of the key that may only repeat
+        self._repeat = new_timer(self, _REPEAT_MS, self._on_key_released, single_shot=True)
 
         self._watch.lost.connect(self.release)
         motors.holder_changed.connect(self._on_holder_changed)
@@ -91,6 +100,11 @@ class KeyDriver(QObject):
         return False
 
     def _on_pressed(self, event: QKeyEvent) -> bool:
+        if self._repeat.isActive():
+            if (_place(event), event.timestamp()) == self._released:
+                self._repeat.stop()
+                return True
+            self._on_key_released()
         if self._keys and (_modifiers(event) != self._modifiers or event.key() in _CHANGING_KEYS):
             self.release()
         heading = _HEADINGS.get(event.key())
@@ -107,14 +121,28 @@ class KeyDriver(QObject):
             return event.key() in _HEADINGS and bool(self._keys)
         if not self._keys:
             return False
-        held = dict(self._keys)
-        is_known = held.pop(_place(event), None) is not None
-        if is_known and held and _modifiers(event) == self._modifiers:
-            self._keys = held
+        if self._repeat.isActive():
+            self._on_key_released()
+        place = _place(event)
+        is_known = place in self._keys
+        if not is_known or _modifiers(event) != self._modifiers:
+            self.release()
+            return is_known
+        self._released = place, event.timestamp()
+        if self.repeats_apart:
+            self._repeat.start()
+        else:
+            self._on_key_released()
+        return True
+
+    @Slot()
+    def _on_key_released(self) -> None:
+        self._repeat.stop()
+        self._keys.pop(self._released[0], None)
+        if self._keys:
             self._steer()
         else:
             self.release()
-        return is_known
 
     def _listens(self) -> bool:
         if not self._motors.armed or not self._page.isVisible():
@@ -135,6 +163,7 @@ class KeyDriver(QObject):
 
     def _forget(self) -> None:
         self._keys.clear()
+        self._repeat.stop()
         self._watch.end()
 
     @Slot()
