@@ -224,6 +224,17 @@ def test_focus_goes_from_run_to_stop_where_arrow_keys_change_nothing(page: Motor
     assert "href" not in facts.text()
 
 
+def test_stop_moves_the_focus_from_a_driving_control_to_the_stop_button(armed: MotorsPage) -> None:
+    for kind, name in ((QSlider, "motor1Slider"), (QSpinBox, "motor2Entry")):
+        armed.find(kind, name).setFocus()
+        armed.motors.stop()
+        assert armed.button("stopButton").hasFocus(), name
+        armed.arm()
+    armed.pad.setFocus()
+    armed.motors.stop()
+    assert armed.button("stopButton").hasFocus()
+
+
 def test_minimising_with_held_slider_stops_and_disarms(armed: MotorsPage) -> None:
     armed.hold_slider("motor1Slider", 60)
     armed.wait_for_targets(("forward", 60), None)

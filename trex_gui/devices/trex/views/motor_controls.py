@@ -167,7 +167,7 @@ class LostPanel(QFrame):
         can_reconnect = is_lost and device.link is ConnectionState.DISCONNECTED
         changes = can_reconnect != self._button.isEnabled()
         if changes and self._button.hasFocus():
-            _focus_stop(self)
+            focus_stop(self)
         self._button.setEnabled(can_reconnect)
         self.setVisible(is_lost)
         if changes and can_reconnect and self.isVisible():
@@ -196,7 +196,7 @@ class StopButton(RedButton):
         self.setEnabled(self._device.link not in inactive or self._device.may_stop_matter)
 
 
-def _focus_stop(widget: QWidget) -> None:
+def focus_stop(widget: QWidget) -> None:
     """Focus the stop button of a window: arrow keys may change what comes next by itself."""
     window = widget.window()
     for stop in window.findChildren(StopButton):
@@ -236,7 +236,7 @@ class ArmButton(ConfirmButton):
     def _on_clicked(self) -> None:
         if self._motors.armed:
             self._motors.stop()
-            _focus_stop(self)
+            focus_stop(self)
         elif self.takes_clicks:  # neither the second press of a key that disarmed
             arm(self._device, self.window())
 
@@ -244,7 +244,7 @@ class ArmButton(ConfirmButton):
     def _on_changed(self) -> None:
         armed = self._motors.armed
         if armed and self.window().focusWidget() is self:  # also behind a dialog
-            _focus_stop(self)
+            focus_stop(self)
         text = tr("Disa&rm") if armed else tr("A&rm motors")
         if text != self.text():
             self.setText(text)

@@ -29,7 +29,7 @@ from trex_gui.devices.trex.model.momentary_drive import MomentaryDrive
 from trex_gui.devices.trex.model.setup.wiring import Side
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
-from trex_gui.devices.trex.views.motor_controls import LostPanel
+from trex_gui.devices.trex.views.motor_controls import LostPanel, focus_stop
 from trex_gui.devices.trex.views.pages.motors.current_strip import CurrentStrip
 from trex_gui.devices.trex.views.pages.motors.drive_control import DriveControl
 from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
@@ -264,6 +264,11 @@ class MotorsPage(QWidget):
     @Slot()
     def _show_options(self) -> None:
         motors = self._motors
+        focused = self.window().focusWidget()
+        group = focused.parentWidget() if focused is not None else None
+        is_driving = focused is self._pad or isinstance(group, DriveControl)
+        if not motors.armed and is_driving:
+            focus_stop(self)  # Qt would go on to a link, and arrow keys from there to other pages
         self._pad.setEnabled(motors.armed)
         self._pad.set_can_turn(self._pad_drive.can_turn)
         brake = tr("Brake with {0}").format(share_text(motors.release_brake))
