@@ -72,3 +72,9 @@ def test_range_goes_below_zero_only_for_negative_values_and_never_collapses() ->
     assert fitted(axis, -3, 3) == (-5, 5)
     assert fitted(axis, 0.5, 3) == (0, 5)
     assert fitted(ValueAxis("A"), 0, 0) == (0, 1)
+
+
+def test_lower_end_of_a_low_plot_is_labelled_0() -> None:
+    axis = ValueAxis("A")
+    axis.fit([(0, 0.5)])
+    assert [text for _, text in axis.labels(2)] == ["0", "1 A"]

@@ -86,7 +86,8 @@ class ValueAxis:
         """Fit these lowest and highest values. Without any the axis stays as it is."""
         if extremes and self._top is None:
             self._high = _fitted_end(self._high, max(high for _, high in extremes))
-            self._low = -_fitted_end(-self._low, -min(low for low, _ in extremes))
+            lowest = min(low for low, _ in extremes)
+            self._low = 0.0 - _fitted_end(-self._low, -lowest)  # not -0
             if self._high == self._low == 0:
                 self._high = _SMALLEST_END
 
