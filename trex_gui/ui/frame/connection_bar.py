@@ -3,9 +3,17 @@
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Signal, Slot
+from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QComboBox, QFrame, QInputDialog, QSizePolicy, QWidget
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFrame,
+    QInputDialog,
+    QSizePolicy,
+    QStyle,
+    QStyleOptionComboBox,
+    QWidget,
+)
 
 from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
@@ -30,6 +38,16 @@ _NOT_CONNECTED, _OTHER = "not connected", "other"
 _PORT, _LEAST_PORT = 18, 10
 _STATE, _LEAST_STATE = 26, 6  # baud rate and quality are hidden where they leave less than 26
 _QUALITY, _CONNECT, _WIDEST = 11, 14, 116
+
+
+class PortList(ui.ComboBox):
+    def initStyleOption(self, option: QStyleOptionComboBox) -> None:
+        """Elide a text that is too long: under a style sheet Qt cuts it within a letter."""
+        super().initStyleOption(option)
+        combo, field = QStyle.ComplexControl.CC_ComboBox, QStyle.SubControl.SC_ComboBoxEditField
+        width = self.style().subControlRect(combo, option, field, self).width() - 2
+        text, end = option.currentText, Qt.TextElideMode.ElideRight
+        option.currentText = option.fontMetrics.elidedText(text, end, width)
 
 
 class ConnectionBar(QFrame):
@@ -77,7 +95,7 @@ class ConnectionBar(QFrame):
         self._on_link_changed()
 
     def _create_widgets(self) -> None:
-        self._combo = ui.named(ui.ComboBox(self), "portCombo", accessible=title_of(tr("&Port:")))
+        self._combo = ui.named(PortList(self), "portCombo", accessible=title_of(tr("&Port:")))
         self._combo.setMinimumContentsLength(_PORT)
         self._combo.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
