@@ -247,7 +247,6 @@ class TrexWorkspace(Workspace):
         factory = partial(settings.review_defaults, serial_only=False)
         serial = partial(settings.review_defaults, serial_only=True)
         plot_title = tr("Plot of currents in its o&wn window")
-        open_guide = partial(QDesktopServices.openUrl, QUrl(GUIDE))
 
         return {
             Menu.FILE: (
@@ -296,7 +295,7 @@ class TrexWorkspace(Workspace):
             ),
             Menu.HELP: (
                 Entry("check_board", tr("&Board does not respond…"), self._check_board, "", "find"),
-                Entry("guide", tr("&User's guide of the board (online)…"), open_guide),
+                Entry("guide", tr("&User's guide of the board (online)…"), _open_guide),
                 SEPARATOR,
             ),
         }
@@ -406,3 +405,7 @@ class TrexWorkspace(Workspace):
             dialog.chosen.connect(self._controller.set_settings)
             self._controller.settings_changed.connect(dialog.show_settings)
         dialog.show_in_front()
+
+
+def _open_guide() -> None:
+    QDesktopServices.openUrl(QUrl(GUIDE))
