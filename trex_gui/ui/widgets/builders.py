@@ -6,7 +6,7 @@ from functools import partial
 from itertools import pairwise
 from typing import Any, TypeVar
 
-from PySide6.QtCore import QLocale, QObject, QSize, SignalInstance
+from PySide6.QtCore import QLocale, QMargins, QObject, QSize, SignalInstance
 from PySide6.QtGui import QAction, QIcon, QKeySequence, QResizeEvent, QShortcut, Qt
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -72,6 +72,9 @@ class SpinBox(QSpinBox):
     wheelEvent = focused_wheel(QSpinBox.wheelEvent)
 
 
+_BESIDE_TEXT = QMargins(0, 0, 4, 0)
+
+
 class ComboBox(QComboBox):
     """The wheel changes it as it does a `SpinBox`."""
 
@@ -80,6 +83,13 @@ class ComboBox(QComboBox):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+
+    def sizeHint(self) -> QSize:
+        """Return the size with the pixels that large texts lack under a style sheet."""
+        return super().sizeHint().grownBy(_BESIDE_TEXT)
+
+    def minimumSizeHint(self) -> QSize:
+        return super().minimumSizeHint().grownBy(_BESIDE_TEXT)
 
 
 Handler = Callable[..., object] | SignalInstance  # what a signal is connected to
