@@ -1,16 +1,36 @@
-"""The editor that fits each kind of parameter. All of them take and return wire values."""
+"""Delegate and editors of the table of parameters. They take and return wire values."""
 
 import re
 from bisect import bisect_left, bisect_right
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import cast
 
-from PySide6.QtCore import Signal, Slot
-from PySide6.QtWidgets import QAbstractSpinBox, QWidget
+from PySide6.QtCore import (
+    QAbstractItemModel,
+    QEvent,
+    QObject,
+    QPoint,
+    QRect,
+    QSize,
+    Qt,
+    Signal,
+    Slot,
+)
+from PySide6.QtGui import QFont, QIcon, QKeyEvent, QMouseEvent, QPainter, QPalette, QPen
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QAbstractSpinBox,
+    QStyle,
+    QStyleOptionViewItem,
+    QWidget,
+)
 
 from trex_gui.core.decimals import quantity
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
+from trex_gui.devices.trex.model.parameters.parameters import Index, ParameterModel, Role
 from trex_gui.devices.trex.model.parameters.text import (
+    ParameterColumn,
     frequency_code,
     frequency_range,
     frequency_text,
@@ -21,10 +41,17 @@ from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import ALL_CHANNELS, CHANNELS, channel_mask, channels_in
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSpec
-from trex_gui.devices.trex.views.count_editor import BARE, UnitSpinBox
+from trex_gui.devices.trex.views.count_editor import BARE, UnitDelegate, UnitSpinBox
+from trex_gui.ui.theme.icons import icon
+from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.behaviour import ENTER
 from trex_gui.ui.widgets.builders import ComboBox, check_box, combo_box, plain, row
 
 _TOLERANCE = 1.01
+_CLICKS = {QEvent.Type.MouseButtonRelease, QEvent.Type.MouseButtonDblClick}
+_ICON = 16
+_SIGNS = {"warning": "warning", "edited": "dirty", "power": "icon"}  # and their colours
+_UNTOUCHED = "untouched"
 _STEPS = QAbstractSpinBox.StepEnabledFlag
 _BOTH_WAYS = _STEPS.StepUpEnabled | _STEPS.StepDownEnabled
 
@@ -252,3 +279,164 @@ def editor_for(spec: ParameterSpec, parent: QWidget | None = None) -> Editor:
             return AccelerationEditor(spec, parent)
         case _:
             return NumberEditor(spec, parent)
+
+
+class ParameterDelegate(UnitDelegate):
+    """Paints and edits the rows of a `ParameterModel`.
+
+    Where no value is given, the editor shows the default, which becomes the value only when
+    something is typed or chosen, or with Enter.
+    """
+
+    def __init__(
+        self, model: ParameterModel, has_finding: Callable[[str], bool], view: QAbstractItemView
+    ) -> None:
+        super().__init__(view)
+        self._model, self._has_finding, self._view = model, has_finding, view
+
+    def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: Index) -> QWidget:
+        del option
+        key, text = str(index.data(Role.KEY)), self._model.text
+        is_frequency = len(text.together(key)) > 1
+        editor: Editor = (
+            FrequencyEditor(text.frequencies, parent)
+            if is_frequency
+            else editor_for(self._model.values.specs[key], parent)
+        )
+        editor.setAccessibleName(text.title(key))
+        editor.setProperty(_UNTOUCHED, index.data(Qt.ItemDataRole.EditRole) is None)
+
+        def on_touched() -> None:
+            editor.setProperty(_UNTOUCHED, False)
+            if not isinstance(editor, UnitSpinBox):
+                self.commitData.emit(editor)  # a number is an edit with Enter
+
+        editor.valueChanged.connect(on_touched)
+        if isinstance(editor, UnitSpinBox):
+            editor.rejected.connect(self._model.rejected)
+            editor.lineEdit().textEdited.connect(on_touched)
+        return editor
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Let Enter take the value shown."""
+        is_press = event.type() == QEvent.Type.KeyPress
+        if is_press and isinstance(event, QKeyEvent) and event.key() in ENTER:
+            watched.setProperty(_UNTOUCHED, False)
+        return super().eventFilter(watched, event)
+
+    def setEditorData(self, editor: QWidget, index: Index) -> None:
+        if isinstance(editor, UnitSpinBox) and editor.lineEdit().isModified():
+            return  # the row has changed while something is typed
+        wire = index.data(Qt.ItemDataRole.EditRole)
+        untouched = editor.property(_UNTOUCHED)
+        cast("Editor", editor).setValue(
+            self._model.default_number(str(index.data(Role.KEY))) if wire is None else wire
+        )
+        editor.setProperty(_UNTOUCHED, untouched)  # not changed by the user
+
+    def setModelData(self, editor: QWidget, model: QAbstractItemModel, index: Index) -> None:
+        if not editor.property(_UNTOUCHED):
+            model.setData(index, cast("Editor", editor).value(), Qt.ItemDataRole.EditRole)
+            if isinstance(editor, UnitSpinBox) and editor.rounding:
+                self._model.rounded.emit(editor.rounding)
+
+    def updateEditorGeometry(
+        self, editor: QWidget, option: QStyleOptionViewItem, index: Index
+    ) -> None:
+        """Give an editor the size that it needs. It may cover neighbouring cells."""
+        super().updateEditorGeometry(editor, option, index)
+        place = editor.geometry()
+        middle = place.center().y()
+        place.setSize(place.size().expandedTo(editor.sizeHint()))
+        place.moveCenter(QPoint(place.center().x(), middle))
+        view = editor.parentWidget()
+        if view is not None and place.right() > view.width():
+            place.moveRight(max(place.width(), view.width()) - 1)
+        editor.setGeometry(place)
+
+    def editorEvent(
+        self,
+        event: QEvent,
+        model: QAbstractItemModel,
+        option: QStyleOptionViewItem,
+        index: Index,
+    ) -> bool:
+        """Reset a value where its icon is clicked."""
+        if (
+            isinstance(event, QMouseEvent)
+            and event.type() in _CLICKS
+            and self._reset_place(option, index).contains(event.position().toPoint())
+        ):
+            self._model.reset(str(index.data(Role.KEY)))
+            return True
+        return super().editorEvent(event, model, option, index)
+
+    def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
+        super().initStyleOption(option, index)
+        option.state &= ~QStyle.StateFlag.State_Selected  # `paint` shows it
+        if index.data(Role.GROUP) is not None:
+            option.state |= QStyle.StateFlag.State_Enabled
+            _write(option, "muted", bold=True)
+        elif index.column() != ParameterColumn.NAME:
+            if index.data(Role.DIRTY):
+                _write(option, "dirty", bold=True)
+            elif index.data(Qt.ItemDataRole.EditRole) is None:
+                _write(option, "muted")
+
+    def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
+        return super().sizeHint(option, index) + QSize(_ICON + 2, 0)
+
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
+        """Paint the current row, a sign before a value, and the icon that resets it."""
+        cell, is_value = QRect(option.rect), index.column() != ParameterColumn.NAME
+        if index.data(Role.GROUP) is not None:
+            painter.setPen(theme().color("hairline"))
+            painter.drawLine(cell.topLeft(), cell.topRight())
+        else:
+            option.rect = cell.adjusted(_ICON + 2, 0, 0, 0)
+            if index.row() == self._view.currentIndex().row():
+                painter.fillRect(cell, theme().color("selected"))
+        super().paint(painter, option, index)
+        option.rect = cell
+        if not is_value:
+            return
+        if sign := self._sign(index):
+            place = QRect(cell.left() + 2, cell.top(), _ICON, cell.height())
+            icon(sign, _SIGNS[sign]).paint(painter, place)
+        place = self._reset_place(option, index)
+        if not place.isEmpty():
+            is_enabled = option.state & QStyle.StateFlag.State_Enabled
+            mode = QIcon.Mode.Normal if is_enabled else QIcon.Mode.Disabled
+            icon("default").paint(painter, place, Qt.AlignmentFlag.AlignCenter, mode)
+        if option.state & QStyle.StateFlag.State_Selected:
+            width = 2 if option.state & QStyle.StateFlag.State_HasFocus else 1
+            painter.setPen(QPen(theme().color("accent"), width))
+            painter.drawRect(cell.adjusted(1, 1, -1, -1))
+
+    def _sign(self, index: Index) -> str:
+        """Return the sign of the most important state of a value. Empty for none."""
+        if index.data(Role.PROBLEM) or self._has_finding(str(index.data(Role.KEY))):
+            return "warning"
+        if index.data(Role.DIRTY):
+            return "edited"
+        return "power" if index.data(Role.WAITING) is not None else ""
+
+    def _reset_place(self, option: QStyleOptionViewItem, index: Index) -> QRect:
+        """Return where the icon is that resets a value. Empty without one, or room for it."""
+        place, cell = QRect(0, 0, _ICON, _ICON), option.rect
+        place.moveCenter(QPoint(cell.right() - _ICON, cell.center().y()))
+        if index.data(Role.RESET) is None:
+            return QRect()
+        return place if self.sizeHint(option, index).width() < cell.width() - 2 * _ICON else QRect()
+
+
+def _write(option: QStyleOptionViewItem, color: str, *, bold: bool = False) -> None:
+    """Write a text in a colour of the theme. Disabled text keeps its own."""
+    palette = QPalette(option.palette)
+    for group in (QPalette.ColorGroup.Active, QPalette.ColorGroup.Inactive):
+        palette.setColor(group, QPalette.ColorRole.Text, theme().color(color))
+    option.palette = palette
+    if bold:
+        font = option.font
+        font.setWeight(QFont.Weight.DemiBold)
+        option.font = font
