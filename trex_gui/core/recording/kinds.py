@@ -129,7 +129,7 @@ MARKERS = SampleKind(
 
 @dataclass(frozen=True, slots=True)
 class RecordingFormat(Generic[HeaderT]):
-    """What the recordings of a device hold; `device` is its key in the header table.
+    """Content of the recordings of a device. `device` is its key in the header table.
 
     `read_header` makes the header of its rows; it raises ValueError where they are damaged.
     """

@@ -65,7 +65,7 @@ def _name_of(number: int) -> str:
 
 
 def is_locked_elsewhere(url: str) -> bool:
-    """Whether another program has locked a port; true if that is unknown.
+    """Return whether another program has locked a port. True if that is unknown.
 
     The lock of a program that has died is held by its guardian, which is about to end.
     """

@@ -50,7 +50,7 @@ class SerialFormat:
 
     @property
     def detection_text(self) -> str:
-        """How errors are detected: `even parity`; empty if they are not."""
+        """Error detection as text: `even parity`. Empty without any."""
         return tr(_PARITIES[self.parity])
 
     def text(self) -> str:
@@ -88,7 +88,7 @@ class PortSettings:
 
     @property
     def packed(self) -> str:
-        """How a device is reached at the port, to be remembered; never empty."""
+        """Settings at which a device replies, for later connections. Never empty."""
         return self.line.short
 
     def text(self) -> str:

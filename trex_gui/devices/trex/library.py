@@ -327,7 +327,7 @@ class Trex:
 
     @property
     def state(self) -> DeviceState:
-        """What the board stores, as it was last read; the session keeps it up to date."""
+        """Stored values as they were last read. The session updates them."""
         return self._board.state
 
     def status(self) -> BoardStatus:

@@ -273,7 +273,7 @@ class TrexClient:
 
     @property
     def has_crc(self) -> bool:
-        """Whether a CRC shows corrupted bytes; a parity bit shows them to the board only."""
+        """Return whether a CRC shows corrupted bytes. A parity bit shows them to the board only."""
         return self.settings.line.has_crc
 
     @property

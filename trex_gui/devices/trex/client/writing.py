@@ -422,7 +422,7 @@ class _Work:
 
 
 def _stores_crc(wire: int) -> bool:
-    """Whether packets carry a CRC under these line settings; not under unknown ones."""
+    """Return whether packets carry a CRC under these line settings. Not under unknown ones."""
     try:
         return LineSettings.from_wire(wire).detection is Detection.CRC7
     except BadRequest:

@@ -110,7 +110,7 @@ class Bench(QObject):
 
     @property
     def blocker(self) -> str:
-        """Why no test can start now and what to do, for the user; empty when one can."""
+        """Return why no test can start now, and what to do. Empty when one can."""
         device = self._device
         if device.is_connected and device.board.is_joint:
             return tr(

@@ -11,7 +11,7 @@ _ENOUGH = 3  # consecutive results, of five a second, that make the state known
 
 
 class MixJumper(QObject):
-    """Whether it was on when a stick was last off neutral; it may be moved any time.
+    """State of the mix jumper when a stick was last off neutral. It may be moved any time.
 
     No command reads it: the outputs of channels 1 and 2 are compared with those that the board
     reports.

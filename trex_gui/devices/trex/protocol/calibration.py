@@ -60,7 +60,7 @@ CALIBRATION_KEYS: Mapping[str, CalibrationKey] = {str(key): key for key in Calib
 
 @dataclass(frozen=True, slots=True)
 class Calibration:
-    """What a channel's raw counts mean; one for RC pulses and one for voltages is kept.
+    """Meaning of a channel's raw counts. The board stores one for pulses and one for voltages.
 
     Counts are 0.4 us (RC) or 4.89 mV (analog). The board takes them only when
     minimum <= neutral <= maximum and minimum < maximum.

@@ -18,7 +18,7 @@ class ResultCode(IntEnum):
 
 @unique
 class ErrorCode(Enum):
-    """What went wrong; the value is the sentence with a place for each field."""
+    """Kinds of errors. The value is the sentence with a place for each field."""
 
     # Connecting
     NO_BOARD = tr_noop(

@@ -16,7 +16,7 @@ from trex_gui.devices.trex.settings.writer import write_settings
 
 @dataclass(frozen=True, slots=True)
 class BoardIdentity:
-    """What tells boards apart, as for snapshots; two boards may share it."""
+    """Key that tells boards apart, as for snapshots. Two boards may share it."""
 
     product: Model
     firmware: str
