@@ -207,5 +207,5 @@ def test_suspended_guardian_is_woken_and_stops_the_motors(start_simulator: Start
     SerialTransport(PortSettings(simulator.url, SerialFormat(19200))).close()
     assert simulator.show()["motors"][0]["direction"] == "brake"
     assert not file.exists()
+    guardian._process.wait()  # the program opens its port meanwhile
     assert len(logged_stops(0)[1]) == 2, "of the guardian, and of the line"
-    guardian.end()
