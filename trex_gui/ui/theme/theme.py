@@ -135,8 +135,8 @@ class Theme(QObject):
         if self._app is None:  # afterwards the palette is ours
             self._system_was_dark = app.palette().window().color().lightnessF() < 0.5
             self._system_font = app.font()
+            app.setStyle("Fusion")
         self._app = app
-        app.setStyle("Fusion")
         hints, once = app.styleHints(), Qt.ConnectionType.UniqueConnection
         hints.colorSchemeChanged.connect(self._show, once)
         hints.accessibility().contrastPreferenceChanged.connect(self._show, once)
@@ -294,3 +294,4 @@ def set_style_property(widget: QWidget, name: str, value: object) -> None:
         for each in (widget, *widget.findChildren(QWidget)):
             each.style().unpolish(each)
             each.style().polish(each)
+        QCoreApplication.sendEvent(widget, QEvent(QEvent.Type.StyleChange))  # its padding
