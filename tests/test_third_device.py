@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -87,7 +88,7 @@ class LampWorkspace(Workspace):
         super().__init__(controller.plugin.key, controller.lamp.notifier, window.stack)
         self.bar = QWidget(self)
         self.opened: list[Path] = []
-        self.add_pages([PageInfo("light", "&Light", lambda: QLabel("On"))])
+        self.add_pages([PageInfo("light", "&Light", partial(QLabel, "On"))])
         self.file_kinds = (FileKind({".lamp"}, "a scene of a lamp", self.opened.append),)
 
 

@@ -257,7 +257,7 @@ class DemoDock(QDockWidget):
         there = self.wanted and self._use.demo_in_use
         if there and self.isHidden():
             if self.widget() is None:  # on a small screen the pages need the room: it scrolls
-                self.setWidget(ScrollBox(self._make(self), self, sideways=True))
+                self.setWidget(ScrollBox(self._make, self, sideways=True))
             self._make_room()
             self.show()
         elif not there and not self.isHidden():

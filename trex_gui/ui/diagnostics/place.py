@@ -63,30 +63,32 @@ class Diagnostics(Place):
         self._search.setMinimumWidth(width)
 
     def pages(
-        self, problems: "Callable[[], ProblemsPage]", traffic: Callable[[], View]
+        self, problems: "Callable[[QWidget], ProblemsPage]", traffic: Callable[[QWidget], View]
     ) -> tuple[PageInfo, ...]:
         """Return the three pages. The arguments make the first and the last."""
         owner = self._workspace
 
-        def make_problems() -> QWidget:
-            page = self._joined(problems())
+        def make_problems(parent: QWidget) -> QWidget:
+            page = self._joined(problems(parent))
             page.page_wanted.connect(self._show_more)
             page.help_wanted.connect(self._show_help)
             page.counted.connect(self._show_count)
             page.show_problems()
             return page
 
-        def make_log() -> QWidget:
+        def make_log(parent: QWidget) -> QWidget:
             from trex_gui.ui.diagnostics.log_page import LogPage  # noqa: PLC0415 - later
 
-            page = self._joined(LogPage(owner.log, owner.key, owner.message_help, self))
+            page = self._joined(LogPage(owner.log, owner.key, owner.message_help, parent))
             page.help_wanted.connect(self._show_help)
             return page
 
         return (
             PageInfo("errors", tr("Prob&lems"), make_problems, "pulse", self),
             PageInfo("log", tr("Lo&g"), make_log, "", self),
-            PageInfo("transcript", tr("T&raffic"), lambda: self._joined(traffic()), "", self),
+            PageInfo(
+                "transcript", tr("T&raffic"), lambda parent: self._joined(traffic(parent)), "", self
+            ),
         )
 
     def _joined(self, page: ViewT) -> ViewT:

@@ -65,8 +65,10 @@ class PortRow(QWidget):
 class StartPanel(QWidget):
     """Leads to a first connection with the kind of device that a workspace is for."""
 
-    def __init__(self, texts: StartTexts, frame: MainWindow, workspace: Workspace) -> None:
-        super().__init__(workspace)
+    def __init__(
+        self, texts: StartTexts, frame: MainWindow, workspace: Workspace, parent: QWidget
+    ) -> None:
+        super().__init__(parent)
         self._prefix = prefix = texts.prefix
         self.setObjectName(f"{prefix}startPanel")
         self._device = workspace.key

@@ -73,7 +73,7 @@ class PageInfo:
 
     key: str  # names it in code and in the key of its action, `workspace_key`
     title: str  # of its tab, with the mnemonic of its menu entry
-    make: Callable[[], QWidget]  # called once: when it is first shown, or soon after the start
+    make: Callable[[QWidget], QWidget]  # in this parent: when first shown, or soon after the start
     icon: str = "info"  # beside the title
     place: Place | None = None  # shared with the pages next to it, if it is
 
@@ -179,9 +179,10 @@ class Workspace(QWidget):
         self._missing.remove(number)
         holder, index = self._holders[number]
         current, placeholder = holder.currentIndex(), holder.widget(index)
-        page = self._infos[number].make()
+        where = holder.findChild(QStackedWidget) or self  # where it stays
+        box = ScrollBox(self._infos[number].make, where)
+        page = box.content
         follow_theme(page, "messages", partial(_leave_room, page))
-        box = ScrollBox(page, holder.findChild(QStackedWidget) or self)  # where it stays
         with QSignalBlocker(holder):  # the current page stays the same
             holder.insertTab(index, box, holder.tabText(index))
             holder.removeTab(index + 1)

@@ -1,5 +1,7 @@
 """A page that scrolls where a screen is too low for it, and else looks as without."""
 
+from collections.abc import Callable
+
 from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
@@ -17,14 +19,22 @@ class ScrollBox(QScrollArea):
     """
 
     def __init__(
-        self, content: QWidget, parent: QWidget | None = None, *, sideways: bool = False
+        self,
+        content: QWidget | Callable[[QWidget], QWidget],
+        parent: QWidget | None = None,
+        *,
+        sideways: bool = False,
     ) -> None:
-        """`sideways`: it can be narrower than the content, and then scrolls that way, too.
+        """`content` may make the widget in a parent: one that moves here is styled twice.
+
+        `sideways`: it can be narrower than the content, and then scrolls that way, too.
 
         Without it that happens only where large fonts make a page wider than a small screen.
         """
         super().__init__(parent)
-        self._content = content
+        if not isinstance(content, QWidget):
+            content = content(self.viewport())
+        self.content = content
         self._sideways = sideways
         self._fitting = False
         self.setObjectName(f"{content.objectName()}Area")
@@ -36,7 +46,7 @@ class ScrollBox(QScrollArea):
 
     def sizeHint(self) -> QSize:
         """As high as the content is by itself at the width that there is."""
-        hint, layout = self._content.sizeHint(), self._content.layout()
+        hint, layout = self.content.sizeHint(), self.content.layout()
         if layout is not None and layout.hasHeightForWidth() and self.isVisible():
             room = self.maximumViewportSize()
             around = self.height() - room.height()
@@ -44,7 +54,7 @@ class ScrollBox(QScrollArea):
         return hint
 
     def minimumSizeHint(self) -> QSize:
-        content = self._content.minimumSizeHint()
+        content = self.content.minimumSizeHint()
         lines = _LINES * self.fontMetrics().lineSpacing()
         bar = self.verticalScrollBar().sizeHint().width()
         widest = _WIDEST
@@ -59,7 +69,7 @@ class ScrollBox(QScrollArea):
             self.updateGeometry()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.LayoutRequest and watched is self._content:
+        if event.type() == QEvent.Type.LayoutRequest and watched is self.content:
             self._fit()
             self.updateGeometry()
         return super().eventFilter(watched, event)
@@ -71,13 +81,13 @@ class ScrollBox(QScrollArea):
         room = self.maximumViewportSize()
         if self._needed(room.width()) > room.height():
             room.setWidth(room.width() - self.verticalScrollBar().sizeHint().width())
-        room.setWidth(max(room.width(), self._content.minimumSizeHint().width()))
-        self._content.resize(room.width(), max(room.height(), self._needed(room.width())))
+        room.setWidth(max(room.width(), self.content.minimumSizeHint().width()))
+        self.content.resize(room.width(), max(room.height(), self._needed(room.width())))
         self._fitting = False
 
     def _needed(self, width: int) -> int:
-        layout = self._content.layout()
-        needed = self._content.minimumSizeHint().height()
+        layout = self.content.layout()
+        needed = self.content.minimumSizeHint().height()
         if layout is not None and layout.hasHeightForWidth():
             needed = max(needed, layout.totalMinimumHeightForWidth(width))
         return needed

@@ -87,16 +87,16 @@ class AracnaWorkspace(Workspace):
         tabs.setObjectName("aracnaTabs")
         tabs.setAccessibleName(tr("Pages"))
         self._frame = frame
-        self._page = page = RobotPage(robot, self._make_start_panel(), self)
+        self._page = page = RobotPage(robot, self._make_start_panel, self)
         self._poses = PosesPage(robot, self.library, self)
         traffic = TrafficPage(robot.traffic, "aracnaTranscript", tr("a robot"), self.notifier, self)
         diagnostics = Diagnostics(self, "aracnaDiagnostics", frame.show_help)
         problems = RobotProblemsPage(robot, self.log, self.message_help, self)
         self.add_pages(
             (
-                PageInfo("robot", tr("R&obot"), lambda: page, "board"),
-                PageInfo("poses", tr("Pos&es"), lambda: self._poses, "copy"),
-                *diagnostics.pages(lambda: problems, lambda: traffic),
+                PageInfo("robot", tr("R&obot"), lambda _parent: page, "board"),
+                PageInfo("poses", tr("Pos&es"), lambda _parent: self._poses, "copy"),
+                *diagnostics.pages(lambda _parent: problems, lambda _parent: traffic),
             )
         )
         self.make_pages()  # those that are there already would cover the first
@@ -130,7 +130,7 @@ class AracnaWorkspace(Workspace):
             signal.connect(self._on_changed)
         self._undo_watch = self.library.undo.indexChanged.connect(self._on_changed)
 
-    def _make_start_panel(self) -> StartPanel:
+    def _make_start_panel(self, parent: QWidget) -> StartPanel:
         texts = StartTexts(
             title=tr("Connect my {0}").format(self._controller.plugin.name),
             hint=tr(
@@ -159,7 +159,7 @@ class AracnaWorkspace(Workspace):
             ),
             prefix="aracna_",
         )
-        return StartPanel(texts, self._frame, self)
+        return StartPanel(texts, self._frame, self, parent)
 
     def report_parts(self) -> dict[str, Callable[[], str]]:
         robot = self._robot

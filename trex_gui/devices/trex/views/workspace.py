@@ -86,9 +86,9 @@ class TrexWorkspace(Workspace):
                 PageInfo("board", tr("B&oard"), self._make_board_page, "board"),
                 PageInfo("channels", tr("&Channels"), self._make_channels_page, "channels"),
                 PageInfo("motors", tr("&Motors"), self._make_motors_page, "motor"),
-                PageInfo("currents", tr("C&urrents"), partial(CurrentsPage, device, self), "plot"),
+                PageInfo("currents", tr("C&urrents"), partial(CurrentsPage, device), "plot"),
                 PageInfo("parameters", tr("&Parameters"), self._make_parameters_page, "settings"),
-                *diagnostics.pages(partial(ErrorsPage, device, self), self._make_traffic_page),
+                *diagnostics.pages(partial(ErrorsPage, device), self._make_traffic_page),
             )
         )
 
@@ -130,32 +130,32 @@ class TrexWorkspace(Workspace):
             changed.connect(self._on_actions_changed)
         self._undo_watch = device.draft.undo.indexChanged.connect(self._on_actions_changed)
 
-    def _make_board_page(self) -> QWidget:
-        start = StartPanel(start_texts(), self._frame, self)
-        page = BoardPage(self._device, start, self)
+    def _make_board_page(self, parent: QWidget) -> QWidget:
+        start = partial(StartPanel, start_texts(), self._frame, self)
+        page = BoardPage(self._device, start, parent)
         page.setup_requested.connect(self._set_up)
         page.page_wanted.connect(self.show_page)
         return page
 
-    def _make_channels_page(self) -> QWidget:
+    def _make_channels_page(self, parent: QWidget) -> QWidget:
         from trex_gui.devices.trex.views.pages.channels.page import ChannelsPage  # noqa: PLC0415
 
-        page = ChannelsPage(self._device, self._linter, self)
+        page = ChannelsPage(self._device, self._linter, parent)
         page.power_cycle_requested.connect(self._settings.guide)
         page.learn_requested.connect(self._learn)
         page.test_requested.connect(self._test_sticks)
         return page
 
-    def _make_motors_page(self) -> QWidget:
+    def _make_motors_page(self, parent: QWidget) -> QWidget:
         from trex_gui.devices.trex.views.pages.motors.page import MotorsPage  # noqa: PLC0415 - later
 
-        page = MotorsPage(self._device, self)
+        page = MotorsPage(self._device, parent)
         page.parameter_wanted.connect(self._show_parameter)
         page.plot_wanted.connect(partial(self.show_page, "currents"))
         return page
 
-    def _make_parameters_page(self) -> QWidget:
-        page = ParametersPage(self._device, self._linter, self)
+    def _make_parameters_page(self, parent: QWidget) -> QWidget:
+        page = ParametersPage(self._device, self._linter, parent)
         page.power_cycle_requested.connect(self._settings.guide)
         self._parameter_shown.connect(page.table.show_parameter)
         return page
@@ -174,13 +174,15 @@ class TrexWorkspace(Workspace):
         self._plot.show()
         self._plot.activateWindow()
 
-    def _make_traffic_page(self) -> "TrafficPage":
+    def _make_traffic_page(self, parent: QWidget) -> "TrafficPage":
         from trex_gui.devices.trex.model.packet_sender import TrexPacketSender  # noqa: PLC0415
         from trex_gui.ui.traffic.page import TrafficPage  # noqa: PLC0415
 
         traffic = self._device.connection.traffic
         sender = TrexPacketSender(self._device, self)
-        page = TrafficPage(traffic, "transcript", tr("a board"), self.notifier, self, sender=sender)
+        page = TrafficPage(
+            traffic, "transcript", tr("a board"), self.notifier, parent, sender=sender
+        )
         self._frame.seen_changed.connect(page.set_window_seen)
         return page
 

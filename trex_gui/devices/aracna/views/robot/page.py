@@ -1,6 +1,6 @@
 """The robot page: a drawing, the joints in rows, and controls for all joints."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QSignalBlocker, QTimer, Slot
 from PySide6.QtGui import QFocusEvent, QResizeEvent
@@ -33,12 +33,13 @@ _WIDEST_RATE = 888.8
 class RobotPage(QWidget):
     """Sliders set the goals; the robot moves on Move, or while they are dragged."""
 
-    def __init__(self, robot: Robot, start: QWidget, parent: QWidget | None = None) -> None:
-        """`start` is shown while nothing is connected, until `set_up_offline`."""
+    def __init__(
+        self, robot: Robot, start: Callable[[QWidget], QWidget], parent: QWidget | None = None
+    ) -> None:
+        """`start` makes what is shown while nothing is connected, until `set_up_offline`."""
         super().__init__(parent)
         self.setObjectName("aracnaRobotPage")
         self._robot = robot
-        self._start = start
         self._is_set_up_offline = False
         self._content = QWidget(self)
         self._head = PageHead("", self._content)
@@ -53,7 +54,8 @@ class RobotPage(QWidget):
         drawing = self._drawn.drawing
         cards = ui.row((self._drawn, 2), (joints, 7), spacing=16)
         ui.column(self._head, (cards, 1), into=self._content, margins=0, spacing=8)
-        ui.column(start, self._content, into=self, margins=PAGE_MARGINS)
+        self._start = start(self)
+        ui.column(self._start, self._content, into=self, margins=PAGE_MARGINS)
 
         drawing.pointed.connect(table.mark)
         table.pointed.connect(drawing.mark)

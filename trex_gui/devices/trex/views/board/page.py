@@ -1,5 +1,7 @@
 """Page of the board: who controls the motors, the board drawn, what is open, what failed."""
 
+from collections.abc import Callable
+
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
@@ -57,12 +59,13 @@ class BoardPage(QWidget):
     setup_requested = Signal()
     page_wanted = Signal(str)  # the key of the page
 
-    def __init__(self, device: Device, start: QWidget, parent: QWidget | None = None) -> None:
-        """`start` is shown while nothing is connected."""
+    def __init__(
+        self, device: Device, start: Callable[[QWidget], QWidget], parent: QWidget | None = None
+    ) -> None:
+        """`start` makes what is shown while nothing is connected."""
         super().__init__(parent)
         self.setObjectName("boardPage")
         self._device = device
-        self._start = start
         self._report = QWidget(self)
         self._lost = LostPanel(device, "boardLost", self)
         self._reasons = Reasons(self._report)
@@ -87,7 +90,8 @@ class BoardPage(QWidget):
         ui.column((self._problems, 1), (show, 0, Qt.AlignmentFlag.AlignLeft), into=problems)
         cards = ui.row((set_up, 1), (cable, 1), (problems, 1), spacing=16)
         ui.column(self._reasons, (drawing, 1), cards, into=self._report, margins=0, spacing=8)
-        parts = self._lost, start, (self._report, 1)
+        self._start = start(self)
+        parts = self._lost, self._start, (self._report, 1)
         ui.column(*parts, into=self, margins=PAGE_MARGINS, spacing=12)
 
         for changed in (device.link_changed, device.state_changed):
