@@ -1,5 +1,6 @@
 """Problems as cards, and the quality of the connection."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import datetime
@@ -21,6 +22,7 @@ from trex_gui.ui.widgets.painted import Painted, Painter
 from trex_gui.ui.widgets.view import View
 
 _MINUTE, _SLOT = 60.0, 0.5  # seconds that are drawn, and those of one point
+_MOST_PENDING = 1.0  # seconds for which a reply may be on its way
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,6 +153,8 @@ class RoundTrips(Painted):
         super().__init__(parent)
         self._traffic = traffic
         self._seconds = dict[int, float]()  # by the number of the slot
+        self._oldest = 0  # slot that is drawn
+        self._refreshed = -math.inf
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
 
     @property
@@ -164,13 +168,15 @@ class RoundTrips(Painted):
         return QSize(0, 3 * self.fontMetrics().height())
 
     def refresh(self) -> None:
-        self._seconds.clear()
-        since = now() - _MINUTE
+        """Add what came since the last time, with what has been answered meanwhile."""
+        since, self._refreshed = self._refreshed - _MOST_PENDING, now()
+        self._oldest = int((self._refreshed - _MINUTE) / _SLOT)
+        self._seconds = {slot: s for slot, s in self._seconds.items() if slot >= self._oldest}
         for row in reversed(self._traffic.everything.rows):
-            if row.time < since:
+            slot = int(row.time / _SLOT)
+            if row.time < since or slot < self._oldest:
                 break
             if row.is_routine and row.seconds is not None:
-                slot = int((row.time - since) / _SLOT)
                 self._seconds[slot] = max(self._seconds.get(slot, 0.0), row.seconds)
         self.update()
 
@@ -182,7 +188,7 @@ class RoundTrips(Painted):
             painter.drawLine(0, self.height() - 1, self.width(), self.height() - 1)
             painter.setPen(QPen(theme().color("accent"), 1.5))
             points = [
-                QPointF((slot + 0.5) * width, self.height() - 1.5 - seconds * height)
+                QPointF((slot - self._oldest + 0.5) * width, self.height() - 1.5 - seconds * height)
                 for slot, seconds in sorted(self._seconds.items())
             ]
             painter.drawPolyline(points)
