@@ -184,8 +184,17 @@ class SampleHistory:
 
     def append(self, time: float, *values: float) -> None:
         """Add a row. A time before the newest one is replaced by the newest."""
-        last = self._times[self._size - 1] if self._size else time
-        self._extend(np.array([max(time, last)]), [np.array([value]) for value in values])
+        self._make_room(1)
+        end = self._size
+        if end:
+            last = float(self._times[end - 1])
+            time = max(time, last)
+            if time - last > self._max_gap:
+                self._gaps.append((time, time - last))
+        self._times[end] = time
+        for column, value in zip(self._columns, values, strict=True):
+            column.values[end] = value
+        self._grow(end + 1)
 
     def extend(self, times: Floats, values: Sequence[Floats]) -> None:
         """Add rows, a sequence of values for each column. Times rise."""
@@ -203,9 +212,14 @@ class SampleHistory:
         width = self._times[begin:stop] - self._times[begin - 1 : stop - 1]
         for at in np.flatnonzero(width > self._max_gap):
             self._gaps.append((float(self._times[begin + at]), float(width[at])))
-        self._size = stop
-        for column in self._columns:
-            column.summarize(self._times, stop)
+        self._grow(stop)
+
+    def _grow(self, size: int) -> None:
+        has_block = size // BLOCK > self._size // BLOCK
+        self._size = size
+        if has_block:
+            for column in self._columns:
+                column.summarize(self._times, size)
 
     def _make_room(self, rows: int) -> None:
         if self._size + rows > self._max_rows:
