@@ -56,14 +56,14 @@ class PlaceBar(QTabBar):
             self._counts[index] = count
             self.show_names()
 
-    def tabSizeHint(self, _index: int) -> QSize:  # noqa: N802 - of Qt
+    def tabSizeHint(self, index: int) -> QSize:  # noqa: N802 - of Qt
         metrics = self.fontMetrics()
         height = max(round(1.6 * metrics.height()), _ICON + 12)
         if self.is_narrow:
             return QSize(_ICON + 3 * _AROUND, height)
-        texts = (metrics.horizontalAdvance(self.tabText(i)) for i in range(self.count()))
+        name = metrics.horizontalAdvance(self.tabText(index))
         room = _ICON + 6 * _AROUND + metrics.height()  # with a number behind the name
-        return QSize(round(1.1 * max(texts)) + room, height)
+        return QSize(round(1.1 * name) + room, height)  # Qt makes all as wide as the widest
 
     def minimumTabSizeHint(self, index: int) -> QSize:  # noqa: N802 - of Qt
         return self.tabSizeHint(index)
