@@ -11,6 +11,7 @@ from PySide6.QtGui import (
     QKeySequence,
     QMouseEvent,
     QResizeEvent,
+    QShowEvent,
 )
 from PySide6.QtWidgets import QAbstractItemView, QMenu, QTableView, QWidget
 
@@ -24,7 +25,7 @@ from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.theme import follow_theme, set_look
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import ENTER
+from trex_gui.ui.widgets.behaviour import ENTER, only_when_visible
 
 _PRESS = ENTER | {Qt.Key.Key_Space, Qt.Key.Key_Select}
 _LEAST = 20  # characters of the names
@@ -64,7 +65,12 @@ class ParameterView(QTableView):
         super().resizeEvent(event)
         self._fit_columns()
 
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._fit_columns()
+
     @Slot()
+    @only_when_visible
     def _fit_columns(self) -> None:
         """Give the names what they need and both motors' values leave, and the values the rest."""
         room, index, width = self.viewport().width(), self._model.index, self.sizeHintForIndex
