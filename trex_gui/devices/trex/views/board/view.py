@@ -303,8 +303,9 @@ class BoardView(QWidget):
     # --- What moves ---------------------------------------------------------------------
 
     def _show_leds(self) -> None:
+        moment = now() - self._began if self._motion.is_wanted else 0.0
         for led in self._leds:
-            led.show_moment(now() - self._began if self._motion.is_wanted else 0.0)
+            led.show_moment(moment)
 
     def _on_frame(self, seconds: float) -> None:
         self._show_leds()
