@@ -648,8 +648,9 @@ def command_bench(pytest_arguments: Sequence[str], compare: Path | None = None) 
     if compare is not None:
         how.append(f"--compare={compare.resolve()}")  # pytest runs in the project's folder
     pytest = [str(venv_program("pytest")), str(BENCHMARKS), *how, *pytest_arguments]
-    # Offscreen by default, so that figures can be compared.
-    return run_in_sight(pytest, {**OFFSCREEN, **os.environ})
+    # Offscreen by default and compiled as in an installation, so that figures can be compared.
+    run_in_sight([str(venv_python()), "-m", "compileall", "-q", "trex_gui"], COMPILE_ONCE)
+    return run_in_sight(pytest, {**OFFSCREEN, **os.environ, **COMPILE_ONCE})
 
 
 def command_soak(minutes: float, seed: int | None) -> int:

@@ -408,7 +408,8 @@ def test_benchmarks_are_compared_to_file_in_current_folder(
     monkeypatch.chdir(tmp_path)
     assert bootstrap.main(["bench", "--compare", "run.txt", "--", "-k", "start"]) == 0
     assert bootstrap.main(["bench"]) == 0
-    compared, plain = programs.commands
+    compiled, compared, _, plain = programs.commands
+    assert "compileall" in compiled
     assert compared[-3:] == [f"--compare={tmp_path / 'run.txt'}", "-k", "start"]
     assert not any(word.startswith("--compare") for word in plain)
 
