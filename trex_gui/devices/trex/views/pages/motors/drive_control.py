@@ -155,9 +155,10 @@ class SpeedEntry(QSpinBox):
 
     def put(self, speed: int) -> None:
         self._setpoint = speed
-        self._is_typed = False
-        with QSignalBlocker(self):
-            self.setValue(speed)
+        if speed != self.value() or self._is_typed:  # Qt paints it even where nothing changes
+            self._is_typed = False
+            with QSignalBlocker(self):
+                self.setValue(speed)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         is_entered = event.key() in {Qt.Key.Key_Return, Qt.Key.Key_Enter}
