@@ -84,17 +84,20 @@ class BoardReader:
             )
         )
 
+    @property
+    def _fed_timeout(self) -> float:
+        """Return the serial timeout that polling must not let expire, 0 for none."""
+        return self.state.serial_timeout if self._line.motors.is_armed else 0.0
+
     def seconds_to_next(self, now: float) -> float:
-        armed = self._line.motors.is_armed
-        return self.polling.seconds_to_next(now, self.state.serial_timeout, armed=armed)
+        return self.polling.seconds_to_next(now, self._fed_timeout)
 
     def next_topic(self, now: float) -> Topic | None:
         line = self._line
         return self.polling.next(
             now,
             line.client.settings.line,
-            self.state.serial_timeout,
-            armed=line.motors.is_armed,
+            self._fed_timeout,
             careful=line.driver.avoids_risky_polls(),
         )
 

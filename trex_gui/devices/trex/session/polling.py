@@ -132,29 +132,28 @@ class Polling:
                 self.start(self._source, now)
 
     def next(
-        self, now: float, line: LineSettings, timeout: float, *, armed: bool, careful: bool = False
+        self, now: float, line: LineSettings, timeout: float, *, careful: bool = False
     ) -> Topic | None:
         """Return the topic to poll now, and count it as polled; `None` while none is due.
 
-        While `armed` the board's serial `timeout` (seconds, 0 for none) does not expire. `careful`
-        omits queries that one damaged bit turns into a motor command.
+        The serial `timeout` (seconds, 0 for none) does not expire. `careful` omits queries that
+        one damaged bit turns into a motor command.
         """
-        left_out: Collection[Topic] = too_slow(line, timeout) if armed else ()
+        left_out: Collection[Topic] = too_slow(line, timeout)
         if careful:
             left_out = {*left_out, Raw}  # 86 1F is one bit away from C6 1F, 87 1F brakes
         while topic := self._schedule.next(now):
             self._schedule.polled(topic, now)
             if topic not in left_out:
                 break
-        if topic is None and armed and self._pause_left(now, timeout) == 0:
+        if topic is None and self._pause_left(now, timeout) == 0:
             topic = _CHEAPEST
         if topic is not None:
             self._polled_at = now
         return topic
 
-    def seconds_to_next(self, now: float, timeout: float, *, armed: bool) -> float:
-        pause = self._pause_left(now, timeout) if armed else math.inf
-        return min(self._schedule.seconds_to_next(now), pause)
+    def seconds_to_next(self, now: float, timeout: float) -> float:
+        return min(self._schedule.seconds_to_next(now), self._pause_left(now, timeout))
 
     def _pause_left(self, now: float, timeout: float) -> float:
         if timeout <= 0:
