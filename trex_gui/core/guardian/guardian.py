@@ -136,9 +136,9 @@ class GuardianProcess:
 
     @property
     def _is_suspended(self) -> bool:
-        is_late = time.monotonic() - self._unread_since > _UNREAD_S
-        is_watching = self._started.is_set() and not self.has_acted
-        return is_watching and is_late and self._unread >= _MOST_UNREAD
+        if self._unread < _MOST_UNREAD or not self._started.is_set() or self.has_acted:
+            return False
+        return time.monotonic() - self._unread_since > _UNREAD_S
 
     @property
     def has_ended(self) -> bool:
