@@ -155,7 +155,7 @@ class RoundTrips(Painted):
         self._seconds = dict[int, float]()  # by the number of the slot
         self._oldest = 0  # slot that is drawn
         self._refreshed = -math.inf
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Expanding)
 
     @property
     def longest(self) -> float:
@@ -223,15 +223,17 @@ class ProblemsPage(View):
         lines = (f"<b>{escape(kind)}</b>&nbsp; {escape(meaning)}" for kind, meaning in kinds)
         text = "<br>".join(lines)
         ui.column(ui.label(listed, f"{name}Kinds", text, wrap=True, rich=True), into=listed)
-        listed.hide()
-        more = ui.button(
+        self._more = ui.button(
             self, f"{name}List", tr("Lis&t them"), checkable=True, on_toggle=listed.setVisible
         )
-        set_look(more, "link")
-        more.setVisible(bool(kinds))
-        self.note_row = ui.row((self._note, 1), more)
+        set_look(self._more, "link")
+        self._more.setVisible(bool(kinds))
+        self._more.setChecked(bool(kinds))  # while the page has nothing else
+        listed.setVisible(bool(kinds))
+        self.note_row = ui.row((self._note, 1), self._more)
         self._connection = ConnectionCard(name, traffic, self)
-        parts = self._column, self.note_row, listed, self._connection, 1
+        self._connection.hide()
+        parts = self._column, self.note_row, listed, (self._connection, 1), 0
         ui.column(*parts, into=self, margins=(0, 12, 0, 16), spacing=12)
 
     def problems(self) -> Sequence[Problem]:
@@ -271,7 +273,10 @@ class ProblemsPage(View):
     @only_when_visible
     def refresh(self) -> None:
         self.show_problems()
-        self._connection.setVisible(self.since() is not None)
+        is_watched = self.since() is not None
+        if is_watched is self._connection.isHidden():
+            self._more.setChecked(not is_watched and self._kinds > 0)
+        self._connection.setVisible(is_watched)
         self._connection.show_readings(self.readings())
         active = sum(problem.is_active for problem in self._shown)
         self.summarized.emit(tr("%n problem(s) active now", "", active) if active else "")

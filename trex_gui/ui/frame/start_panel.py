@@ -148,7 +148,12 @@ class StartPanel(QWidget):
 
     @property
     def _real_ports(self) -> list[Port]:
-        return [port for port in self._frame.ports.entries if port.kind is not PortKind.DEMO]
+        """Return the serial ports, and the typed addresses at which a device was found."""
+        return [
+            port
+            for port in self._frame.ports.entries
+            if port.kind is PortKind.SERIAL or (port.kind is PortKind.TYPED and port.settings)
+        ]
 
     @Slot()
     def _on_ports_changed(self) -> None:

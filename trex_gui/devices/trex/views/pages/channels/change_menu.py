@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QFileDialog, QMenu, QWidget
 
 from trex_gui.core.errors import BadRequest, StudioError
 from trex_gui.core.files import load
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.calibration_moves import symmetric, why_not_symmetric
 from trex_gui.devices.trex.model.channel_text import CHANNEL_NAMES
@@ -118,7 +119,8 @@ class ChangeMenu(QMenu):
     # --- Settings files -----------------------------------------------------------------
 
     def _ask_and_load(self) -> None:
-        path = file_questions.ask_to_open(self._window, tr("Calibrations"))
+        title = title_of(tr("&Load calibrations from a file…"))
+        path = file_questions.ask_to_open(self._window, title)
         if path:
             file_questions.remember_folder(path)
             self.load_file(path)
@@ -126,7 +128,7 @@ class ChangeMenu(QMenu):
     def _ask_and_save(self) -> None:
         chosen, _ = QFileDialog.getSaveFileName(
             self._window,
-            tr("Calibrations"),
+            title_of(tr("&Save calibrations to a file…")),
             str(file_questions.last_folder() / "calibrations.txt"),
             file_questions.file_filter(),
             options=QFileDialog.Option.DontConfirmOverwrite,  # only the calibrations change
