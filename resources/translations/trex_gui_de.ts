@@ -3489,8 +3489,6 @@ bisher {1}</translation></message>
         <translation>Angenommene Werte: Pololu veröffentlicht keine Werkseinstellungen</translation></message>
     <message><source>&amp;Save calibrations to a file…</source>
         <translation>Kalibrierungen in Datei &amp;speichern…</translation></message>
-    <message><source>Calibrations</source>
-        <translation>Kalibrierungen</translation></message>
     <message><source>{0} could not be loaded: {1}</source>
         <translation>{0} konnte nicht geladen werden: {1}</translation></message>
     <message><source>Calibrations loaded from {0} as edits: {1}.</source>
@@ -4003,6 +4001,8 @@ bisher {1}</translation></message>
         <translation>Die Druckfunktion von Qt ist hier nicht installiert ({0}); speichern Sie stattdessen eine PDF-Datei.</translation></message>
     <message><source>Findings</source>
         <translation>Befunde</translation></message>
+    <message><source>Calibrations</source>
+        <translation>Kalibrierungen</translation></message>
     <message><source>None are given.</source>
         <translation>Keine angegeben.</translation></message>
     <message><source>Write values with units as wire values, and numbers beyond their range as the nearest one in it; the file changes when you save it</source>

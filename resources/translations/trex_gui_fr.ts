@@ -3489,8 +3489,6 @@ avant {1}</translation></message>
         <translation>Valeurs supposées : Pololu ne publie pas de réglages d'usine</translation></message>
     <message><source>&amp;Save calibrations to a file…</source>
         <translation>&amp;Enregistrer les étalonnages dans un fichier…</translation></message>
-    <message><source>Calibrations</source>
-        <translation>Étalonnages</translation></message>
     <message><source>{0} could not be loaded: {1}</source>
         <translation>{0} n'a pas pu être chargé : {1}</translation></message>
     <message><source>Calibrations loaded from {0} as edits: {1}.</source>
@@ -4003,6 +4001,8 @@ avant {1}</translation></message>
         <translation>Le module d'impression de Qt n'est pas installé ici ({0}) ; enregistrez plutôt un fichier PDF.</translation></message>
     <message><source>Findings</source>
         <translation>Constats</translation></message>
+    <message><source>Calibrations</source>
+        <translation>Étalonnages</translation></message>
     <message><source>None are given.</source>
         <translation>Aucun n'est indiqué.</translation></message>
     <message><source>Write values with units as wire values, and numbers beyond their range as the nearest one in it; the file changes when you save it</source>
