@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtCore import QEvent, QLocale, QPoint, QPointF, Qt
 from PySide6.QtGui import QAction, QColor, QImage, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
 from pytestqt.modeltest import ModelTester
 from pytestqt.qtbot import QtBot
 
+from tests.support.catalogs import in_language
 from tests.support.mouse import turn_wheel
 from tests.support.window import WidgetDriver
 from trex_gui.core.events import Event, EventKind
@@ -445,6 +446,16 @@ def test_optional_columns_are_hidden_until_needed(panel: TracePanelDriver) -> No
     assert not any(view.isColumnHidden(column) for column in waiting)
     hold.click()
     assert view.isColumnHidden(TraceColumn.HELD)
+
+
+@pytest.mark.parametrize("language", ["en", "de", "fr"])
+def test_headings_of_the_table_are_whole(qapp: QApplication, qtbot: QtBot, language: str) -> None:
+    with in_language(qapp, QLocale(language)):
+        panel = TracePanel()
+        qtbot.addWidget(panel)
+        header = WidgetDriver(panel, qtbot).find(QTableView, "traceTable").horizontalHeader()
+        for column in TraceColumn:
+            assert header.sectionSize(column) >= header.sectionSizeHint(column)
 
 
 def test_held_peak_stays_after_its_sample_scrolls_out(panel: TracePanelDriver) -> None:

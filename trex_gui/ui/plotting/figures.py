@@ -265,12 +265,11 @@ class TraceTableView(QTableView):
     def _take_room(self) -> None:
         self._row = self.fontMetrics().height() + _ROW_ROOM
         self.verticalHeader().setMinimumSectionSize(self._row)
-        header, model = self.horizontalHeader(), self._table
+        header = self.horizontalHeader()
         for column in TraceColumn:
             widest = _WIDEST.get(column, f"{MINUS}00.00 A")
-            head = str(model.headerData(column, Qt.Orientation.Horizontal))
-            width = max(self.fontMetrics().horizontalAdvance(text) for text in (widest, head))
-            header.resizeSection(column, width + _PADDING)
+            width = self.fontMetrics().horizontalAdvance(widest) + _PADDING
+            header.resizeSection(column, max(width, header.sectionSizeHint(column)))
 
     def show_needed_columns(self) -> None:
         for column in TraceColumn:
@@ -339,7 +338,8 @@ class EventList(QListWidget):
         self.clear()
         for event in self._events:
             dot = swatch(theme().color(EVENT_COLORS[event.kind]), QSize(8, 8))
-            text = f"{clock_text(event.time - (self._origin or 0.0))}  {event.text}"
+            elapsed = max(0.0, event.time - (self._origin or 0.0))  # the line opens before a sample
+            text = f"{clock_text(elapsed)}  {event.text}"
             item = QListWidgetItem(QIcon(dot), text, self)
             item.setToolTip(plain(event.text))
             item.setSizeHint(QSize(1, self.fontMetrics().height() + 4))  # a long text is elided
