@@ -2678,7 +2678,7 @@
     <message><source>Figures of the test</source>
         <translation>Kennwerte des Prüflaufs</translation></message>
     <message><source>This test</source>
-        <translation>Dieser Prüflauf</translation></message>
+        <translation>Dieser Lauf</translation></message>
     <message><source>Change</source>
         <translation>Änderung</translation></message>
     <message><source>Settled within {0:.0f} % after</source>
