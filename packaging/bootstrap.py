@@ -396,7 +396,7 @@ def pip_commands(pip: Sequence[str]) -> list[list[str]]:
     install = [*pip, "install", "--constraint", str(CONSTRAINTS)]
     return [
         [*install, *BUILD_REQUIREMENTS],
-        [*install, "--no-build-isolation", "--editable", f"{ROOT}[gamepad,mcap,test]"],
+        [*install, "--no-build-isolation", "--editable", f"{ROOT}[gui,gamepad,mcap,test]"],
     ]
 
 

@@ -50,6 +50,14 @@ WINE_PREFIX = BUILD / "wine"
 PROGRAMS = ("trex-gui", "trexcmd", "trex-sim")
 CHECKSUMS = "SHA256SUMS"
 METADATA = "local.trexstudio.TReXStudio.metainfo.xml"
+MOST_MB, MOST_PACKAGES = 15, 6  # of an installation without the window
+EXAMPLES = {
+    "drive": ("40",),
+    "log_currents": ("1",),
+    "read_status": (),
+    "set_parameters": (),
+}
+"""The examples that need no hand at a stick, and what they take after the port."""
 SYSTEM_PATH = "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"
 
 Command = Sequence[str | Path]
@@ -149,18 +157,23 @@ def check_wheel(files: Sequence[Path], steps: Steps) -> None:
     """Install each file with pip into an environment far from the source, for every Python."""
     for file, (number, python) in product(files, pythons().items()):
         kind = "wheel" if file.suffix == ".whl" else "sdist"
-        with steps.place(f"{kind}, Python {number}") as folder:
-            environment = folder / "venv"
-            installed = Installed(environment / "bin", folder)
-            pip: Command = [environment / "bin/pip", "--disable-pip-version-check", "-q"]
-            with steps.required("install"):
-                run([python, "-m", "venv", environment], installed.environment)
-                run([*pip, "install", f"{file}[gamepad,mcap]"], installed.environment)
-            use(installed, steps)
-            with steps.step("remove"):
-                run([*pip, "uninstall", "--yes", "trex-gui"], installed.environment)
-                require_gone(installed.programs)
-                require_gone(environment.glob("lib/*/site-packages/trex_gui*"))
+        kinds = [("[gui,gamepad,mcap]", "")]
+        for extras, what in [("", ", no window"), *kinds] if kind == "wheel" else kinds:
+            with steps.place(f"{kind}, Python {number}{what}") as folder:
+                environment = folder / "venv"
+                installed = Installed(environment / "bin", folder)
+                pip: Command = [environment / "bin/pip", "--disable-pip-version-check", "-q"]
+                with steps.required("install"):
+                    run([python, "-m", "venv", environment], installed.environment)
+                    run([*pip, "install", f"{file}{extras}"], installed.environment)
+                if extras:
+                    use(installed, steps)
+                else:
+                    use_without_window(installed, environment, steps)
+                with steps.step("remove"):
+                    run([*pip, "uninstall", "--yes", "trex-gui"], installed.environment)
+                    require_gone(installed.programs)
+                    require_gone(environment.glob("lib/*/site-packages/trex_gui*"))
 
 
 # --- The frozen application --------------------------------------------------------------------
@@ -631,6 +644,23 @@ def simulator(installed: Installed, *arguments: str) -> Iterator[tuple[str, Simu
 
 def use(installed: Installed, steps: Steps) -> None:
     """Do what a user does, with the simulated board."""
+    use_command_line(installed, steps)
+    with steps.step("demonstration in the window"):
+        pictures = installed.home / "pictures"
+        installed.run("trex-gui", "--tour", pictures, timeout=TOUR_S)
+        names = {path.name for path in pictures.glob("*.png")}
+        require({"motors-light.png", "aracnaRobot-dark.png"} <= names, f"only {sorted(names)}")
+    with steps.step("the stop in the window was recorded"):
+        recordings = [path.read_bytes() for path in installed.home.rglob("*_stop.trexrec")]
+        require(recordings, "there is no recording")
+        for recording in recordings:
+            require(recording.startswith(b"SQLite format 3"), "a recording is no database")
+    with steps.step("the window is killed: the motors stop"):
+        kill_window(installed, installed.home / "other_pictures")
+
+
+def use_command_line(installed: Installed, steps: Steps) -> None:
+    """Do with the command line what a user does, with the simulated board."""
     with steps.step("versions and help"):
         for program in PROGRAMS:
             require(version() in installed.run(program, "--version"), f"{program} is another one")
@@ -645,18 +675,35 @@ def use(installed: Installed, steps: Steps) -> None:
             simulator(installed, option, "127.0.0.1:0") as (port, _),
         ):
             require("TReX" in installed.run("trexcmd", "status", port=port), "no TReX")
-    with steps.step("demonstration in the window"):
-        pictures = installed.home / "pictures"
-        installed.run("trex-gui", "--tour", pictures, timeout=TOUR_S)
-        names = {path.name for path in pictures.glob("*.png")}
-        require({"motors-light.png", "aracnaRobot-dark.png"} <= names, f"only {sorted(names)}")
-    with steps.step("the stop in the window was recorded"):
-        recordings = [path.read_bytes() for path in installed.home.rglob("*_stop.trexrec")]
-        require(recordings, "there is no recording")
-        for recording in recordings:
-            require(recording.startswith(b"SQLite format 3"), "a recording is no database")
-    with steps.step("the window is killed: the motors stop"):
-        kill_window(installed, installed.home / "other_pictures")
+
+
+def use_without_window(installed: Installed, environment: Path, steps: Steps) -> None:
+    """Do with `trexcmd`, `trex-sim` and the library what is done on a robot."""
+    (packages,) = environment.glob("lib/*/site-packages")
+    with steps.step("size"):
+        ours = [path for path in packages.iterdir() if not path.name.startswith(("pip", "setup"))]
+        files = [file for path in ours for file in (path, *path.rglob("*")) if file.is_file()]
+        size = sum(file.stat().st_size for file in files if file.suffix != ".pyc") / 1e6
+        count = sum(path.suffix == ".dist-info" for path in ours) - 1
+        say(f"  {size:.1f} MB, and {count} packages besides ours")
+        require(size <= MOST_MB and count <= MOST_PACKAGES, "that is too much")
+    with steps.step("the window says what it needs"):
+        told = subprocess.run(
+            installed.command("trex-gui"),
+            env=installed.environment,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        require(told.returncode and "trex-gui[gui]" in told.stderr, told.stderr)
+    use_command_line(installed, steps)
+    with steps.step("survey"), simulator(installed) as (port, _):
+        installed.run("trexcmd", "survey", installed.home / "survey.txt", port=port)
+    examples = packages / "trex_gui/_resources/examples"
+    for name, words in EXAMPLES.items():
+        with steps.step(f"example {name}"), simulator(installed) as (port, _):
+            example: Command = [environment / "bin/python", examples / f"{name}.py", port, *words]
+            run(example, installed.environment)
 
 
 def kill_command(installed: Installed, port: str, board: SimulatedBoard) -> None:

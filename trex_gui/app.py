@@ -7,6 +7,7 @@ import os
 import platform
 import sys
 from functools import partial
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -163,6 +164,8 @@ def main(argv: list[str] | None = None) -> int:
         run_simulator(args=words[1:], prog_name="trex-sim")
         return 0
     arguments = _arguments(words)
+    if any(find_spec(package) is None for package in ("PySide6", "pyqtgraph")):
+        sys.exit('The window needs more packages: install "trex-gui[gui]" with pip or pipx.')
 
     from trex_gui.core.log_file import ProgramLog, log_file  # noqa: PLC0415
 

@@ -203,7 +203,15 @@ class Wine(Windows):
         system = ["--platform=win_amd64", f"--python-version={PYTHON_VERSION}"]
         only = ["--implementation=cp", "--only-binary=:all:", f"--constraint={constraints}"]
         target = ["--target", str(libraries / "site-packages")]
-        install = [*pip, "install", *system, *only, *target, f"{wheel}[gamepad,mcap]", *PACKAGES]
+        install = [
+            *pip,
+            "install",
+            *system,
+            *only,
+            *target,
+            f"{wheel}[gui,gamepad,mcap]",
+            *PACKAGES,
+        ]
         subprocess.run(install, check=True, env={**os.environ, "PIP_USER": "0"})
         return program
 
