@@ -65,10 +65,10 @@ Command = Sequence[str | Path]
 
 def version() -> str:
     """Return the version of the program from the one place that says it."""
-    text = (ROOT / "trex_gui" / "__init__.py").read_text(encoding="utf-8")
+    text = (ROOT / "trex_gui" / "version.py").read_text(encoding="utf-8")
     found = re.search(r'^__version__ = "([^"]+)"$', text, re.MULTILINE)
     if found is None:
-        raise BootstrapError("trex_gui/__init__.py has no __version__.")
+        raise BootstrapError("trex_gui/version.py has no __version__.")
     return found[1]
 
 

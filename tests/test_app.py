@@ -15,13 +15,13 @@ from tests.devices.trex.simulator.waiting import becomes
 from tests.support.scripts import load_script
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
-from trex_gui import __version__
 from trex_gui.app import main
 from trex_gui.core.files import log_folder
 from trex_gui.core.log_file import log_file
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.program import Program
 from trex_gui.ui.tour import Tour
+from trex_gui.version import __version__
 
 HelpTour = load_script("pictures").HelpTour
 PICTURES = Path(__file__).parents[1] / "resources" / "help" / "pictures"

@@ -1,3 +1,60 @@
-"""TReX Studio: set up, calibrate, drive and understand a Pololu TReX motor controller."""
+"""TReX Studio: set up, calibrate, drive and understand a Pololu TReX motor controller.
 
-__version__ = "0.1.0"
+What a program needs to use a board is imported from here, without Qt:
+
+    from trex_gui import Trex
+
+    with Trex("/dev/ttyUSB0") as trex:
+        print(trex.status().currents)
+
+These names are the public interface; everything else may change. `resources/examples` has programs.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from trex_gui.version import __version__
+
+if TYPE_CHECKING:
+    from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable, StudioError
+    from trex_gui.core.events import Event
+    from trex_gui.devices.trex.board.drive_status import MotorSetpoint, SetpointSource
+    from trex_gui.devices.trex.board.errors import ErrorEntry
+    from trex_gui.devices.trex.library import BoardStatus, ChannelStatus, MotorsStoppedError, Trex
+    from trex_gui.devices.trex.protocol.calibration import Calibration
+    from trex_gui.devices.trex.protocol.errors import Rejected
+
+__all__ = (
+    "BadReply",
+    "BadRequest",
+    "BoardStatus",
+    "Calibration",
+    "ChannelStatus",
+    "ErrorEntry",
+    "Event",
+    "MotorSetpoint",
+    "MotorsStoppedError",
+    "NoReply",
+    "PortUnavailable",
+    "Rejected",
+    "SetpointSource",
+    "StudioError",
+    "Trex",
+    "__version__",
+)
+
+
+_MODULES = (
+    "trex_gui.core.errors",
+    "trex_gui.devices.trex.protocol.errors",
+    "trex_gui.devices.trex.board.drive_status",
+    "trex_gui.devices.trex.library",
+)
+
+
+def __getattr__(name: str) -> Any:
+    """Import the library when it is first used: the window and `trexcmd --help` do without."""
+    for module in _MODULES if name in __all__ else ():
+        if (found := getattr(import_module(module), name, None)) is not None:
+            return found
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

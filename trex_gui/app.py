@@ -11,9 +11,10 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from trex_gui import __version__, composition
+from trex_gui import composition
 from trex_gui.core.decimals import decimal
 from trex_gui.core.transport.settings import url_problem
+from trex_gui.version import __version__
 
 if TYPE_CHECKING:
     from trex_gui.core.log_file import ProgramLog

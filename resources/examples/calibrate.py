@@ -2,7 +2,7 @@
 
 import sys
 
-from trex_gui.devices.trex import Calibration, Trex
+from trex_gui import Calibration, Trex
 
 channel = int(sys.argv[2])
 with Trex(sys.argv[1]) as trex:

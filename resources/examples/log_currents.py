@@ -3,7 +3,7 @@
 import csv
 import sys
 
-from trex_gui.devices.trex import Trex
+from trex_gui import Trex
 
 columns = ["time_s", "motor_1_current_A", "motor_2_current_A"]
 rows = csv.DictWriter(sys.stdout, columns, extrasaction="ignore")

@@ -2,7 +2,7 @@
 
 import sys
 
-from trex_gui.devices.trex import Trex
+from trex_gui import Trex
 
 with Trex(sys.argv[1]) as trex:
     status = trex.status()

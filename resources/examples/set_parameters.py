@@ -2,7 +2,7 @@
 
 import sys
 
-from trex_gui.devices.trex import StudioError, Trex
+from trex_gui import StudioError, Trex
 
 try:
     with Trex(sys.argv[1]) as trex:

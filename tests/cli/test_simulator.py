@@ -18,9 +18,9 @@ from click.testing import CliRunner
 
 from tests.devices.trex.simulator.waiting import LONG_TIMEOUT, becomes
 from tests.support.matrix import sampled
-from trex_gui import __version__
 from trex_gui.cli.simulator import main
 from trex_gui.devices.trex.simulator.memory import Eeprom
+from trex_gui.version import __version__
 
 needs_pty = pytest.mark.skipif(sys.platform == "win32", reason="has no pseudo-terminals")
 

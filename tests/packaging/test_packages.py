@@ -16,7 +16,7 @@ from xml.etree import ElementTree
 
 import pytest
 
-from trex_gui import __version__
+from trex_gui.version import __version__
 
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGING = ROOT / "packaging"

@@ -9,7 +9,7 @@ from zipfile import ZipFile
 
 import pytest
 
-from trex_gui import __version__
+from trex_gui.version import __version__
 
 ROOT = Path(__file__).resolve().parents[2]
 

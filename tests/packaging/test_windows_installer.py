@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from trex_gui import __version__
+from trex_gui.version import __version__
 
 PACKAGING = Path(__file__).resolve().parents[2] / "packaging"
 

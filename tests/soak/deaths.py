@@ -25,7 +25,7 @@ AT_ONCE = 1.0
 
 LIBRARY = """
 import sys
-from trex_gui.devices.trex import Trex
+from trex_gui import Trex
 with Trex(sys.argv[1]) as trex:
     if len(sys.argv) > 2:
         trex.drive(50, 50)

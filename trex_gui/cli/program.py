@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from trex_gui import __version__
 from trex_gui.composition import PLUGINS
 from trex_gui.core.command_io import TROUBLE, standard_streams
 from trex_gui.core.plugin import CommandInfo, Lazy
+from trex_gui.version import __version__
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem

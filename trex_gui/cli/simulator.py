@@ -6,13 +6,13 @@ from pathlib import Path
 import click
 from click.core import ParameterSource
 
-from trex_gui import __version__
 from trex_gui.composition import PLUGINS
 from trex_gui.core.command_io import FileName
 from trex_gui.core.errors import StudioError
 from trex_gui.core.simulator.endpoint import Endpoint, TcpEndpoint
 from trex_gui.core.simulator.plugin import Simulation
 from trex_gui.core.simulator.server import Server
+from trex_gui.version import __version__
 
 _SIMULATORS = {plugin.key: plugin.simulator.load() for plugin in PLUGINS}
 _DEFAULT = PLUGINS[0].key

@@ -8,8 +8,8 @@ from contextlib import suppress
 from pathlib import Path
 from typing import TextIO
 
-from trex_gui import __version__
 from trex_gui.core.files import log_folder, open_ordinary
+from trex_gui.version import __version__
 
 if sys.platform != "win32":
     import fcntl

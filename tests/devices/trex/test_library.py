@@ -8,14 +8,12 @@ from contextlib import redirect_stdout
 
 import pytest
 
+import trex_gui as public
 from tests.devices.trex.cli.conftest import comes_true
 from tests.support.library_program import Program
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_time import VirtualRuntime
-from trex_gui.core.guardian.log import StopResult, logged_stops
-from trex_gui.core.resource_files import resource
-from trex_gui.devices import trex as public
-from trex_gui.devices.trex import (
+from trex_gui import (
     BadRequest,
     Calibration,
     MotorSetpoint,
@@ -26,6 +24,8 @@ from trex_gui.devices.trex import (
     StudioError,
     Trex,
 )
+from trex_gui.core.guardian.log import StopResult, logged_stops
+from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.settings.history import SettingsHistory
 
 
@@ -360,7 +360,7 @@ def test_missing_board_is_explained(
 
 def test_library_is_imported_when_it_is_used_and_without_qt() -> None:
     code = (
-        "import sys, trex_gui.devices.trex as trex\n"
+        "import sys, trex_gui as trex\n"
         "assert 'trex_gui.devices.trex.library' not in sys.modules\n"
         "assert trex.Trex.__name__ == 'Trex'\n"
         "assert not [name for name in sys.modules if name.startswith('PySide6')]\n"
@@ -397,7 +397,7 @@ def test_reset_to_the_number_of_another_board_is_refused(
 
 _CLOSES_ALL = """
 import os, sys, time
-from trex_gui.devices.trex import Trex
+from trex_gui import Trex
 with Trex(sys.argv[1]) as trex:
     trex.drive(50)
     trex.wait(0.5)

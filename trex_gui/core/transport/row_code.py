@@ -2,10 +2,10 @@
 
 from collections.abc import Sequence
 
-from trex_gui import __version__
 from trex_gui.core.code import Language, hexadecimal, plain, render
 from trex_gui.core.texts import hex_text
 from trex_gui.core.transport.traffic import Decoder, Transaction
+from trex_gui.version import __version__
 
 
 def rows_as_code(rows: Sequence[Transaction], decoder: Decoder, language: Language) -> str:

@@ -9,7 +9,6 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TextIO
 
-from trex_gui import __version__
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import SettingsError
 from trex_gui.core.translation import tr
@@ -20,6 +19,7 @@ from trex_gui.core.transport.traffic import (
     Transaction,
     TransactionAssembler,
 )
+from trex_gui.version import __version__
 
 COLUMNS = ("time", "fault", "sent", "received", "took_ms", "meaning")
 LARGEST = 16 * 1024 * 1024  # bytes; a hundred thousand transactions

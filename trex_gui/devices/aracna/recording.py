@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import Any
 
-from trex_gui import __version__
 from trex_gui.core.recording.kinds import (
     MARKERS,
     Column,
@@ -30,6 +29,7 @@ from trex_gui.devices.aracna.session.messages import (
     StepBegun,
     Stuck,
 )
+from trex_gui.version import __version__
 
 Report = (
     Moving | Passed | Moved | SpeedsHeld | StepBegun | PlayEnded | Stuck | Restarted | NotResponding

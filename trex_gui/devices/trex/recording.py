@@ -5,7 +5,6 @@ from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from typing import Any, Self
 
-from trex_gui import __version__
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.recording.kinds import (
     LONGEST_TEXT,
@@ -31,6 +30,7 @@ from trex_gui.devices.trex.protocol.driving import Direction, Drive
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode
 from trex_gui.devices.trex.settings.document import settings_of
 from trex_gui.devices.trex.settings.writer import write_settings
+from trex_gui.version import __version__
 
 STOP = "stop"  # kind of the marker after which the motors have no setpoint
 

@@ -16,7 +16,6 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QListWidget, QTextBrowser, QWidget
 
-from trex_gui import __version__
 from trex_gui.core.resource_files import resource
 from trex_gui.core.translation import tr
 from trex_gui.ui.help.pages import anchor_of, pages
@@ -26,6 +25,7 @@ from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.placement import resize_with_font
+from trex_gui.version import __version__
 
 _RESIZED_MS = 150
 _ABOVE = "margin-top:14px"  # of headings

@@ -14,8 +14,8 @@ from tests.support.library_program import Program
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_command import VirtualCommand
 from tests.support.virtual_time import VirtualRuntime
+from trex_gui import Calibration, Trex
 from trex_gui.core.files import data_folder
-from trex_gui.devices.trex import Calibration, Trex
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings

@@ -8,7 +8,6 @@ from typing import Any
 
 import click
 
-from trex_gui import __version__
 from trex_gui.core.cli import CommandFailed, json_option, print_json, refusals, say
 from trex_gui.core.code import Language
 from trex_gui.core.command_io import TROUBLE, FileName
@@ -24,6 +23,7 @@ from trex_gui.devices.trex.settings.document import Settings, settings_of
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.repair import repair_values
 from trex_gui.devices.trex.settings.writer import write_settings
+from trex_gui.version import __version__
 
 FILE = FileName(allow_dash=True)  # checked by `load` and `save`, with better messages
 

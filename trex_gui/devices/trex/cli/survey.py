@@ -9,7 +9,6 @@ from typing import Any
 
 import click
 
-from trex_gui import __version__
 from trex_gui.core.cli import Interruption, ProgressLine
 from trex_gui.core.command_io import FileName
 from trex_gui.core.errors import BadReply, NoReply
@@ -27,6 +26,7 @@ from trex_gui.devices.trex.protocol.framing import Malformed
 from trex_gui.devices.trex.protocol.parameters import Grade, ParameterSpec
 from trex_gui.devices.trex.session.reconnecting import REACH
 from trex_gui.devices.trex.settings.document import settings_of
+from trex_gui.version import __version__
 
 _ALL = range(HIGHEST_WIRE + 1)
 _SAMPLES = {0, 1, 2, 4, 8, 16, 32, 64, 127}  # tried of each range, to see bits that are not stored

@@ -3,7 +3,6 @@
 import textwrap
 from collections.abc import Iterator
 
-from trex_gui import __version__
 from trex_gui.core.code import Language, hexadecimal, plain, render
 from trex_gui.core.translation import in_english
 from trex_gui.devices.trex.protocol.calibration import (
@@ -18,6 +17,7 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, ParameterSpec, parameter_number
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.writer import calibration_text, check_keys, parameter_text
+from trex_gui.version import __version__
 
 _COMMENT_WIDTH = 86
 

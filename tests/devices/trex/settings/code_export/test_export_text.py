@@ -24,7 +24,6 @@ from tests.devices.trex.settings.code_export.programs import (
 from tests.devices.trex.settings.samples import TREX, TREX_JR, any_settings, factory
 from tests.support.golden import assert_matches_golden
 from tests.support.matrix import examples
-from trex_gui import __version__
 from trex_gui.core.code import Language, plain
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
@@ -35,6 +34,7 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.settings.code_export import export_code, file_name
 from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.version import __version__
 
 every_language = pytest.mark.parametrize("language", LANGUAGES, ids=LANGUAGE_NAMES)
 
