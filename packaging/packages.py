@@ -50,6 +50,7 @@ WINE_PREFIX = BUILD / "wine"
 PROGRAMS = ("trex-gui", "trexcmd", "trex-sim")
 CHECKSUMS = "SHA256SUMS"
 METADATA = "local.trexstudio.TReXStudio.metainfo.xml"
+EXTRAS = "[gui,gamepad,mcap]"
 MOST_MB, MOST_PACKAGES = 15, 6  # of an installation without the window
 EXAMPLES = {
     "drive": ("40",),
@@ -157,9 +158,9 @@ def check_wheel(files: Sequence[Path], steps: Steps) -> None:
     """Install each file with pip into an environment far from the source, for every Python."""
     for file, (number, python) in product(files, pythons().items()):
         kind = "wheel" if file.suffix == ".whl" else "sdist"
-        kinds = [("[gui,gamepad,mcap]", "")]
-        for extras, what in [("", ", no window"), *kinds] if kind == "wheel" else kinds:
-            with steps.place(f"{kind}, Python {number}{what}") as folder:
+        for extras in ("", EXTRAS) if kind == "wheel" else (EXTRAS,):
+            what = f"{kind}, Python {number}{'' if extras else ', no window'}"
+            with steps.place(what) as folder:
                 environment = folder / "venv"
                 installed = Installed(environment / "bin", folder)
                 pip: Command = [environment / "bin/pip", "--disable-pip-version-check", "-q"]
@@ -681,11 +682,11 @@ def use_without_window(installed: Installed, environment: Path, steps: Steps) ->
     """Do with `trexcmd`, `trex-sim` and the library what is done on a robot."""
     (packages,) = environment.glob("lib/*/site-packages")
     with steps.step("size"):
-        ours = [path for path in packages.iterdir() if not path.name.startswith(("pip", "setup"))]
-        files = [file for path in ours for file in (path, *path.rglob("*")) if file.is_file()]
+        top = [path for path in packages.iterdir() if not path.name.startswith(("pip", "setup"))]
+        files = [file for path in top for file in (path, *path.rglob("*")) if file.is_file()]
         size = sum(file.stat().st_size for file in files if file.suffix != ".pyc") / 1e6
-        count = sum(path.suffix == ".dist-info" for path in ours) - 1
-        say(f"  {size:.1f} MB, and {count} packages besides ours")
+        count = sum(path.suffix == ".dist-info" for path in top) - 1
+        say(f"  {size:.1f} MB without compiled files, and {count} packages besides ours")
         require(size <= MOST_MB and count <= MOST_PACKAGES, "that is too much")
     with steps.step("the window says what it needs"):
         told = subprocess.run(
@@ -693,6 +694,7 @@ def use_without_window(installed: Installed, environment: Path, steps: Steps) ->
             env=installed.environment,
             capture_output=True,
             text=True,
+            timeout=PATIENCE_S,
             check=False,
         )
         require(told.returncode and "trex-gui[gui]" in told.stderr, told.stderr)

@@ -52,9 +52,11 @@ _MODULES = (
 )
 
 
-def __getattr__(name: str) -> Any:
-    """Import the library when it is first used: the window and `trexcmd --help` do without."""
-    for module in _MODULES if name in __all__ else ():
-        if (found := getattr(import_module(module), name, None)) is not None:
-            return found
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+if not TYPE_CHECKING:  # a misspelled name is an error to type checkers
+
+    def __getattr__(name: str) -> Any:
+        """Import the library when it is first used: the window and `trexcmd --help` do without."""
+        for module in _MODULES if name in __all__ else ():
+            if (found := getattr(import_module(module), name, None)) is not None:
+                return found
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

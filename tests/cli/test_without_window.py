@@ -1,4 +1,7 @@
-"""Commands, library and examples do without the packages of the window."""
+"""Commands, library and examples do without the packages of the window.
+
+Those that take long, and those of an Aracna, are loaded for their help only.
+"""
 
 import json
 import subprocess

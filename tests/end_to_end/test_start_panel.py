@@ -117,6 +117,24 @@ def test_recent_files_are_offered_and_open(window: WindowDriver, tmp_path: Path)
     assert not shown()
 
 
+@pytest.mark.usefixtures("computer")
+def test_typed_address_is_listed_once_a_board_was_found_there(
+    window: WindowDriver, start_simulator: StartSimulator
+) -> None:
+    window.program.ports.add_typed("socket://nowhere:1")
+    board = start_simulator("--unpaced")
+    typed = window.program.ports.add_typed(board.url)
+    assert not window.has("startPort")
+    window.connect_port(typed)
+    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
+    window.disconnect()
+    window.click("startPort")
+    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
+    port = window.program.device_manager.current.port
+    assert port is not None
+    assert port.url == board.url
+
+
 def test_panel_of_the_robot_leads_to_robots(
     computer: list[ListPortInfo], window: WindowDriver, start_simulator: StartSimulator
 ) -> None:

@@ -369,7 +369,7 @@ def test_library_is_imported_when_it_is_used_and_without_qt() -> None:
     for name in public.__all__:
         assert getattr(public, name) is not None
     with pytest.raises(AttributeError):
-        _ = public.nosuch
+        _ = public.nosuch  # type: ignore[attr-defined]
 
 
 def test_line_is_shared_with_other_devices_only_with_a_number() -> None:

@@ -138,7 +138,8 @@ class GuardianProcess:
     def _is_suspended(self) -> bool:
         if self._unread < _MOST_UNREAD or not self._started.is_set() or self.has_acted:
             return False
-        return time.monotonic() - self._unread_since > _UNREAD_S
+        is_late = time.monotonic() - self._unread_since > _UNREAD_S
+        return is_late and self._unread >= _MOST_UNREAD  # it may just have read them
 
     @property
     def has_ended(self) -> bool:

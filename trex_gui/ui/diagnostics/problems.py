@@ -22,7 +22,7 @@ from trex_gui.ui.widgets.painted import Painted, Painter
 from trex_gui.ui.widgets.view import View
 
 _MINUTE, _SLOT = 60.0, 0.5  # seconds that are drawn, and those of one point
-_MOST_PENDING = 1.0  # seconds for which a reply may be on its way
+_LATEST = 5.0  # seconds after which a row is in the log, and its reply has come
 
 
 @dataclass(frozen=True, slots=True)
@@ -147,7 +147,7 @@ class ConnectionCard(ui.Card):
 
 
 class RoundTrips(Painted):
-    """The slowest poll of each half second as a line, from what the traffic log still has."""
+    """The slowest poll of each half second as a line, from what the traffic log has had."""
 
     def __init__(self, traffic: TrafficModel, parent: QWidget) -> None:
         super().__init__(parent)
@@ -169,8 +169,8 @@ class RoundTrips(Painted):
 
     def refresh(self) -> None:
         """Add what came since the last time, with what has been answered meanwhile."""
-        since, self._refreshed = self._refreshed - _MOST_PENDING, now()
-        self._oldest = int((self._refreshed - _MINUTE) / _SLOT)
+        since, self._refreshed = self._refreshed - _LATEST, now()
+        self._oldest = int(self._refreshed / _SLOT) - round(_MINUTE / _SLOT) + 1
         self._seconds = {slot: s for slot, s in self._seconds.items() if slot >= self._oldest}
         for row in reversed(self._traffic.everything.rows):
             slot = int(row.time / _SLOT)
@@ -275,7 +275,7 @@ class ProblemsPage(View):
         self.show_problems()
         is_watched = self.since() is not None
         if is_watched is self._connection.isHidden():
-            self._more.setChecked(not is_watched and self._kinds > 0)
+            self._more.setChecked(not is_watched and not self._shown and self._kinds > 0)
         self._connection.setVisible(is_watched)
         self._connection.show_readings(self.readings())
         active = sum(problem.is_active for problem in self._shown)

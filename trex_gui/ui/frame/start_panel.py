@@ -6,6 +6,7 @@ from functools import partial
 from itertools import zip_longest
 
 from PySide6.QtCore import Qt, Slot
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QLabel, QPushButton, QStackedWidget, QWidget
 
 from trex_gui.core.texts import title_of
@@ -155,11 +156,15 @@ class StartPanel(QWidget):
             if port.kind is PortKind.SERIAL or (port.kind is PortKind.TYPED and port.settings)
         ]
 
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._on_ports_changed()  # a device may have been found at a typed address
+
     @Slot()
     def _on_ports_changed(self) -> None:
-        preferred = self._frame.ports.preferred
-        self._none.setVisible(not any(port.kind is PortKind.SERIAL for port in self._real_ports))
-        for row, port in zip_longest(self._rows, self._real_ports[:_MOST_PORTS]):
+        preferred, self._ports = self._frame.ports.preferred, self._real_ports[:_MOST_PORTS]
+        self._none.setVisible(not any(port.kind is PortKind.SERIAL for port in self._ports))
+        for row, port in zip_longest(self._rows, self._ports):
             row.setVisible(port is not None)
             if port is not None:
                 row.show_port(port, is_preferred=port == preferred)
@@ -183,7 +188,7 @@ class StartPanel(QWidget):
 
     def _on_port_clicked(self, at: int) -> None:
         """Connect to this kind of device, unless another one was found on the port."""
-        port, ports = self._real_ports[at], self._frame.ports
+        port, ports = self._ports[at], self._frame.ports
         is_known = port.device != ports.plugins[0].key
         self._frame.connection.connect_to(port if is_known else ports.lead_to(port, self._device))
 

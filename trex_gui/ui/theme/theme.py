@@ -135,6 +135,7 @@ class Theme(QObject):
         if self._app is None:  # afterwards the palette is ours
             self._system_was_dark = app.palette().window().color().lightnessF() < 0.5
             self._system_font = app.font()
+        if self._app is not app:
             app.setStyle("Fusion")
         self._app = app
         hints, once = app.styleHints(), Qt.ConnectionType.UniqueConnection
