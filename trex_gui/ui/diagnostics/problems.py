@@ -220,8 +220,12 @@ class ProblemsPage(View):
         self._column = ui.column(margins=0, spacing=12)
         self._note = ui.named(Muted("", self), f"{name}Note")
         listed = ui.Card(parent=self)
-        lines = (f"<b>{escape(kind)}</b>&nbsp; {escape(meaning)}" for kind, meaning in kinds)
-        text = "<br>".join(lines)
+        rows = (
+            f"<tr><td><b>{escape(kind)}</b></td><td>{escape(meaning)}</td></tr>"
+            for kind, meaning in kinds
+        )
+        padding = self.fontMetrics().height() // 2
+        text = f"<table cellpadding={padding}>{''.join(rows)}</table>"
         ui.column(ui.label(listed, f"{name}Kinds", text, wrap=True, rich=True), into=listed)
         self._more = ui.button(
             self, f"{name}List", tr("Lis&t them"), checkable=True, on_toggle=listed.setVisible
