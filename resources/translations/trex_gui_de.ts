@@ -3428,9 +3428,9 @@ bisher {1}</translation></message>
     <message><source>Stops the motors, and sends nothing until they are armed again</source>
         <translation>Stoppt die Motoren und sendet nichts, bis sie wieder freigegeben sind</translation></message>
     <message numerus="yes"><source>Review %n ch&amp;ange(s)…</source>
-        <translation><numerusform>%n Änderung an&amp;wenden…</numerusform><numerusform>%n Änderungen an&amp;wenden…</numerusform></translation></message>
+        <translation><numerusform>%n &amp;Änderung prüfen…</numerusform><numerusform>%n &amp;Änderungen prüfen…</numerusform></translation></message>
     <message><source>No ch&amp;anges</source>
-        <translation>Nichts anzu&amp;wenden</translation></message>
+        <translation>Keine &amp;Änderungen</translation></message>
     <message><source>Write the changed parameters into the board (Ctrl+Enter)</source>
         <translation>Die geänderten Parameter ins Board schreiben (Strg+Enter)</translation></message>
     <message><source>Arm the motors</source>
@@ -4443,8 +4443,8 @@ bisher {1}</translation></message>
         <translation>Alle Änderungen &amp;verwerfen</translation></message>
     <message><source>R&amp;eload settings from device</source>
         <translation>Einstellungen vom Gerät &amp;neu laden</translation></message>
-    <message><source>&amp;Apply settings…</source>
-        <translation>Einstellungen &amp;anwenden…</translation></message>
+    <message><source>Review ch&amp;anges…</source>
+        <translation>&amp;Änderungen prüfen…</translation></message>
     <message><source>Make stored settings acti&amp;ve…</source>
         <translation>Gespei&amp;cherte Einstellungen aktivieren…</translation></message>
     <message><source>Find &amp;other boards on this line</source>

@@ -3428,7 +3428,7 @@ avant {1}</translation></message>
     <message><source>Stops the motors, and sends nothing until they are armed again</source>
         <translation>Arrête les moteurs et n'envoie rien jusqu'à leur réactivation</translation></message>
     <message numerus="yes"><source>Review %n ch&amp;ange(s)…</source>
-        <translation><numerusform>Appli&amp;quer %n modification…</numerusform><numerusform>Appli&amp;quer %n modifications…</numerusform></translation></message>
+        <translation><numerusform>Vérifier et appli&amp;quer (%n)…</numerusform><numerusform>Vérifier et appli&amp;quer (%n)…</numerusform></translation></message>
     <message><source>No ch&amp;anges</source>
         <translation>Rien à appli&amp;quer</translation></message>
     <message><source>Write the changed parameters into the board (Ctrl+Enter)</source>
@@ -4443,8 +4443,8 @@ avant {1}</translation></message>
         <translation>Abandonner toutes les &amp;modifications</translation></message>
     <message><source>R&amp;eload settings from device</source>
         <translation>Recharg&amp;er les réglages de l'appareil</translation></message>
-    <message><source>&amp;Apply settings…</source>
-        <translation>Appli&amp;quer les réglages…</translation></message>
+    <message><source>Review ch&amp;anges…</source>
+        <translation>Vérifier et appli&amp;quer…</translation></message>
     <message><source>Make stored settings acti&amp;ve…</source>
         <translation>Rendre acti&amp;fs les réglages enregistrés…</translation></message>
     <message><source>Find &amp;other boards on this line</source>

@@ -274,7 +274,7 @@ class TrexWorkspace(Workspace):
                 Entry("run", tr("A&rm motors"), partial(arm, device, self._frame), "Ctrl+R", "run"),
                 SEPARATOR,
                 Entry("reload", tr("R&eload settings from device"), reload, "Ctrl+L", "reload"),
-                Entry("apply", tr("&Apply settings…"), review, "Ctrl+Return", "apply"),
+                Entry("apply", tr("Review ch&anges…"), review, "Ctrl+Return", "apply"),
                 Entry("power", tr("Make stored settings acti&ve…"), activate, "", "power"),
                 SEPARATOR,
                 Entry("boards", tr("Find &other boards on this line"), self._boards.scan),
