@@ -25,6 +25,8 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
+from serial.tools import list_ports
+from serial.tools.list_ports_common import ListPortInfo
 
 from tests.support.matrix import LONG_FACTOR
 from tests.support.patient import PatientQtBot
@@ -138,6 +140,14 @@ def _time(request: pytest.FixtureRequest) -> Iterator[None]:
         request.getfixturevalue("virtual_time")
     yield
     end_background(60_000)  # files that were still read when the window closed
+
+
+@pytest.fixture(autouse=True)
+def _has_one_port(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """List the same port on every computer in virtual time. Nothing could open another one."""
+    if not _is_real(request):
+        ports = [ListPortInfo("/dev/ttyS0")]
+        monkeypatch.setattr(list_ports, "comports", lambda: ports)
 
 
 @pytest.fixture(scope="session")

@@ -118,6 +118,7 @@ class VirtualTransport:
 
     def __init__(self, simulator: VirtualSimulator, settings: PortSettings) -> None:
         self._runtime = simulator.runtime
+        self.clock = self._runtime.now
         self._name = settings.name or settings.url
         self._received = bytearray()
         self._is_open = True
@@ -131,9 +132,6 @@ class VirtualTransport:
         simulator.catch_up()
         self._line.receive()  # what was sent before nobody has kept
         self._line.host = self._format
-
-    def clock(self) -> float:
-        return self._runtime.now()
 
     def rates(self, wanted: Collection[int]) -> frozenset[int] | None:
         return self._simulator.rates
@@ -189,7 +187,8 @@ class VirtualTransport:
         if not self._line.faults.plugged or not self._is_open:
             raise self._gone()
         received = self._line.receive()
-        if self._simulator.port_fault in {PortFault.NONE, PortFault.SLOW}:
+        fault = self._simulator.port_fault
+        if fault is PortFault.NONE or fault is PortFault.SLOW:
             self._received += received
 
     def _gone(self) -> PortUnavailable:
