@@ -46,15 +46,19 @@ class PlaceBar(QTabBar):
         """Show the names as they are now, in the tabs or in their tool tips."""
         for index in range(self.count()):  # the tabs ask for their sizes
             self.setTabText(index, self.tabText(index))
-            name = counted(self.tabText(index), self._counts.get(index, 0))
-            self.setAccessibleTabName(index, name)
-            self.setTabToolTip(index, name if self.is_narrow else "")
+            self._notify_name(index)
 
     def set_count(self, index: int, count: int) -> None:
         """Show a number on a tab, or none for 0. No tab moves."""
         if count != self._counts.get(index, 0):
             self._counts[index] = count
-            self.show_names()
+            self._notify_name(index)
+            self.update()
+
+    def _notify_name(self, index: int) -> None:
+        name = counted(self.tabText(index), self._counts.get(index, 0))
+        self.setAccessibleTabName(index, name)
+        self.setTabToolTip(index, name if self.is_narrow else "")
 
     def tabSizeHint(self, index: int) -> QSize:  # noqa: N802 - of Qt
         metrics = self.fontMetrics()

@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterable, Mapping
 from enum import Enum
+from functools import cache
 
 from PySide6.QtWidgets import QApplication, QWidget
 
@@ -49,12 +50,17 @@ class MessageHelp:
     def _matches(self, message: str) -> Iterable[tuple[int, str]]:
         line = " ".join(message.split())
         for text in self._texts:
-            shown = " ".join(tr(text).split()).rstrip(". ")
-            parts = _FIELD.split(shown)
-            size = sum(map(len, parts))
-            pattern = ".+?".join(map(re.escape, parts)).removeprefix(".+?").removesuffix(".+?")
-            if heading_of(text) and re.search(pattern, line):
+            size, pattern = _pattern(tr(text))
+            if pattern.search(line) and heading_of(text):
                 yield size, message_topic(text)
+
+
+@cache
+def _pattern(text: str) -> tuple[int, re.Pattern[str]]:
+    """Return how long a text is without its fields, and what finds it in a message."""
+    parts = _FIELD.split(" ".join(text.split()).rstrip(". "))
+    pattern = ".+?".join(map(re.escape, parts)).removeprefix(".+?").removesuffix(".+?")
+    return sum(map(len, parts)), re.compile(pattern)
 
 
 def texts_of(codes: Iterable[Enum]) -> list[str]:

@@ -6,7 +6,7 @@ Ref: Pololu TReX User's Guide 4.b (regions); TReX 1.0 command documentation 0x87
 
 import re
 from collections.abc import Mapping
-from dataclasses import asdict, astuple, dataclass
+from dataclasses import astuple, dataclass
 from enum import StrEnum
 
 from trex_gui.core.decimals import quantity
@@ -73,8 +73,8 @@ class Calibration:
 
     def problem(self) -> str | None:
         """Say why the board would reject these values; `None` if it accepts them."""
-        for name, value in asdict(self).items():
-            if not 0 <= value <= HIGHEST_CODED:
+        for name in self.__slots__:
+            if not 0 <= (value := getattr(self, name)) <= HIGHEST_CODED:
                 return tr("{0} is {1}; a calibration value is 0 to {2}").format(
                     name, value, HIGHEST_CODED
                 )

@@ -185,7 +185,7 @@ class Mode(Enum):
     @property
     def is_serial(self) -> bool:
         """Whether the board takes parameters and obeys serial motor commands."""
-        return self in {Mode.SERIAL_RC, Mode.SERIAL_ANALOG}
+        return self is Mode.SERIAL_RC or self is Mode.SERIAL_ANALOG
 
     @property
     def source(self) -> InputSource:

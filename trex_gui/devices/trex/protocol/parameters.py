@@ -88,9 +88,11 @@ def acceleration_wire(seconds: float) -> int:
     """Return the wire value with the nearest time to full speed; 0 for none."""
     if seconds <= 0:
         return 0
-    return min(range(1, HIGHEST_WIRE + 1), key=lambda wire: abs(FULL_SPEED_S / wire - seconds))
+    longer = max(1, min(int(FULL_SPEED_S / seconds), HIGHEST_WIRE - 1))
+    return min(longer, longer + 1, key=lambda wire: abs(FULL_SPEED_S / wire - seconds))
 
 
+@cache
 def ramp_seconds(wire: int) -> str:
     """Return the shortest number of seconds to full speed that means this wire value."""
     texts = (f"{FULL_SPEED_S / wire:.{decimals}f}" for decimals in range(1, 5))

@@ -1,6 +1,7 @@
 """Write settings as text: one line each, with the physical value as a comment."""
 
 from collections.abc import Iterator, Sequence
+from functools import cache
 from itertools import chain, groupby
 
 from trex_gui.core.errors import BadRequest
@@ -74,9 +75,13 @@ def parameter_line(spec: ParameterSpec, wire: int, settings: Settings) -> str:
     if problem := spec.problem(wire, forced=True):
         return _left_out(setting, problem)
     text = parameter_text(spec, wire, settings)
-    # As wide as the widest line can be, so that a change of one value changes one line.
-    width = max(len(f"{row['key']}: {row['max']}") for row in device_table().rows)
-    return f"{setting:{width}}  # {text}" if text else setting
+    return f"{setting:{_width()}}  # {text}" if text else setting
+
+
+@cache
+def _width() -> int:
+    """Return the width of the widest line, so that a change of one value changes one line."""
+    return max(len(f"{row['key']}: {row['max']}") for row in device_table().rows)
 
 
 def parameter_text(spec: ParameterSpec, wire: int, settings: Settings) -> str:

@@ -108,7 +108,7 @@ class Signal:
 
     def has_pulse(self, random: Random) -> bool:
         """Whether a pulse arrives when one is due, valid or not."""
-        if self.kind in {SignalKind.SILENCE, SignalKind.VOLTAGE}:
+        if self.kind is SignalKind.SILENCE or self.kind is SignalKind.VOLTAGE:
             return False
         return not self.lost or random.random() >= self.lost
 
