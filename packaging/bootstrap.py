@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Set the project up in `.venv/`, then show it, check it or measure it.
 
-    python3 packaging/bootstrap.py setup | demo | test [--all] | bench | soak | mutate |
+    python3 packaging/bootstrap.py setup | demo | test [--all | --lowest] | bench | soak | mutate |
                                     translations | pictures | package [--check] [KIND ...]
 
 Needs nothing but Python's standard library. The syntax stays readable to older Pythons, so that
@@ -41,6 +41,7 @@ PROJECT_FILE = ROOT / "pyproject.toml"
 PACKAGING = ROOT / "packaging"
 CONSTRAINTS = PACKAGING / "constraints.txt"
 BENCHMARKS = ROOT / "tests" / "benchmarks"
+LOWEST = PACKAGING / "lowest.py"
 MUTATE = PACKAGING / "mutate.py"
 PICTURES = PACKAGING / "pictures.py"
 PACKAGES = PACKAGING / "packages.py"
@@ -391,9 +392,9 @@ def make_venv(run: Runner) -> None:
         raise BootstrapError(f"Python could not make {VENV}: {said}")
 
 
-def pip_commands(pip: Sequence[str]) -> list[list[str]]:
+def pip_commands(pip: Sequence[str], constraints: Path = CONSTRAINTS) -> list[list[str]]:
     """Return the commands that install the build backend and then, built with it, the project."""
-    install = [*pip, "install", "--constraint", str(CONSTRAINTS)]
+    install = [*pip, "install", "--constraint", str(constraints)]
     return [
         [*install, *BUILD_REQUIREMENTS],
         [*install, "--no-build-isolation", "--editable", f"{ROOT}[gui,gamepad,mcap,test]"],
@@ -636,6 +637,12 @@ def command_test(pytest_arguments: Sequence[str], *, every: bool = False) -> int
     return 0 if ran and all(result.passed for result in results) else 1
 
 
+def command_lowest(pytest_arguments: Sequence[str]) -> int:
+    """Run the tests with the lowest versions that the metadata allow."""
+    set_up()
+    return run_in_sight([str(venv_python()), str(LOWEST), *pytest_arguments], {})
+
+
 def command_bench(pytest_arguments: Sequence[str], compare: Path | None = None) -> int:
     """Run the benchmarks in their own order, with their figures on the terminal.
 
@@ -716,12 +723,18 @@ def make_parser() -> argparse.ArgumentParser:
 
     for_bench = "%(prog)s [-h] [--compare FILE] [-- PYTEST_ARGUMENT ...]"
     for_mutate = "%(prog)s [-h] [-- OPTION ...], see packaging/mutate.py"
-    for_tests = "%(prog)s [-h] [--all] [-- PYTEST_ARGUMENT ...]"
+    for_tests = "%(prog)s [-h] [--all | --lowest] [-- PYTEST_ARGUMENT ...]"
     add("setup", "make .venv/ and install the project and its test tools, pinned")
     add("demo", "set up if needed and show the program on a simulated TReX")
     test = add("test", "set up if needed and run every check", for_tests)
-    test.add_argument(
+    which = test.add_mutually_exclusive_group()
+    which.add_argument(
         "--all", action="store_true", help="the long tests, too, with random seeds: some 20 minutes"
+    )
+    which.add_argument(
+        "--lowest",
+        action="store_true",
+        help="the tests with the lowest versions of the dependencies, in .venv-lowest/",
     )
     bench = add("bench", "set up if needed and run the benchmarks", for_bench)
     bench.add_argument(
@@ -761,6 +774,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return command_setup()
         if command == "demo":
             return command_demo()
+        if command == "test" and options.lowest:
+            return command_lowest(for_pytest)
         if command == "test":
             return command_test(for_pytest, every=options.all)
         if command == "soak":
