@@ -20,9 +20,12 @@ if TYPE_CHECKING:
     from trex_gui.core.events import Event
     from trex_gui.devices.trex.board.drive_status import MotorSetpoint, SetpointSource
     from trex_gui.devices.trex.board.errors import ErrorEntry
-    from trex_gui.devices.trex.library import BoardStatus, ChannelStatus, MotorsStoppedError, Trex
+    from trex_gui.devices.trex.library import BoardStatus, ChannelStatus, Trex, snapshots
+    from trex_gui.devices.trex.open_board import MotorsStoppedError
     from trex_gui.devices.trex.protocol.calibration import Calibration
     from trex_gui.devices.trex.protocol.errors import Rejected
+    from trex_gui.devices.trex.settings.comparison import ComparisonRow
+    from trex_gui.devices.trex.settings.history import Snapshot
 
 __all__ = (
     "BadReply",
@@ -30,6 +33,7 @@ __all__ = (
     "BoardStatus",
     "Calibration",
     "ChannelStatus",
+    "ComparisonRow",
     "ErrorEntry",
     "Event",
     "MotorSetpoint",
@@ -38,9 +42,11 @@ __all__ = (
     "PortUnavailable",
     "Rejected",
     "SetpointSource",
+    "Snapshot",
     "StudioError",
     "Trex",
     "__version__",
+    "snapshots",
 )
 
 
@@ -48,6 +54,7 @@ _MODULES = (
     "trex_gui.core.errors",
     "trex_gui.devices.trex.protocol.errors",
     "trex_gui.devices.trex.board.drive_status",
+    "trex_gui.devices.trex.open_board",
     "trex_gui.devices.trex.library",
 )
 

@@ -90,7 +90,7 @@ MARKS = translations.MARKS
 USER_TEXTS = {"Finding", "LintFinding", "of", "_error", "_report", "_report_damaged"}
 """What takes a text for users, beside the classes of errors; `of` makes a `SettingsError`."""
 WORD = re.compile(r"(?:^|(?<=[ '(]))[A-Za-z]+\b")
-ENGLISH_PARTS = {"cli", "simulator", "library.py", "app.py"}
+ENGLISH_PARTS = {"cli", "simulator", "library.py", "open_board.py", "app.py"}
 """Files and packages whose texts are for the command line and for programs."""
 
 

@@ -5,84 +5,64 @@ and has a guardian process that stops the motors if the program is killed.
 """
 
 import logging
-from collections import deque
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
-from itertools import count
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from operator import index
+from pathlib import Path
 from typing import Literal, Self
 
-from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable, StudioError, describe
+from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable
 from trex_gui.core.events import Event
-from trex_gui.core.host import host
-from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
+from trex_gui.core.files import load, save
 from trex_gui.core.timing import Timeouts
-from trex_gui.core.transport.adapters import adapter_key
 from trex_gui.devices.trex.board.drive_status import (
     AUXILIARY,
-    DriveInputs,
     MotorSetpoint,
     drive_statuses,
     motor_setpoint,
 )
 from trex_gui.devices.trex.board.errors import ErrorEntry
-from trex_gui.devices.trex.board.keeper import Keeper
-from trex_gui.devices.trex.board.mirror import BoardMirror
 from trex_gui.devices.trex.board.quality import ConnectionQuality
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import (
     Control,
     Currents,
-    LatchedStatus,
     Raw,
     Remapped,
-    Sample,
 )
 from trex_gui.devices.trex.driving.blockers import DriveBlocker, Reason
 from trex_gui.devices.trex.driving.requests import (
-    HEARTBEAT_INTERVAL,
     Arm,
-    Heartbeat,
-    MotorsStopped,
     SetAuxiliary,
     SetMotor,
     SetMotors,
-    Stop,
 )
+from trex_gui.devices.trex.open_board import NOT_OPEN, OpenBoard
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT
 from trex_gui.devices.trex.protocol.driving import Drive
-from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.recording import MeasurementTable, Row
 from trex_gui.devices.trex.session.messages import (
-    Batch,
-    Connected,
-    NotResponding,
-    Report,
     Write,
     Written,
 )
-from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.settings.board_records import utc_now
+from trex_gui.devices.trex.settings.comparison import ComparisonRow, compare, values_to_write
+from trex_gui.devices.trex.settings.document import settings_of
+from trex_gui.devices.trex.settings.history import SettingsHistory, Snapshot
 from trex_gui.devices.trex.settings.notes import LONGEST_NOTE, clean_note
+from trex_gui.devices.trex.settings.reader import read_settings
+from trex_gui.devices.trex.settings.writer import write_settings
 
 log = logging.getLogger(__name__)
 
-_LATE = "The program did not call the board for more than half a second while motors were driven."
-_NOT_OPEN = "The line is not open: use a Trex inside of its `with` block."
 _STATUS_TIMEOUT = 5.0  # seconds for one sample of everything: 1200 baud takes two
 _WRITING = 60.0  # seconds for every setting at 1200 baud
-_STOPPING = 10.0  # seconds until a stop is confirmed or not
-_MOST_WAITING = 1000  # reports that wait for a program that does not look at them
-
-
-class MotorsStoppedError(StudioError):
-    """The motors were stopped, or stopped by themselves, without a `stop` of the program."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,144 +87,12 @@ class BoardStatus:
     errors: tuple[str, ...]  # names of the error bits since the last status
 
 
-class _OpenBoard:
-    """The session of an open line in a thread of its own, and the mirror of its board."""
+def snapshots() -> tuple[Snapshot, ...]:
+    """Return the snapshots on this computer, the newest first: what boards stored before a change.
 
-    def __init__(self, settings: ConnectionSettings) -> None:
-        computer = host()
-        self.clock = computer.clock
-        self.keeper = Keeper(log.info, log.warning)
-        self.mirror = BoardMirror(self.keeper.memory)
-        self.mirror.adapter = adapter_key(settings.url)
-        self.is_armed = False
-        self.driven: dict[int, int] = {}  # speed by motor since the last confirmed stop
-        self.errors: dict[str, None] = {}  # names of the bits since the last status
-        self.events = deque[Event](maxlen=_MOST_WAITING)  # since the program has read them
-        self.closed: Closed | None = None
-        self._ids = count(1)
-        self._outcomes: dict[int, Outcome] = {}
-        self._inbox = RequestQueue(computer.condition())
-        self.put = self._inbox.put
-        self._reports = RequestQueue(computer.condition())
-        session = TrexSession(settings, self._inbox, self._put_report, computer.open_transport)
-        self._join = computer.start_thread(session.run)
-
-    def _put_report(self, report: Report) -> None:
-        """Queue a report of the session. Of too many samples only the status bits are kept."""
-        if isinstance(report, Batch) and len(self._reports) >= _MOST_WAITING:
-            kept = tuple(one for one in report.samples if isinstance(one, LatchedStatus))
-            if not kept:
-                return
-            report = Batch(kept, report.counters)
-        self._reports.put(report)
-
-    @property
-    def state(self) -> DeviceState:
-        assert self.mirror.state is not None  # noqa: S101 - it was read
-        return self.mirror.state
-
-    def require_open(self) -> None:
-        if self.closed is not None:
-            raise self.closed.error or PortUnavailable(_NOT_OPEN)
-
-    def result(self, make: Callable[[int], object], seconds: float) -> object:
-        """Return the value of a request's outcome."""
-        number = next(self._ids)
-        self.require_open()
-        self.put(make(number))
-        self.wait_for(lambda: number in self._outcomes, seconds)
-        outcome = self._outcomes.pop(number)
-        if outcome.error is not None:
-            raise outcome.error
-        return outcome.value
-
-    def stop(self) -> None:
-        self.is_armed = False
-        self.result(Stop, _STOPPING)
-        self.driven.clear()
-
-    def wait_for(self, condition: Callable[[], bool], seconds: float = 60.0) -> None:
-        end = self.clock() + seconds
-        while not condition():
-            if self.clock() >= end:
-                raise NoReply(f"The board did not answer within {seconds:g} s.")
-            self.pump(end)
-
-    def pump(self, end: float) -> list[Sample]:
-        """Send a heartbeat if motors are armed; take the next report and those that follow it.
-
-        Return their samples.
-        """
-        if self.is_armed:
-            self.put(Heartbeat())
-        samples: list[Sample] = []
-        seconds = min(max(end - self.clock(), 0.0), HEARTBEAT_INTERVAL)
-        report = self._reports.get(seconds)
-        while report is not None:
-            samples += self._take(report)
-            report = self._reports.get(0.0)
-        return samples
-
-    def _take(self, report: Report) -> Iterator[Sample]:
-        for event in self.mirror.take(report, self.clock(), utc_now()):
-            match event:
-                case LatchedStatus():
-                    self._take_status(event)
-                    yield event
-                case Sample():
-                    yield event
-                case Event():
-                    self.events.append(event)
-        match report:
-            case Connected(may_move=False) | MotorsStopped(confirmed=True):
-                self.driven.clear()
-        match report:
-            case Connected() if self.is_armed:
-                self._fail("The board was restarted or changed, so the motors were stopped.")
-            case Outcome(id=number):
-                self._outcomes[number] = report
-            case NotResponding(reason=reason):
-                self.is_armed = False
-                raise NoReply(f"The board has stopped responding: {reason}")
-            case MotorsStopped(reason=code) if code is not None:
-                cause = _LATE if code is ErrorCode.NO_HEARTBEAT else describe(code)
-                self._fail(f"{cause} The motors were stopped.")
-            case Closed():
-                self.closed, self.is_armed = report, False
-                self.require_open()
-
-    def _take_status(self, latched: LatchedStatus) -> None:
-        self.errors |= dict.fromkeys(latched.names)
-        if (
-            self.is_armed
-            and not latched.is_earlier
-            and latched.stops_motors(on_error=self.state.stops_on_error)
-        ):
-            self.stop()
-            self._fail(f"The board reports: {', '.join(latched.names)}. The motors were stopped.")
-
-    def _fail(self, text: str) -> None:
-        self.is_armed = False
-        raise MotorsStoppedError(text)
-
-    def drive_inputs(self) -> DriveInputs:
-        return DriveInputs(
-            board=self.mirror.inputs(self.clock()),
-            link=None if self.mirror.is_responding else DriveBlocker.SILENT,
-            may_move=bool(self.driven),
-            driven=frozenset(self.driven),
-            silence_remedy=self.mirror.silence_remedy,
-            armed=self.is_armed,
-        )
-
-    def close(self) -> Closed | None:
-        self.is_armed = False
-        self.put(Close())
-        self._join()
-        while self.closed is None and (report := self._reports.get(0.0)) is not None:
-            if isinstance(report, Closed):
-                self.closed = report
-        return self.closed
+    `Trex.apply_settings` brings one back from its `path`.
+    """
+    return SettingsHistory().snapshots()
 
 
 class Trex:
@@ -293,13 +141,13 @@ class Trex:
             url, line, device_number, polynomial, others, timeouts=timeouts
         )
         _ = self._settings.framing
-        self._opened: _OpenBoard | None = None
+        self._opened: OpenBoard | None = None
 
     def __enter__(self) -> Self:
         """Open the port and read everything that the board stores; this moves nothing."""
         if self._opened is not None and self._opened.closed is None:
             raise PortUnavailable("The line is open already.")  # and stays so until its block ends
-        opened = self._opened = _OpenBoard(self._settings)
+        opened = self._opened = OpenBoard(self._settings)
         try:
             opened.wait_for(lambda: opened.mirror.state is not None)
         except BaseException:
@@ -317,9 +165,9 @@ class Trex:
             error.add_note(text)
 
     @property
-    def _board(self) -> _OpenBoard:
+    def _board(self) -> OpenBoard:
         if self._opened is None:
-            raise PortUnavailable(_NOT_OPEN)
+            raise PortUnavailable(NOT_OPEN)
         self._opened.require_open()
         return self._opened
 
@@ -401,6 +249,11 @@ class Trex:
 
     # --- Settings -----------------------------------------------------------------------
 
+    @property
+    def parameters(self) -> Mapping[str, int]:
+        """The wire value of each parameter that was read, by its key."""
+        return self.state.parameters
+
     def parameter(self, key: str) -> int:
         """Return the wire value of a parameter, such as `serial_timeout`."""
         spec = self.state.specs[key]
@@ -445,6 +298,55 @@ class Trex:
             key = CalibrationKey.of(self.state.source, channel)
             self._write(calibrations=((key, calibration),))
 
+    def save_settings(self, file: str | Path) -> None:
+        """Write what the board stores, and the notes on it, as a settings file.
+
+        Raises:
+            StudioError: the file cannot be written.
+        """
+        settings = replace(settings_of(self.state), notes=self._notes())
+        save(Path(file), write_settings(settings, title_lines=["Read from the board by a program"]))
+
+    def compare_settings(self, file: str | Path) -> tuple[ComparisonRow, ...]:
+        """Return what the board stores otherwise than a settings file, the board as `before`.
+
+        Calibrations of the inputs that are not in use are left out: the board hides them.
+
+        Raises:
+            StudioError: the file cannot be used, or is of another model.
+        """
+        wanted, _ = read_settings(load(Path(file)), str(file))
+        model, source = self.state.signature.model, self.state.source
+        if wanted.product != model:
+            raise BadRequest(f"{file} is of a {wanted.product.name}, and the board a {model.name}.")
+        shown = {key: c for key, c in wanted.calibrations.items() if key.source is source}
+        result = compare(settings_of(self.state), replace(wanted, calibrations=shown))
+        if result.left_out:
+            raise BadRequest(f"{file}: {' '.join(result.left_out)}")
+        return tuple(row for row in result.rows if row.changed)
+
+    def lost_settings(self) -> tuple[ComparisonRow, ...]:
+        """Return what the board stores otherwise than what was applied last, by any program here.
+
+        Empty for a board to which nothing was applied.
+        """
+        self._board.keeper.load()
+        return self._board.keeper.memory.differing.rows
+
+    def apply_settings(
+        self, wanted: str | Path | Iterable[ComparisonRow], *, force: bool = False
+    ) -> tuple[str, ...]:
+        """Store what differs from a settings file, or the right side of rows; return the keys.
+
+        A second call writes nothing. Raises as `set_parameters` and `compare_settings`.
+        """
+        rows = self.compare_settings(wanted) if isinstance(wanted, str | Path) else tuple(wanted)
+        parameters, calibrations = values_to_write(rows)
+        for key, wire in parameters:
+            self.state.specs[key].check(wire, forced=force)
+        self._write(parameters, calibrations)
+        return tuple(row.key for row in rows)
+
     def restore_defaults(self) -> None:
         """Let the board reset every parameter when it is switched off and on; see `set_parameters`.
 
@@ -461,11 +363,14 @@ class Trex:
 
         `key` is that of a parameter, or such as `rc_channel_2`.
         """
+        wanted = {**self._notes(), key: clean_note(text)[:LONGEST_NOTE].rstrip()}
+        notes = {key: note for key, note in wanted.items() if note}
+        self._board.keeper.memory.set_notes(notes)
+
+    def _notes(self) -> Mapping[str, str]:
         self._board.keeper.load()
-        memory = self._board.keeper.memory
-        notes = {} if memory.record is None else memory.record.settings.notes
-        wanted = {**notes, key: clean_note(text)[:LONGEST_NOTE].rstrip()}
-        memory.set_notes({key: note for key, note in wanted.items() if note})
+        record = self._board.keeper.memory.record
+        return {} if record is None else record.settings.notes
 
     def _write(
         self,

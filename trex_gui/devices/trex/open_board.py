@@ -1,0 +1,180 @@
+"""The session of an open line in a thread of its own, for programs that drive a board."""
+
+import logging
+from collections import deque
+from collections.abc import Callable, Iterator
+from itertools import count
+
+from trex_gui.core.errors import NoReply, PortUnavailable, StudioError, describe
+from trex_gui.core.events import Event
+from trex_gui.core.host import host
+from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
+from trex_gui.core.transport.adapters import adapter_key
+from trex_gui.devices.trex.board.drive_status import DriveInputs
+from trex_gui.devices.trex.board.keeper import Keeper
+from trex_gui.devices.trex.board.mirror import BoardMirror
+from trex_gui.devices.trex.client.reading import DeviceState
+from trex_gui.devices.trex.client.telemetry import LatchedStatus, Sample
+from trex_gui.devices.trex.driving.blockers import DriveBlocker
+from trex_gui.devices.trex.driving.requests import (
+    HEARTBEAT_INTERVAL,
+    Heartbeat,
+    MotorsStopped,
+    Stop,
+)
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import ErrorCode
+from trex_gui.devices.trex.session.messages import Batch, Connected, NotResponding, Report
+from trex_gui.devices.trex.session.session import TrexSession
+from trex_gui.devices.trex.settings.board_records import utc_now
+
+log = logging.getLogger(__name__)
+
+NOT_OPEN = "The line is not open: use a Trex inside of its `with` block."
+_LATE = "The program did not call the board for more than half a second while motors were driven."
+_STOPPING = 10.0  # seconds until a stop is confirmed or not
+_MOST_WAITING = 1000  # reports that wait for a program that does not look at them
+
+
+class MotorsStoppedError(StudioError):
+    """The motors were stopped, or stopped by themselves, without a `stop` of the program."""
+
+
+class OpenBoard:
+    """The session, and the mirror of its board."""
+
+    def __init__(self, settings: ConnectionSettings) -> None:
+        computer = host()
+        self.clock = computer.clock
+        self.keeper = Keeper(log.info, log.warning)
+        self.mirror = BoardMirror(self.keeper.memory)
+        self.mirror.adapter = adapter_key(settings.url)
+        self.is_armed = False
+        self.driven: dict[int, int] = {}  # speed by motor since the last confirmed stop
+        self.errors: dict[str, None] = {}  # names of the bits since the last status
+        self.events = deque[Event](maxlen=_MOST_WAITING)  # since the program has read them
+        self.closed: Closed | None = None
+        self._ids = count(1)
+        self._outcomes: dict[int, Outcome] = {}
+        self._inbox = RequestQueue(computer.condition())
+        self.put = self._inbox.put
+        self._reports = RequestQueue(computer.condition())
+        session = TrexSession(settings, self._inbox, self._put_report, computer.open_transport)
+        self._join = computer.start_thread(session.run)
+
+    def _put_report(self, report: Report) -> None:
+        """Queue a report of the session. Of too many samples only the status bits are kept."""
+        if isinstance(report, Batch) and len(self._reports) >= _MOST_WAITING:
+            kept = tuple(one for one in report.samples if isinstance(one, LatchedStatus))
+            if not kept:
+                return
+            report = Batch(kept, report.counters)
+        self._reports.put(report)
+
+    @property
+    def state(self) -> DeviceState:
+        assert self.mirror.state is not None  # noqa: S101 - it was read
+        return self.mirror.state
+
+    def require_open(self) -> None:
+        if self.closed is not None:
+            raise self.closed.error or PortUnavailable(NOT_OPEN)
+
+    def result(self, make: Callable[[int], object], seconds: float) -> object:
+        """Return the value of a request's outcome."""
+        number = next(self._ids)
+        self.require_open()
+        self.put(make(number))
+        self.wait_for(lambda: number in self._outcomes, seconds)
+        outcome = self._outcomes.pop(number)
+        if outcome.error is not None:
+            raise outcome.error
+        return outcome.value
+
+    def stop(self) -> None:
+        self.is_armed = False
+        self.result(Stop, _STOPPING)
+        self.driven.clear()
+
+    def wait_for(self, condition: Callable[[], bool], seconds: float = 60.0) -> None:
+        end = self.clock() + seconds
+        while not condition():
+            if self.clock() >= end:
+                raise NoReply(f"The board did not answer within {seconds:g} s.")
+            self.pump(end)
+
+    def pump(self, end: float) -> list[Sample]:
+        """Send a heartbeat if motors are armed; take the next report and those that follow it.
+
+        Return their samples.
+        """
+        if self.is_armed:
+            self.put(Heartbeat())
+        samples: list[Sample] = []
+        seconds = min(max(end - self.clock(), 0.0), HEARTBEAT_INTERVAL)
+        report = self._reports.get(seconds)
+        while report is not None:
+            samples += self._take(report)
+            report = self._reports.get(0.0)
+        return samples
+
+    def _take(self, report: Report) -> Iterator[Sample]:
+        for event in self.mirror.take(report, self.clock(), utc_now()):
+            match event:
+                case LatchedStatus():
+                    self._take_status(event)
+                    yield event
+                case Sample():
+                    yield event
+                case Event():
+                    self.events.append(event)
+        match report:
+            case Connected(may_move=False) | MotorsStopped(confirmed=True):
+                self.driven.clear()
+        match report:
+            case Connected() if self.is_armed:
+                self._fail("The board was restarted or changed, so the motors were stopped.")
+            case Outcome(id=number):
+                self._outcomes[number] = report
+            case NotResponding(reason=reason):
+                self.is_armed = False
+                raise NoReply(f"The board has stopped responding: {reason}")
+            case MotorsStopped(reason=code) if code is not None:
+                cause = _LATE if code is ErrorCode.NO_HEARTBEAT else describe(code)
+                self._fail(f"{cause} The motors were stopped.")
+            case Closed():
+                self.closed, self.is_armed = report, False
+                self.require_open()
+
+    def _take_status(self, latched: LatchedStatus) -> None:
+        self.errors |= dict.fromkeys(latched.names)
+        if (
+            self.is_armed
+            and not latched.is_earlier
+            and latched.stops_motors(on_error=self.state.stops_on_error)
+        ):
+            self.stop()
+            self._fail(f"The board reports: {', '.join(latched.names)}. The motors were stopped.")
+
+    def _fail(self, text: str) -> None:
+        self.is_armed = False
+        raise MotorsStoppedError(text)
+
+    def drive_inputs(self) -> DriveInputs:
+        return DriveInputs(
+            board=self.mirror.inputs(self.clock()),
+            link=None if self.mirror.is_responding else DriveBlocker.SILENT,
+            may_move=bool(self.driven),
+            driven=frozenset(self.driven),
+            silence_remedy=self.mirror.silence_remedy,
+            armed=self.is_armed,
+        )
+
+    def close(self) -> Closed | None:
+        self.is_armed = False
+        self.put(Close())
+        self._join()
+        while self.closed is None and (report := self._reports.get(0.0)) is not None:
+            if isinstance(report, Closed):
+                self.closed = report
+        return self.closed
