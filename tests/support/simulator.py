@@ -3,7 +3,6 @@
 import json
 import os
 import signal
-import subprocess
 import sys
 import tempfile
 import threading
@@ -13,6 +12,8 @@ from contextlib import suppress
 from enum import Enum
 from pathlib import Path
 from typing import Any
+
+from trex_gui.testing import SimulatedTrex
 
 _SLOW = 0.1  # seconds for which a slow port does nothing
 _OWN_PLACES = {"--link", "--tcp", "--rfc2217"}
@@ -75,15 +76,11 @@ class SimulatorProcess(SimulatedDevice):
 
     def __init__(self, *arguments: str) -> None:
         self._folder = tempfile.TemporaryDirectory(prefix="trex-sim")
-        command = [sys.executable, "-m", "trex_gui.cli.simulator", *arguments]
+        link: tuple[str, ...] = ()
         if sys.platform != "win32" and not _OWN_PLACES & set(arguments):
-            command += ["--link", str(Path(self._folder.name) / "port")]
-        self._process = subprocess.Popen(
-            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1
-        )
-        ready = self._answer()
-        assert ready.startswith("ready "), ready
-        self.url = ready.removeprefix("ready ")
+            link = "--link", str(Path(self._folder.name) / "port")
+        self._simulated = SimulatedTrex(*arguments, *link)
+        self._process, self.url = self._simulated.process, self._simulated.url
         self._heal_port: Callable[[], object] = lambda: None
 
     def set_port_fault(self, fault: PortFault) -> None:
@@ -123,20 +120,9 @@ class SimulatorProcess(SimulatedDevice):
                 os.close(port)
 
     def obey(self, line: str) -> str:
-        assert self._process.stdin is not None
-        self._process.stdin.write(f"{line}\n")
-        self._process.stdin.flush()
-        return self._answer()
+        return self._simulated.obey(line)
 
     def end(self) -> None:
         self._heal_port()
-        self._process.terminate()
-        self._process.wait(30)
+        self._simulated.close()
         self._folder.cleanup()
-        for stream in (self._process.stdin, self._process.stdout):
-            if stream is not None:
-                stream.close()
-
-    def _answer(self) -> str:
-        assert self._process.stdout is not None
-        return self._process.stdout.readline().strip()

@@ -1,0 +1,85 @@
+"""A simulated TReX for the tests of your own program.
+
+from trex_gui.testing import simulated_trex  # in conftest.py: a fixture of pytest
+
+def test_robot_stops(simulated_trex):
+with Trex(simulated_trex.url) as trex:
+...
+assert simulated_trex.show()["motors"][0]["speed"] == 0
+"""
+
+import json
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, Self
+
+import pytest
+
+
+class SimulatedTrex:
+    """`trex-sim` as a process; use it in a `with` statement.
+
+    Attributes:
+        url: what `Trex` opens: a pseudo-terminal, or a TCP port where there are none.
+        process: that of the simulator.
+    """
+
+    def __init__(self, *options: str) -> None:
+        """Start it with these options, such as `--model trexjr`; see `trex-sim --help`."""
+        command = [sys.executable, "-m", "trex_gui.cli.simulator", *options]
+        self.process = subprocess.Popen(  # noqa: S603 - our own program, without a shell
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1
+        )
+        ready = self._answer()
+        if not ready.startswith("ready "):
+            self.close()
+            raise RuntimeError(f"trex-sim did not start: {ready or 'see its message'}")
+        self.url = ready.removeprefix("ready ")
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def obey(self, line: str) -> str:
+        """Send a control line; return the answer, whatever it is."""
+        assert self.process.stdin is not None  # noqa: S101 - for the type checker
+        self.process.stdin.write(f"{line}\n")
+        self.process.stdin.flush()
+        return self._answer()
+
+    def do(self, line: str) -> str:
+        """Send a control line, such as `fault 1 on`, and return its answer.
+
+        Raises:
+            ValueError: the simulator does not know it.
+        """
+        answer = self.obey(line)
+        if not answer.startswith("ok"):
+            raise ValueError(f"{line}: {answer}")
+        return answer.removeprefix("ok").strip()
+
+    def show(self) -> dict[str, Any]:
+        """Return what the board is and does, as the control line `show` says it."""
+        state: dict[str, Any] = json.loads(self.do("show"))
+        return state
+
+    def close(self) -> None:
+        """End it, which pulls the plug."""
+        self.process.terminate()
+        self.process.communicate(timeout=30)
+
+    def _answer(self) -> str:
+        assert self.process.stdout is not None  # noqa: S101 - for the type checker
+        return self.process.stdout.readline().strip()
+
+
+@pytest.fixture
+def simulated_trex(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[SimulatedTrex]:
+    """A simulated board in its factory state. Snapshots of it go into `tmp_path`."""
+    monkeypatch.setenv("TREX_STUDIO_DATA", str(tmp_path / "trex-studio"))
+    with SimulatedTrex() as board:
+        yield board
