@@ -1,10 +1,7 @@
 """The library for programs, and its examples, on simulated boards."""
 
-import io
-import runpy
 import subprocess
 import sys
-from contextlib import redirect_stdout
 
 import pytest
 
@@ -25,30 +22,6 @@ from trex_gui import (
     Trex,
 )
 from trex_gui.core.guardian.log import StopResult, logged_stops
-from trex_gui.core.resource_files import resource
-from trex_gui.devices.trex.settings.history import SettingsHistory
-
-
-class Example(Program):
-    """An example of the resources."""
-
-    def __init__(self, runtime: VirtualRuntime, name: str, *arguments: str) -> None:
-        self.output = io.StringIO()
-        path = str(resource("examples") / f"{name}.py")
-
-        def run() -> None:
-            before, sys.argv = sys.argv, [path, *arguments]
-            try:
-                with redirect_stdout(self.output):
-                    runpy.run_path(path, run_name="__main__")
-            finally:
-                sys.argv = before
-
-        super().__init__(runtime, run)
-
-    @property
-    def text(self) -> str:
-        return self.output.getvalue()
 
 
 def motor(simulator: SimulatedDevice, number: int = 1) -> tuple[str, int]:
@@ -57,78 +30,6 @@ def motor(simulator: SimulatedDevice, number: int = 1) -> tuple[str, int]:
 
 
 STOPPED = ("brake", 127)
-
-
-# --- Examples -----------------------------------------------------------------------------
-
-
-def test_status_is_read(virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice) -> None:
-    quick_simulator.do("channel 2 1250us")
-    assert virtual_time.run_until(lambda: quick_simulator.show()["channels"][1]["raw"] == 3125, 1)
-    example = Example(virtual_time, "read_status", quick_simulator.url)
-    example.end()
-    assert example.text.startswith("TReX 1.2: Serial mode, with inputs read as RC pulses.\n")
-    assert "Currents: 0.00 A, 0.00 A\n" in example.text
-    assert "Channel 2: 1250.0, remapped -59" in example.text
-    assert "Errors: none\nSerial timeout: off\n" in example.text
-
-
-def test_currents_are_logged(
-    virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
-) -> None:
-    quick_simulator.do("current 2 3.0")
-    example = Example(virtual_time, "log_currents", quick_simulator.url, "1")
-    example.end()
-    rows = example.text.splitlines()
-    assert rows[0] == "time_s,motor_1_current_A,motor_2_current_A"
-    assert len(rows) > 20
-    assert rows[-1].endswith(",0.0,3.0")
-
-
-def test_channel_is_calibrated(
-    virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
-) -> None:
-    quick_simulator.do("channel 1 1510us")
-    example = Example(virtual_time, "calibrate", quick_simulator.url, "1")
-    example.until(lambda: "both ends" in example.text)
-    for pulse in ("1100us", "1900us"):
-        quick_simulator.do(f"channel 1 {pulse}")
-        virtual_time.run_until(lambda: False, 1)
-    example.end()
-    assert "Stored: Calibration(minimum=2750, neutral=3775, maximum=4750" in example.text
-
-
-def test_parameters_are_stored_after_a_snapshot(
-    virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
-) -> None:
-    example = Example(virtual_time, "set_parameters", quick_simulator.url)
-    example.end()
-    assert "serial_timeout: 0.5 s\n" in example.text
-    assert "2 changed." in example.text
-    assert quick_simulator.show()["parameters"]["serial_timeout"] == 5
-    (snapshot,) = SettingsHistory().snapshots()
-    assert snapshot.reason == "library: serial_timeout, motor1_acceleration"
-    again = Example(virtual_time, "set_parameters", quick_simulator.url)
-    again.end()
-    assert again.text == "0 changed.\n"
-    assert len(SettingsHistory().snapshots()) == 1
-
-
-def test_motor_is_driven_and_stopped(
-    virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
-) -> None:
-    example = Example(virtual_time, "drive", quick_simulator.url, "60")
-    example.until(lambda: motor(quick_simulator) == ("forward", 60))
-    began = virtual_time.now()
-    example.until(lambda: motor(quick_simulator) == STOPPED)
-    assert 1.8 < virtual_time.now() - began < 2.2
-    example.end()
-    assert example.text == "The board has confirmed the stop.\n"
-
-
-def test_every_example_is_tested() -> None:
-    names = {path.stem for path in resource("examples").glob("*.py")}
-    assert names == {"read_status", "log_currents", "calibrate", "set_parameters", "drive"}
 
 
 # --- Stops --------------------------------------------------------------------------------

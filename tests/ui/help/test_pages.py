@@ -75,7 +75,8 @@ def test_anchor_is_that_of_forges() -> None:
 
 def test_section_has_plain_text_and_no_heading_of_code() -> None:
     (library,) = (page for page in pages() if page.name == "library.md")
-    assert [section.title for section in library.sections] == [library.title]
+    titles = [section.title for section in library.sections]
+    assert titles == [library.title, "Examples", "Tests of your own"]
     assert "**" not in library.sections[0].text
     (cli,) = (page for page in pages() if page.name == "command_line.md")
     assert "snapshot, write, verify" in cli.sections[0].text, "a comment is no heading"

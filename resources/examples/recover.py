@@ -1,0 +1,14 @@
+"""Restore what a board has lost of the settings applied last: python recover.py PORT."""
+
+import sys
+
+from trex_gui import StudioError, Trex
+
+try:
+    with Trex(sys.argv[1]) as trex:
+        lost = trex.lost_settings()
+        for row in lost:
+            print(f"{row.name} is {row.text_before}, and {row.text_after} was applied.")
+        print(f"{len(trex.apply_settings(lost))} restored.")
+except StudioError as error:
+    sys.exit(str(error))
