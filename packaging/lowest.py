@@ -5,7 +5,6 @@
 They go into an environment of their own, `.venv-lowest/`; the tools of the tests stay as pinned.
 """
 
-import subprocess
 import sys
 import tomllib
 import venv
@@ -19,6 +18,7 @@ from bootstrap import (
     checks,
     pip_commands,
     run_check,
+    run_in_sight,
     say,
     summary,
 )
@@ -63,7 +63,8 @@ def main() -> int:
     text = CONSTRAINTS.read_text(encoding="utf-8")
     file.write_text("\n".join(constraints(text, lowest)) + "\n", encoding="utf-8")
     for command in pip_commands([str(programs / "python"), "-m", "pip", "-qq"], file):
-        subprocess.run(command, check=True)
+        if run_in_sight(command, {"PIP_USER": "0"}) != 0:
+            return 1
     results = [
         run_check(replace(check, command=(str(programs / "pytest"), *check.command[1:])))
         for check in checks(sys.argv[1:])

@@ -1859,14 +1859,18 @@
         <translation>Was auf dieses Board angewendet wurde, lässt sich nicht merken. {0}</translation></message>
     <message><source>Note on {0}</source>
         <translation>Notiz zu {0}</translation></message>
-    <message numerus="yes"><source>And %n more problem(s).</source>
-        <translation><numerusform>Und %n weiteres Problem.</numerusform><numerusform>Und %n weitere Probleme.</numerusform></translation></message>
+    <message><source>Name</source>
+        <translation>Name</translation></message>
+    <message><source>Note</source>
+        <translation>Notiz</translation></message>
     <message><source>Before</source>
         <translation>Vor</translation></message>
     <message><source>Board</source>
         <translation>Board</translation></message>
     <message><source>No.</source>
         <translation>Nr.</translation></message>
+    <message numerus="yes"><source>And %n more problem(s).</source>
+        <translation><numerusform>Und %n weiteres Problem.</numerusform><numerusform>Und %n weitere Probleme.</numerusform></translation></message>
     <message><source>damaged</source>
         <translation>beschädigt</translation></message>
     <message><source>today {0}</source>
@@ -3215,6 +3219,8 @@
         <translation>Zeile {0} zeigen</translation></message>
     <message><source>Search times, boards, adapters (Ctrl+F)</source>
         <translation>Zeiten, Boards, Adapter suchen (Strg+F)</translation></message>
+    <message><source>One with a name is kept, however many follow it; F2 or a double click, too</source>
+        <translation>Einer mit Namen bleibt, wie viele auch folgen; auch mit F2 oder Doppelklick</translation></message>
     <message><source>Save a copy as a settings file</source>
         <translation>Eine Kopie als Einstellungsdatei speichern</translation></message>
     <message><source>There are no snapshots yet.
@@ -3233,6 +3239,8 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Sicherungskopien durchsuchen</translation></message>
     <message><source>No snapshot matches the search.</source>
         <translation>Keine Sicherungskopie passt zur Suche.</translation></message>
+    <message><source>&amp;Name…</source>
+        <translation>&amp;Name…</translation></message>
     <message><source>Save &amp;as…</source>
         <translation>Speichern un&amp;ter…</translation></message>
     <message><source>&amp;Open folder</source>
@@ -3461,8 +3469,6 @@ bisher {1}</translation></message>
         <translation>&amp;{0} s schreiben</translation></message>
     <message><source>Why this value? Kept on this computer and in files.</source>
         <translation>Warum dieser Wert? Wird auf diesem Computer und in Dateien aufbewahrt.</translation></message>
-    <message><source>Note</source>
-        <translation>Notiz</translation></message>
     <message><source>Input source</source>
         <translation>Eingangsquelle</translation></message>
     <message><source>edited</source>

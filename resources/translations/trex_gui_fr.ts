@@ -1859,14 +1859,18 @@
         <translation>Ce qui a été appliqué à cette carte ne peut pas être mémorisé. {0}</translation></message>
     <message><source>Note on {0}</source>
         <translation>Note sur {0}</translation></message>
-    <message numerus="yes"><source>And %n more problem(s).</source>
-        <translation><numerusform>Et %n autre problème.</numerusform><numerusform>Et %n autres problèmes.</numerusform></translation></message>
+    <message><source>Name</source>
+        <translation>Nom</translation></message>
+    <message><source>Note</source>
+        <translation>Note</translation></message>
     <message><source>Before</source>
         <translation>Avant</translation></message>
     <message><source>Board</source>
         <translation>Carte</translation></message>
     <message><source>No.</source>
         <translation>N°</translation></message>
+    <message numerus="yes"><source>And %n more problem(s).</source>
+        <translation><numerusform>Et %n autre problème.</numerusform><numerusform>Et %n autres problèmes.</numerusform></translation></message>
     <message><source>damaged</source>
         <translation>endommagé</translation></message>
     <message><source>today {0}</source>
@@ -3215,6 +3219,8 @@
         <translation>Afficher la ligne {0}</translation></message>
     <message><source>Search times, boards, adapters (Ctrl+F)</source>
         <translation>Rechercher heures, cartes, adaptateurs (Ctrl+F)</translation></message>
+    <message><source>One with a name is kept, however many follow it; F2 or a double click, too</source>
+        <translation>Celui qui a un nom est conservé, quel que soit le nombre des suivants ; aussi avec F2 ou un double clic</translation></message>
     <message><source>Save a copy as a settings file</source>
         <translation>Enregistrer une copie comme fichier de réglages</translation></message>
     <message><source>There are no snapshots yet.
@@ -3233,6 +3239,8 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Rechercher dans les instantanés</translation></message>
     <message><source>No snapshot matches the search.</source>
         <translation>Aucun instantané ne correspond à la recherche.</translation></message>
+    <message><source>&amp;Name…</source>
+        <translation>&amp;Nommer…</translation></message>
     <message><source>Save &amp;as…</source>
         <translation>Enregis&amp;trer sous…</translation></message>
     <message><source>&amp;Open folder</source>
@@ -3461,8 +3469,6 @@ avant {1}</translation></message>
         <translation>Écrire &amp;{0} s</translation></message>
     <message><source>Why this value? Kept on this computer and in files.</source>
         <translation>Pourquoi cette valeur ? Conservé sur cet ordinateur et dans les fichiers.</translation></message>
-    <message><source>Note</source>
-        <translation>Note</translation></message>
     <message><source>Input source</source>
         <translation>Source des entrées</translation></message>
     <message><source>edited</source>

@@ -153,3 +153,26 @@ def test_completion_describes_snapshot_numbers() -> None:
     assert found.value == "1"
     assert found.help is not None
     assert "Apply of 1 setting" in found.help
+
+
+def test_snapshot_is_called_by_its_name(trexcmd: RunCommand) -> None:
+    path = take(0, serial_timeout=5)
+    take(1)
+    trexcmd("history", "name", "2", "contest", "--note", "as it won")
+    assert trexcmd("history", "path", "contest").stdout == f"{path}\n"
+    assert "serial_timeout: 5" in trexcmd("history", "show", "contest").stdout
+    lines = trexcmd("history", "--find", "WON ft232r").stdout.splitlines()
+    assert lines[0].split()[-2:] == ["Name", "Note"]
+    assert [line.split()[0] for line in lines[1:]] == ["2"]
+    assert "No snapshot" in trexcmd("history", "--find", "nothing like it").stderr
+    row = json.loads(trexcmd("history", "--json").stdout)[1]
+    assert (row["name"], row["note"]) == ("contest", "as it won")
+    trexcmd("history", "name", "contest", "", "--note", "")
+    assert "neither a number" in trexcmd("history", "path", "contest", exits=2).stderr
+
+
+def test_name_that_would_be_a_number_is_refused(trexcmd: RunCommand) -> None:
+    take()
+    assert "number" in trexcmd("history", "name", "1", "2", exits=2).stderr
+    assert "Give a name" in trexcmd("history", "name", "1", exits=2).stderr
+    assert "has no --find" in trexcmd("history", "--find", "x", "path", "1", exits=2).stderr

@@ -115,6 +115,34 @@ def test_dangling_snapshot_link_does_not_block_new_snapshot(
     assert [snapshot.path for snapshot in history.snapshots()] == [own]
 
 
+def test_snapshot_with_a_name_is_kept_beyond_the_limit(history: SettingsHistory) -> None:
+    history.keep(1)
+    path = take(history, 0)
+    (first,) = history.snapshots()
+    history.label(first, name="before the\tcontest")
+    take(history, 1)
+    newest = take(history, 2)
+    assert [snapshot.path for snapshot in history.snapshots()] == [newest, path]
+    assert history.keep(1) == ()
+    history.label(first, name="")
+    assert [snapshot.path for snapshot in history.keep(1)] == [path]
+
+
+def test_name_and_note_change_nothing_else(history: SettingsHistory) -> None:
+    path = take(history)
+    before = path.read_bytes()
+    (snapshot,) = history.snapshots()
+    history.label(snapshot, name=" new   tyres ", note="run 3\nas fast as run 2")
+    (labelled,) = history.snapshots()
+    assert (labelled.name, labelled.note) == ("new tyres", "run 3 as fast as run 2")
+    assert history.load(labelled) == settings_of_a_board()
+    assert labelled.reason == "Apply"
+    history.label(labelled, name="x" * 99)
+    assert history.snapshots()[0].name == "x" * 60
+    history.label(labelled, name="", note="")
+    assert path.read_bytes() == before
+
+
 def test_history_without_limit_removes_nothing(history: SettingsHistory) -> None:
     history.keep(None)
     for minutes in range(12):

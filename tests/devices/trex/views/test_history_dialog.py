@@ -55,6 +55,21 @@ def test_newest_snapshot_is_compared_with_the_previous_one(dialog: HistoryDialog
     dialog.wait(lambda: dialog.values() == {"serial_timeout": ("0.7 s", "0.5 s")})
 
 
+def test_snapshot_gets_a_name_that_the_search_finds(dialog: HistoryDialog) -> None:
+    take(dialog.history, MINUTE)
+    take(dialog.history)
+    dialog.open()
+    dialog.select_snapshot(1)
+    dialog.click("nameSnapshotButton")
+    (editor,) = dialog.snapshots.viewport().findChildren(QLineEdit)
+    QTest.keyClicks(editor, "contest")
+    QTest.keyClick(editor, Qt.Key.Key_Return)
+    dialog.wait_for_files()
+    assert [snapshot.name for snapshot in dialog.history.snapshots()] == ["", "contest"]
+    dialog.find(QLineEdit, "snapshotSearch").setText("contest")
+    assert dialog.count() == 1
+
+
 def test_two_snapshots_or_a_reference_are_compared(dialog: HistoryDialog) -> None:
     for ago, wire in ((3, 5), (2, 6), (1, 7)):
         take(dialog.history, ago * MINUTE, serial_timeout=wire)

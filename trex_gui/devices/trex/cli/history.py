@@ -34,36 +34,50 @@ snapshot first. To restore number 3:
 trexcmd history diff 3
 trexcmd set-settings "$(trexcmd history path 3)"
 
-Number 1 is the newest; a new snapshot increases the numbers of the others.
+Number 1 is the newest; a new snapshot increases the numbers of the others. A snapshot that was
+given a name can be called by it instead, and is kept.
 """
 
 
 @click.group(invoke_without_command=True, help=_HELP)
+@click.option("--find", "words", metavar="TEXT", help="Only snapshots that have these words.")
 @json_option
 @click.pass_context
-def history(ctx: click.Context, as_json: bool) -> None:
+def history(ctx: click.Context, words: str | None, as_json: bool) -> None:
     if ctx.invoked_subcommand is None:
-        _list(as_json)
+        _list(words or "", as_json=as_json)
     elif as_json:
         raise click.UsageError(f"Write --json after {ctx.invoked_subcommand}.")
+    elif words is not None:
+        raise click.UsageError(f"{ctx.invoked_subcommand} has no --find.")
 
 
-def _list(as_json: bool) -> None:
+def _list(words: str, *, as_json: bool) -> None:
     history = SettingsHistory()
-    snapshots = history.snapshots()
+    wanted = words.casefold().split()
+    found = [
+        (number, snapshot)
+        for number, snapshot in enumerate(history.snapshots(), 1)
+        if all(word in " ".join(_cells(number, snapshot)).casefold() for word in wanted)
+    ]
     if problem := history.bound().problem:
         say(f"Warning: {problem}")
     if as_json:
-        print_json([_json_row(number, found) for number, found in enumerate(snapshots, 1)])
+        print_json([_json_row(number, snapshot) for number, snapshot in found])
         return
-    if not snapshots:
+    if not found and wanted:
+        say("No snapshot has these words.")
+        return
+    if not found:
         say(
             "There are no snapshots yet. Before each Apply and before each command that changes "
             f"settings one is saved in {history.folder}."
         )
         return
-    titles = ("", "Time", "Board", "No.", "Adapter", "Before")
-    cells = [titles, *(_cells(number, found) for number, found in enumerate(snapshots, 1))]
+    titles = ("", "Time", "Board", "No.", "Adapter", "Before", "Name", "Note")
+    cells = [titles, *(_cells(number, snapshot) for number, snapshot in found)]
+    while not any(row[-1] for row in cells[1:]):  # names and notes that nobody gave
+        cells = [row[:-1] for row in cells]
     widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
     for first, *rest in cells:
         texts = (text.ljust(width) for text, width in zip(rest, widths[1:], strict=True))
@@ -109,13 +123,30 @@ def diff(ctx: click.Context, /, first: str, second: str | None, **options: Any) 
     return bool(ctx.invoke(diff_settings, first=str(_path_of(first)), second=other, **options))
 
 
+@history.command("name")
+@click.argument("which", metavar="N|NAME", shell_complete=_complete_number)
+@click.argument("name", required=False)
+@click.option("--note", metavar="TEXT", help="Keep a note with it; an empty one removes it.")
+def name(which: str, name: str | None, note: str | None) -> None:
+    """Give a snapshot a name, a note or both.
+
+    One with a name is kept, however many follow it, until its name is removed with "".
+    """
+    given = {"name": name, "note": note}
+    texts = {kind: text for kind, text in given.items() if text is not None}
+    if not texts:
+        raise click.UsageError("Give a name, or a note with --note.")
+    if name is not None and name.strip().isdecimal():
+        raise click.UsageError(f"{name!r} would be the number of a snapshot.")
+    with refusals():
+        SettingsHistory().label(_snapshot_of(which), **texts)
+
+
 @history.command("path")
-@click.argument("number", metavar="N", shell_complete=_complete_number)
-def path(number: str) -> None:
+@click.argument("which", metavar="N|NAME", shell_complete=_complete_number)
+def path(which: str) -> None:
     """Print the path of a snapshot's file."""
-    if not number.isdecimal() or len(number) > 9:
-        raise click.UsageError(f"{number!r} is not a number such as 1, the newest snapshot.")
-    click.echo(_path_of(number))
+    click.echo(_snapshot_of(which).path)
 
 
 @history.command("keep")
@@ -154,13 +185,24 @@ def _count(word: str) -> int | None:
 
 
 def _path_of(word: str) -> Path:
-    """Return the file of a snapshot that was named by its number, or a file by its name."""
-    if not word.isdecimal() or len(word) > 9:
+    """Return the file of a snapshot by its number or its name, or a file by its path."""
+    is_number = word.isdecimal() and len(word) <= 9
+    if not is_number and all(one.name != word for one in SettingsHistory().snapshots()):
         return Path(word)
+    return _snapshot_of(word).path
+
+
+def _snapshot_of(word: str) -> Snapshot:
     history = SettingsHistory()
     snapshots = history.snapshots()
+    if named := [one for one in snapshots if one.name == word]:
+        return named[0]
+    if not word.isdecimal() or len(word) > 9:
+        raise click.UsageError(
+            f"{word!r} is neither a number such as 1, the newest snapshot, nor the name of one."
+        )
     if 1 <= int(word) <= len(snapshots):
-        return snapshots[int(word) - 1].path
+        return snapshots[int(word) - 1]
     if not snapshots:
         raise click.UsageError(f"There are no snapshots in {history.folder} yet.")
     raise click.UsageError(
@@ -177,6 +219,8 @@ def _cells(number: int, snapshot: Snapshot) -> tuple[str, ...]:
         "" if device is None else str(device),
         snapshot.adapter,
         snapshot.problem or snapshot.reason,
+        snapshot.name,
+        snapshot.note,
     )
 
 
@@ -189,6 +233,8 @@ def _json_row(number: int, snapshot: Snapshot) -> dict[str, Any]:
         "device_number": snapshot.device_number,
         "adapter": snapshot.adapter,
         "reason": snapshot.reason,
+        "name": snapshot.name or None,
+        "note": snapshot.note or None,
         "problem": snapshot.problem or None,
         "path": str(snapshot.path),
     }

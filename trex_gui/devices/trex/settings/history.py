@@ -24,6 +24,7 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.notes import clean_note
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 
@@ -35,7 +36,8 @@ _SORTED_AT_ONCE = 2000
 _NO_DATE = datetime.fromtimestamp(0, UTC)
 _HEAD_BYTES = 4096
 _HEAD_LINES = 12
-_NOTE = re.compile(r"# (taken|device number|adapter|reason): (.*)")
+_LONGEST = {"name": 60, "note": 300}  # characters
+_NOTE = re.compile(r"# (taken|device number|adapter|reason|name|note): (.*)")
 _VALUE = re.compile(r"(product|firmware): *['\"]?([^'\"#]*[^'\"# ])")
 
 BOUND_FILE = "history.txt"
@@ -65,6 +67,8 @@ class Snapshot:
     adapter: str = ""  # the port of the board, for the user
     reason: str = ""  # the operation that followed
     problem: str = ""  # why the file cannot be used, judging by its head; empty if it can
+    name: str = ""  # by the user; one that has a name is kept
+    note: str = ""  # likewise
     stamp: Stamp = field(default=(0, 0), compare=False)
 
 
@@ -82,7 +86,7 @@ class Bound:
 class SettingsHistory:
     """The snapshots in one folder, which is created with the first one.
 
-    Only the user's limit removes snapshots, the oldest first and never the newest.
+    Only the user's limit removes snapshots, the oldest first, never the newest or one with a name.
     """
 
     def __init__(self, folder: Path | None = None) -> None:
@@ -157,6 +161,20 @@ class SettingsHistory:
         settings, _ = read_settings(load(snapshot.path), str(snapshot.path))
         return settings
 
+    def label(self, snapshot: Snapshot, **texts: str) -> None:
+        """Give a snapshot a `name`, a `note` or both; an empty text removes one.
+
+        Raises:
+            SettingsError: the file is gone, or cannot be written.
+        """
+        lines = load(snapshot.path).split(b"\n")  # all others stay as they are
+        for kind, given in texts.items():
+            text = " ".join(clean_note(given).split())[: _LONGEST[kind]].rstrip()
+            begin = f"# {kind}: ".encode()
+            first, *rest = (line for line in lines[:_HEAD_LINES] if not line.startswith(begin))
+            lines[:_HEAD_LINES] = [first, *([begin + text.encode()] if text else []), *rest]
+        save(snapshot.path, b"\n".join(lines))
+
     def remove(self, snapshot: Snapshot) -> None:
         """Remove a snapshot; a missing file is not an error.
 
@@ -185,7 +203,9 @@ class SettingsHistory:
         return Bound(None if match[1] == "all" else int(match[1]))
 
     def beyond(self, kept: int | None) -> tuple[Snapshot, ...]:
-        return () if kept is None else tuple(map(self.look_at, self.files()[kept:]))
+        """Return the oldest snapshots without a name, if only so many are kept."""
+        older = () if kept is None else map(self.look_at, self.files()[kept:])
+        return tuple(found for found in older if not found.name)
 
     def keep(self, kept: int | None) -> tuple[Snapshot, ...]:
         """Set how many are kept, for all programs; remove the oldest beyond, and return them.
@@ -217,8 +237,9 @@ class SettingsHistory:
         ours = _stamp(own)[0], own.name
         others = [name for name in names if _NAME.fullmatch(name) and name != own.name]
         for name in _oldest(others, len(others) + 1 - bound.kept):
-            if (_stamp(self.folder / name)[0], name) < ours:
-                _removed(self.folder / name)
+            path = self.folder / name
+            if (_stamp(path)[0], name) < ours and not _look_at(path, _NO_DATE).name:
+                _removed(path)
 
     def _make_folder(self) -> None:
         with explained(self.folder, tr("it cannot be written")):
@@ -291,5 +312,7 @@ def _look_at(path: Path, taken: datetime) -> Snapshot:
         notes.get("adapter", ""),
         notes.get("reason", ""),
         problem,
+        notes.get("name", ""),
+        notes.get("note", ""),
         stamp,
     )

@@ -60,6 +60,8 @@ class HistoryDialog(ReusedDialog):
         self._none = ui.label(self, "snapshotNoMatch", tr("No snapshot matches the search."))
         self._none.hide()
         button = partial(ui.button, self, default=False)  # Enter means something else
+        tip = tr("One with a name is kept, however many follow it; F2 or a double click, too")
+        self._name = button("nameSnapshotButton", tr("&Name…"), icon="edited", tip=tip)
         tip = tr("Save a copy as a settings file")
         self._save = button("saveSnapshotButton", tr("Save &as…"), icon="save", tip=tip)
         self._delete = button("deleteSnapshotButton", tr("&Delete…"), icon="clear")
@@ -77,7 +79,7 @@ class HistoryDialog(ReusedDialog):
         empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         empty.setMaximumWidth(72 * self.fontMetrics().averageCharWidth())
 
-        left, below = QWidget(self), ui.row(self._save, self._delete, 1)
+        left, below = QWidget(self), ui.row(self._name, self._save, self._delete, 1)
         listed = self._search, (self._view, 1), self._none
         ui.column(*listed, below, into=left, margins=(0, 0, 6, 0))
         halves = ui.splitter(self, "", Qt.Orientation.Horizontal, (left, 2), (self._pane, 3))
@@ -95,6 +97,7 @@ class HistoryDialog(ReusedDialog):
         restore_geometry(self, "history", 1180, 640)
 
         self._save.clicked.connect(self._on_save_clicked)
+        self._name.clicked.connect(self._on_name_clicked)
         self._delete.clicked.connect(self._on_delete_clicked)
         self._folder.clicked.connect(self._on_folder_clicked)
         self._search.textChanged.connect(self._table.set_words)
@@ -120,6 +123,8 @@ class HistoryDialog(ReusedDialog):
         view.setModel(self._table)
         view.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         view.setWordWrap(False)
+        triggers = QAbstractItemView.EditTrigger
+        view.setEditTriggers(triggers.DoubleClicked | triggers.EditKeyPressed)
         header = view.horizontalHeader()
         header.setStretchLastSection(True)
         header.setResizeContentsPrecision(50)  # rows that are measured for a width
@@ -217,7 +222,14 @@ class HistoryDialog(ReusedDialog):
         self._folder.setEnabled(listing is not None and listing.has_folder)
         self._pane.show_chosen(chosen)
         self._save.setEnabled(len(chosen) == 1 and not self._table.problem_of(chosen[0]))
+        self._name.setEnabled(len(chosen) == 1)
         self._delete.setEnabled(bool(chosen))
+
+    @Slot()
+    def _on_name_clicked(self) -> None:
+        row = self._table.row_of(self._chosen[0].path)
+        if row is not None:
+            self._view.edit(self._table.index(row, SnapshotColumn.NAME))
 
     @Slot()
     def _on_present_chosen(self) -> None:
@@ -331,8 +343,9 @@ class _BoundField(QWidget):
 
     @Slot()
     def _on_set_clicked(self) -> None:
-        wanted, total = self._wanted, 0 if self._listing is None else len(self._listing.snapshots)
-        removed = 0 if wanted is None else max(0, total - wanted)
+        snapshots = () if self._listing is None else self._listing.snapshots
+        wanted, total = self._wanted, len(snapshots)
+        removed = 0 if wanted is None else sum(not each.name for each in snapshots[wanted:])
         if not removed:
             self._keep(wanted)
             return

@@ -79,7 +79,7 @@ def test_newest_snapshot_comes_first_with_all_columns(table: ListedHistory) -> N
     assert text(table, 0, SnapshotColumn.ADAPTER) == ADAPTER
     assert text(table, 1, SnapshotColumn.REASON) == "trexcmd restore-defaults"
     heads = [table.headerData(column, Qt.Orientation.Horizontal) for column in SnapshotColumn]
-    assert heads == ["Time", "Before", "Board", "No.", "Adapter"]
+    assert heads == ["Time", "Name", "Note", "Before", "Board", "No.", "Adapter"]
 
 
 def test_times_are_local_and_recent_days_are_named(table: ListedHistory) -> None:
@@ -197,3 +197,16 @@ def test_words_match_in_every_column(table: ListedHistory, words: str, count: in
     refresh(table)
     table.set_words(words)
     assert table.rowCount() == count
+
+
+def test_name_and_note_are_edited_in_the_table(table: ListedHistory) -> None:
+    take(table.history)
+    refresh(table)
+    for column, given in ((SnapshotColumn.NAME, "contest"), (SnapshotColumn.NOTE, "as it won")):
+        index = table.index(0, column)
+        assert table.flags(index) & Qt.ItemFlag.ItemIsEditable
+        assert table.setData(index, given)
+        finish()
+        assert text(table, 0, column) == given
+    assert not table.flags(table.index(0, SnapshotColumn.BOARD)) & Qt.ItemFlag.ItemIsEditable
+    assert not table.setData(table.index(0, SnapshotColumn.NAME), "contest"), "it has that name"

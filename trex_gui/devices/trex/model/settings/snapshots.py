@@ -36,10 +36,16 @@ _FINDINGS = 3
 
 class SnapshotColumn(IntEnum):
     TIME = 0
-    REASON = 1
-    BOARD = 2
-    NUMBER = 3
-    ADAPTER = 4
+    NAME = 1
+    NOTE = 2
+    REASON = 3
+    BOARD = 4
+    NUMBER = 5
+    ADAPTER = 6
+
+
+_LABELS = {SnapshotColumn.NAME: "name", SnapshotColumn.NOTE: "note"}
+"""The columns that the user writes, and what `SettingsHistory.label` calls them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -174,14 +180,30 @@ class SnapshotTable(QAbstractTableModel):
     ) -> Any:
         if orientation is not Qt.Orientation.Horizontal or role != Qt.ItemDataRole.DisplayRole:
             return None
-        return (tr("Time"), tr("Before"), tr("Board"), tr("No."), tr("Adapter"))[section]
+        titles = tr("Time"), tr("Name"), tr("Note"), tr("Before"), tr("Board"), tr("No.")
+        return (*titles, tr("Adapter"))[section]
+
+    def flags(self, index: Index) -> Qt.ItemFlag:
+        flags = super().flags(index)
+        return flags | Qt.ItemFlag.ItemIsEditable if index.column() in _LABELS else flags
+
+    def setData(self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole) -> bool:
+        """Give a snapshot a name or a note, in a thread; `failed` says why it has none."""
+        if role != Qt.ItemDataRole.EditRole or str(value) == self.data(index):
+            return False
+        text = {_LABELS[SnapshotColumn(index.column())]: str(value)}
+        label = partial(self._history.label, self.snapshots[index.row()], **text)
+        in_background(
+            self, label, lambda _: self.refresh(), lambda error: self.failed.emit(str(error))
+        )
+        return True
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         if not index.isValid():
             return None
         snapshot = self.snapshots[index.row()]
         match role:
-            case Qt.ItemDataRole.DisplayRole:
+            case Qt.ItemDataRole.DisplayRole | Qt.ItemDataRole.EditRole:
                 return self._cells(snapshot)[index.column()]
             case Qt.ItemDataRole.ToolTipRole:
                 return plain(self._tip(snapshot))
@@ -193,6 +215,8 @@ class SnapshotTable(QAbstractTableModel):
         board = f"{snapshot.product} {snapshot.firmware}".strip()
         return (
             self.time_text(snapshot),
+            snapshot.name,
+            snapshot.note,
             snapshot.reason,
             tr("damaged") if self.problem_of(snapshot) else board,
             "" if snapshot.device_number is None else str(snapshot.device_number),
