@@ -2,7 +2,7 @@
 """Set the project up in `.venv/`, then show it, check it or measure it.
 
     python3 packaging/bootstrap.py setup | demo | test [--all | --lowest] | bench | soak | mutate |
-                                    translations | pictures | package [--check] [KIND ...]
+                                    translations | pictures | docs | package [--check] [KIND ...]
 
 Needs nothing but Python's standard library. The syntax stays readable to older Pythons, so that
 they get as far as the sentence about their age.
@@ -41,6 +41,8 @@ PROJECT_FILE = ROOT / "pyproject.toml"
 PACKAGING = ROOT / "packaging"
 CONSTRAINTS = PACKAGING / "constraints.txt"
 BENCHMARKS = ROOT / "tests" / "benchmarks"
+DOCS = PACKAGING / "docs.py"
+BUILD_DOCS = ROOT / "build" / "docs"
 LOWEST = PACKAGING / "lowest.py"
 MUTATE = PACKAGING / "mutate.py"
 PICTURES = PACKAGING / "pictures.py"
@@ -672,11 +674,27 @@ def command_soak(minutes: float, seed: int | None) -> int:
 def command_mutate(arguments: Sequence[str]) -> int:
     """Change the program in one place at a time and measure what the tests notice."""
     set_up()
-    pip = [str(venv_python()), "-m", "pip", "--disable-pip-version-check", "--no-input", "-qq"]
-    wanted = ["install", "--constraint", str(CONSTRAINTS), "cosmic-ray"]
-    if run_in_sight([*pip, *wanted], {"PIP_USER": "0"}) != 0:
-        raise BootstrapError("pip could not install cosmic-ray; see its message above.")
+    install_besides("cosmic-ray")
     return run_in_sight([str(venv_python()), str(MUTATE), *arguments], OFFSCREEN)
+
+
+def command_docs() -> int:
+    """Build the site of the documents."""
+    set_up()
+    install_besides("sphinx", "myst-parser", "furo", "sphinx-click")
+    return run_in_sight([str(venv_python()), str(DOCS)], {})
+
+
+def install_besides(*packages: str) -> None:
+    """Install what only one command needs.
+
+    Raises:
+        BootstrapError: pip could not.
+    """
+    pip = [str(venv_python()), "-m", "pip", "--disable-pip-version-check", "--no-input", "-qq"]
+    wanted = ["install", "--constraint", str(CONSTRAINTS), *packages]
+    if run_in_sight([*pip, *wanted], {"PIP_USER": "0"}) != 0:
+        raise BootstrapError(f"pip could not install {packages[0]}; see its message above.")
 
 
 def command_package(arguments: Sequence[str]) -> int:
@@ -745,6 +763,7 @@ def make_parser() -> argparse.ArgumentParser:
     soak.add_argument("--seed", metavar="N", type=int, help="repeats a run; it prints its seed")
     add("mutate", "set up if needed and measure what the tests catch", for_mutate)
     add("translations", "set up if needed, update the translation files and compile them")
+    add("docs", "set up if needed and build the site of the documents, in build/docs/html")
     add("pictures", "set up if needed and make the pictures of the help")
     package = add("package", "set up if needed and make what users install, in dist/")
     package.add_argument("--check", action="store_true", help="try each package as a user does")
@@ -769,11 +788,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
     command = options.command
     if for_pytest and command not in {"test", "bench", "mutate"}:
         parser.error(f"{command} takes nothing after --")
+    without_arguments = {
+        "setup": command_setup,
+        "demo": command_demo,
+        "translations": command_translations,
+        "pictures": command_pictures,
+        "docs": command_docs,
+    }
     try:
-        if command == "setup":
-            return command_setup()
-        if command == "demo":
-            return command_demo()
+        if command in without_arguments:
+            return without_arguments[command]()
         if command == "test" and options.lowest:
             return command_lowest(for_pytest)
         if command == "test":
@@ -782,10 +806,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return command_soak(options.minutes, options.seed)
         if command == "mutate":
             return command_mutate(for_pytest)
-        if command == "translations":
-            return command_translations()
-        if command == "pictures":
-            return command_pictures()
         if command == "package":
             return command_package([*(["--check"] if options.check else []), *options.kinds])
         return command_bench(for_pytest, options.compare)

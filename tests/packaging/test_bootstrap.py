@@ -475,5 +475,6 @@ def test_script_parses_in_python_3_7() -> None:
 def test_constraints_are_sorted_exact_versions() -> None:
     lines = bootstrap.CONSTRAINTS.read_text(encoding="utf-8").splitlines()
     names = [line.split("==")[0].lower() for line in lines]
-    assert [line for line in lines if not re.fullmatch(r"[\w.-]+==\d+(\.\d+)*", line)] == []
+    version = re.compile(r"[\w.-]+==\d+(\.\d+)*(\.post\d+|b\d+)?")
+    assert [line for line in lines if not version.fullmatch(line)] == []
     assert names == sorted(set(names))

@@ -31,7 +31,7 @@ from trex_gui.devices.trex.settings.writer import write_settings
 def report(file: str, **options: Any) -> None:
     """Save a report for support: versions, ports, status, settings and traffic in one zip.
 
-    - prints all of it instead, to look at it first. Names of users and computers, network
+    With - all of it is printed instead, to look at it first. Names of users and computers, network
     addresses and serial numbers of adapters are masked. Without a board that replies, the report
     says why. Reading the error bits clears them in the board.
     """
