@@ -1,0 +1,153 @@
+"""provision: boards are set up one after the other, on one cable."""
+
+import csv
+from pathlib import Path
+
+import click
+import pytest
+
+from tests.support.library_program import Program
+from tests.support.simulator import SimulatedDevice
+from tests.support.virtual_command import RunCommand, StartCommand
+from tests.support.virtual_time import VirtualRuntime
+from trex_gui import Trex
+from trex_gui.devices.trex.cli.provision import pulse
+
+
+@pytest.fixture
+def profile(trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path) -> Path:
+    """A profile that differs from a new board in two parameters."""
+    file = tmp_path / "profile.txt"
+    trexcmd("get-settings", str(file))
+    text = file.read_text("utf-8")
+    for new in ("serial_timeout: 5", "motor1_acceleration: 20"):
+        key = new.split(":")[0]
+        (line,) = (line for line in text.splitlines() if line.startswith(f"{key}:"))
+        text = text.replace(line, new)
+    file.write_text(text, "utf-8")
+    return file
+
+
+def rows_of(file: Path) -> list[dict[str, str]]:
+    with file.open(newline="", encoding="utf-8") as stream:
+        return list(csv.DictReader(stream))
+
+
+def wait_for_rows(runtime: VirtualRuntime, record: Path, count: int) -> None:
+    assert runtime.run_until(lambda: record.exists() and len(rows_of(record)) == count, 60)
+
+
+def test_boards_are_set_up_with_a_key_press_each(
+    start: StartCommand,
+    virtual_time: VirtualRuntime,
+    quick_simulator: SimulatedDevice,
+    profile: Path,
+    tmp_path: Path,
+) -> None:
+    record, boards = tmp_path / "record.csv", 5
+    command = start(
+        "provision",
+        str(profile),
+        "--record",
+        str(record),
+        "--first",
+        "5",
+        "--limit",
+        str(boards),
+        stdin="\r" * boards,
+    )
+    for done in range(1, boards + 1):
+        wait_for_rows(virtual_time, record, done)
+        stored = quick_simulator.show()["parameters"]
+        assert (stored["serial_timeout"], stored["motor1_acceleration"]) == (5, 20)
+        quick_simulator.do("power off")
+        virtual_time.run_until(lambda: False, 8)
+        quick_simulator.do("factory", "power on")
+    assert command.wait() == 0, command.result.output
+    rows = rows_of(record)
+    assert [row["number"] for row in rows] == ["5", "6", "8", "9", "10"], "7 is that of new boards"
+    assert [row["name"] for row in rows][:2] == ["robot 5", "robot 6"]
+    assert {row["result"] for row in rows} == {"ok"}
+    assert {row["certainty"] for row in rows} == {"new"}
+    assert rows[0]["differences"] == "serial_timeout motor1_acceleration device_number"
+    assert rows[0]["board"] == "TReX 1.2"
+
+
+def test_known_board_keeps_number_and_name(
+    start: StartCommand,
+    virtual_time: VirtualRuntime,
+    quick_simulator: SimulatedDevice,
+    profile: Path,
+    tmp_path: Path,
+) -> None:
+    record = tmp_path / "record.csv"
+    words = "provision", str(profile), "--record", str(record), "--limit", "1"
+
+    def run(key: str, count: int) -> dict[str, str]:
+        command = start(*words, "--name", "arm {number}", stdin=key)
+        wait_for_rows(virtual_time, record, count)
+        quick_simulator.do("power off")
+        assert command.wait() == 0, command.result.output
+        quick_simulator.do("power on")
+        return rows_of(record)[-1]
+
+    assert run("\r", 1)["name"] == "arm 1"
+    again = run("s", 2)
+    assert (again["name"], again["number"]) == ("arm 1", "1")
+    assert (again["result"], again["certainty"]) == ("skipped", "known")
+    assert not again["differences"]
+
+
+def test_nothing_is_written_when_the_user_ends(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice, profile: Path, tmp_path: Path
+) -> None:
+    before = quick_simulator.show()["parameters"]
+    record = tmp_path / "record.csv"
+    result = trexcmd("provision", str(profile), "--record", str(record), stdin="q")
+    assert "Serial Timeout: off -> 0.5 s" in result.stderr
+    assert quick_simulator.show()["parameters"] == before
+    assert not record.exists()
+
+
+def test_other_file_is_not_overwritten(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice, profile: Path, tmp_path: Path
+) -> None:
+    record = tmp_path / "record.csv"
+    record.write_text("my,table\n1,2\n", "utf-8")
+    result = trexcmd("provision", str(profile), "--record", str(record), exits=1)
+    assert "is no record of this command" in result.stderr
+    assert record.read_text("utf-8") == "my,table\n1,2\n"
+    head = "time,name,number,board,calibrations,differences,result,certainty\n"
+    record.write_text(f"{head}now,robot,seven,TReX,,,ok,new\n", "utf-8")
+    assert "damaged" in trexcmd("provision", str(profile), "--record", str(record), exits=1).stderr
+
+
+def test_motor_turns_only_while_a_key_is_held(
+    virtual_time: VirtualRuntime,
+    quick_simulator: SimulatedDevice,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    presses = iter("mmmmm\r")
+
+    def getchar() -> str:
+        key = next(presses)
+        virtual_time.sleep(0.2 if key == "m" else 3)  # released
+        return key
+
+    monkeypatch.setattr(click, "getchar", getchar)
+
+    def motor() -> tuple[str, int]:
+        state = quick_simulator.show()["motors"][0]
+        return state["direction"], state["speed"]
+
+    def run() -> None:
+        with Trex(quick_simulator.url) as trex:
+            pulse(trex, 1)
+
+    program = Program(virtual_time, run)
+    program.until(lambda: motor() == ("forward", 30))
+    virtual_time.run_until(lambda: False, 0.5)
+    assert motor() == ("forward", 30), "held"
+    program.until(lambda: motor() == ("brake", 127))
+    assert not program.has_ended, "released, before Enter"
+    program.end()
