@@ -54,11 +54,15 @@ EXTRAS = "[gui,gamepad,mcap]"
 MOST_MB, MOST_PACKAGES = 15, 6  # of an installation without the window
 EXAMPLES = {
     "drive": ("40",),
+    "explain": (),
+    "list_parameters": (),
     "log_currents": ("1",),
     "read_status": (),
+    "recover": (),
     "set_parameters": (),
+    "wait_for_line": (),
 }
-"""The examples that need no hand at a stick, and what they take after the port."""
+"""The examples that need neither a hand nor a file, and what they take after the port."""
 SYSTEM_PATH = "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"
 
 Command = Sequence[str | Path]

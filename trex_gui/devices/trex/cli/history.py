@@ -19,9 +19,10 @@ from trex_gui.devices.trex.settings.history import SettingsHistory, Snapshot
 def _complete_number(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[Any]:
     del ctx, param
     return [
-        CompletionItem(str(number), help=" ".join(_cells(number, snapshot)[1:]))
+        CompletionItem(word, help=" ".join(filter(None, _cells(number, snapshot)[1:])))
         for number, snapshot in enumerate(SettingsHistory().snapshots(), 1)
-        if str(number).startswith(incomplete)
+        for word in filter(None, (str(number), snapshot.name))
+        if word.startswith(incomplete)
     ]
 
 
