@@ -681,7 +681,7 @@ def command_mutate(arguments: Sequence[str]) -> int:
 def command_docs() -> int:
     """Build the site of the documents."""
     set_up()
-    install_besides("sphinx", "myst-parser", "furo", "sphinx-click")
+    install_besides("sphinx", "myst-parser", "furo", "sphinx-click", "genson")
     return run_in_sight([str(venv_python()), str(DOCS)], {})
 
 

@@ -11,6 +11,7 @@ import sys
 from collections.abc import Iterator
 
 from bootstrap import BUILD_DOCS, PACKAGING, ROOT, run_in_sight, say
+from json_schemas import schemas
 
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of
 
@@ -47,6 +48,9 @@ def gather() -> None:
         shutil.copytree(ROOT / "resources" / name, SOURCE / name, ignore=ignored)
     shutil.copy(ROOT / "trex_gui" / "README.md", SOURCE / "built.md")
     shutil.copy(ROOT / "resources" / "icons" / "trex-studio.svg", SOURCE)
+    with (SOURCE / "json.md").open("a", encoding="utf-8") as file:
+        for command, schema in schemas():
+            file.write(f"\n## trexcmd {command}\n\n```json\n{schema}\n```\n")
     with (SOURCE / "parameters.md").open("a", encoding="utf-8") as file:
         file.write("\n".join(["", *parameter_rows(), ""]))
 
