@@ -45,6 +45,7 @@ _LINES = [
     "diff board.txt",
     "audit board.txt",
     "history",
+    "provision board.txt",  # ends with the input
     "calibration get",
     "export board.txt --as c",
     "restore-defaults",
@@ -58,7 +59,17 @@ _LINES = [
     "aracna --help",
     "completion bash",
 ]
-_EXAMPLES = (["read_status"], ["set_parameters"], ["log_currents", "0.2"], ["drive", "30"])
+_EXAMPLES = (
+    ["read_status"],
+    ["list_parameters"],
+    ["explain"],
+    ["set_parameters"],
+    ["recover"],
+    ["undo"],
+    ["wait_for_line"],
+    ["log_currents", "0.2"],
+    ["drive", "30"],
+)
 
 
 @pytest.mark.realtime

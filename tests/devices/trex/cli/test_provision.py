@@ -3,7 +3,6 @@
 import csv
 from pathlib import Path
 
-import click
 import pytest
 
 from tests.support.library_program import Program
@@ -11,7 +10,7 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_command import RunCommand, StartCommand
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui import Trex
-from trex_gui.devices.trex.cli.provision import pulse
+from trex_gui.devices.trex.cli import provision as module
 
 
 @pytest.fixture
@@ -129,12 +128,12 @@ def test_motor_turns_only_while_a_key_is_held(
 ) -> None:
     presses = iter("mmmmm\r")
 
-    def getchar() -> str:
+    def read_key() -> str:
         key = next(presses)
         virtual_time.sleep(0.2 if key == "m" else 3)  # released
         return key
 
-    monkeypatch.setattr(click, "getchar", getchar)
+    monkeypatch.setattr(module, "read_key", read_key)
 
     def motor() -> tuple[str, int]:
         state = quick_simulator.show()["motors"][0]
@@ -142,7 +141,7 @@ def test_motor_turns_only_while_a_key_is_held(
 
     def run() -> None:
         with Trex(quick_simulator.url) as trex:
-            pulse(trex, 1)
+            module.pulse(trex, 1)
 
     program = Program(virtual_time, run)
     program.until(lambda: motor() == ("forward", 30))

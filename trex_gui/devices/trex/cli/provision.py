@@ -2,6 +2,7 @@
 
 import csv
 import hashlib
+import sys
 from collections.abc import Iterator
 from contextlib import ExitStack, suppress
 from dataclasses import asdict, dataclass, fields
@@ -29,6 +30,7 @@ from trex_gui.devices.trex.settings.comparison import ComparisonRow
 _FACTORY_NUMBER = 7  # given to no board, so that one that has it is new
 _LOOK_S = 0.5  # seconds between two looks for a board
 _PULSE = 30  # speed of 127
+_WRITE, _END = {"\r", "\n"}, {"q", "\x04", ""}  # keys; Ctrl-D in a terminal, the end of a pipe
 _HELD_S = 0.8  # seconds without a key after which it is released: terminals repeat late at first
 
 
@@ -211,14 +213,15 @@ class _Shop:
         for row in rows:
             say(f"  {row.name}: {row.text_before or 'not known'} -> {row.text_after}")
         click.echo("Enter: write and check; s: skip; q: end ", nl=False, err=True)
-        key = click.getchar()
+        while (key := read_key()) not in {*_WRITE, "s", *_END}:
+            pass
         click.echo(err=True)
-        if key in {"q", "\x04"}:
+        if key in _END:
             return False
         keys = [row.key for row in rows]
         if number != stored:
             keys.append(ParameterKey.DEVICE_NUMBER)
-        result = self._write(trex, number, rows) if key in {"\r", "\n"} else "skipped"
+        result = self._write(trex, number, rows) if key in _WRITE else "skipped"
         if result == "ok":
             stored, prints = number, _fingerprint(trex)
         self._record.add(
@@ -264,7 +267,7 @@ def pulse(trex: Trex, motor: int) -> None:
     def read() -> None:
         key = ""
         with suppress(EOFError, KeyboardInterrupt):
-            while (key := click.getchar()) not in {"\r", "\n"}:
+            while (key := read_key()) not in {"\r", "\n", ""}:
                 keys.put(key)
         keys.put("")
 
@@ -283,6 +286,11 @@ def pulse(trex: Trex, motor: int) -> None:
         if is_running and clock() - pressed > _HELD_S:
             trex.stop()
             is_running = False
+
+
+def read_key() -> str:
+    """Wait for a key of the terminal, or read the next character of a pipe. Empty at its end."""
+    return click.getchar() if sys.stdin.isatty() else sys.stdin.read(1)
 
 
 def _fingerprint(trex: Trex) -> str:
