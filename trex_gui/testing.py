@@ -1,11 +1,7 @@
 """A simulated TReX for the tests of your own program.
 
-from trex_gui.testing import simulated_trex  # in conftest.py: a fixture of pytest
-
-def test_robot_stops(simulated_trex):
-with Trex(simulated_trex.url) as trex:
-...
-assert simulated_trex.show()["motors"][0]["speed"] == 0
+`from trex_gui.testing import simulated_trex` in `conftest.py` gives its tests a fixture of pytest;
+`resources/examples/test_robot.py` has two of them.
 """
 
 import json

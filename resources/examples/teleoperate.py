@@ -16,21 +16,25 @@ keys: queue.SimpleQueue[str] = queue.SimpleQueue()
 
 
 def read_keys() -> None:
-    while (key := click.getchar()) != "q":
-        keys.put(key)
-    keys.put("q")
+    try:
+        while (key := click.getchar()) != "q":
+            keys.put(key)
+    finally:  # also after Ctrl-C, which arrives here
+        keys.put("q")
 
 
 threading.Thread(target=read_keys, daemon=True).start()
 try:
     with Trex(sys.argv[1]) as trex:
-        key = ""
-        while key != "q":
+        typed = ""
+        while "q" not in typed:
             trex.wait(0.1)  # without a call for half a second the motors are stopped
-            key = "" if keys.empty() else keys.get()
-            if key in SPEEDS:
-                trex.drive(*SPEEDS[key])
-            elif key:
+            typed = ""
+            while not keys.empty():  # all of them: a key that is held repeats faster
+                typed += keys.get()
+            if typed and set(typed) <= SPEEDS.keys():
+                trex.drive(*SPEEDS[typed[-1]])
+            elif typed:
                 trex.stop()
 except StudioError as error:
     sys.exit(str(error))

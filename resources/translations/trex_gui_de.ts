@@ -2365,10 +2365,16 @@
         <translation>sie kann nicht entfernt werden</translation></message>
     <message><source>is damaged</source>
         <translation>ist beschädigt</translation></message>
+    <message><source>{0} would be the number of a snapshot.</source>
+        <translation>{0} wäre die Nummer einer Sicherungskopie.</translation></message>
+    <message><source>Another snapshot has the name {0}.</source>
+        <translation>Eine andere Sicherungskopie heißt schon {0}.</translation></message>
     <message><source>is missing</source>
         <translation>fehlt</translation></message>
     <message><source>a history keeps at least one snapshot, not {0}</source>
         <translation>ein Verlauf behält mindestens eine Sicherungskopie, nicht {0}</translation></message>
+    <message><source>It may have {0} characters.</source>
+        <translation>Höchstens {0} Zeichen sind möglich.</translation></message>
     <message><source>cannot be read ({0})</source>
         <translation>kann nicht gelesen werden ({0})</translation></message>
     <message><source>the last line has no end; was the file cut short?</source>
@@ -3219,8 +3225,8 @@
         <translation>Zeile {0} zeigen</translation></message>
     <message><source>Search times, boards, adapters (Ctrl+F)</source>
         <translation>Zeiten, Boards, Adapter suchen (Strg+F)</translation></message>
-    <message><source>One with a name is kept, however many follow it; F2 or a double click, too</source>
-        <translation>Einer mit Namen bleibt, wie viele auch folgen; auch mit F2 oder Doppelklick</translation></message>
+    <message><source>One with a name is kept, however many follow it; a double click, too</source>
+        <translation>Eine mit Namen bleibt, wie viele auch folgen; auch mit Doppelklick</translation></message>
     <message><source>Save a copy as a settings file</source>
         <translation>Eine Kopie als Einstellungsdatei speichern</translation></message>
     <message><source>There are no snapshots yet.

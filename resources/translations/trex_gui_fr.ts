@@ -2365,10 +2365,16 @@
         <translation>impossible à supprimer</translation></message>
     <message><source>is damaged</source>
         <translation>est endommagé</translation></message>
+    <message><source>{0} would be the number of a snapshot.</source>
+        <translation>{0} serait le numéro d'un instantané.</translation></message>
+    <message><source>Another snapshot has the name {0}.</source>
+        <translation>Un autre instantané s'appelle déjà {0}.</translation></message>
     <message><source>is missing</source>
         <translation>est absent</translation></message>
     <message><source>a history keeps at least one snapshot, not {0}</source>
         <translation>un historique conserve au moins un instantané, et non {0}</translation></message>
+    <message><source>It may have {0} characters.</source>
+        <translation>{0} caractères au plus sont possibles.</translation></message>
     <message><source>cannot be read ({0})</source>
         <translation>est illisible ({0})</translation></message>
     <message><source>the last line has no end; was the file cut short?</source>
@@ -3219,8 +3225,8 @@
         <translation>Afficher la ligne {0}</translation></message>
     <message><source>Search times, boards, adapters (Ctrl+F)</source>
         <translation>Rechercher heures, cartes, adaptateurs (Ctrl+F)</translation></message>
-    <message><source>One with a name is kept, however many follow it; F2 or a double click, too</source>
-        <translation>Celui qui a un nom est conservé, quel que soit le nombre des suivants ; aussi avec F2 ou un double clic</translation></message>
+    <message><source>One with a name is kept, however many follow it; a double click, too</source>
+        <translation>Celui qui a un nom est conservé, quel que soit le nombre des suivants ; aussi avec un double clic</translation></message>
     <message><source>Save a copy as a settings file</source>
         <translation>Enregistrer une copie comme fichier de réglages</translation></message>
     <message><source>There are no snapshots yet.

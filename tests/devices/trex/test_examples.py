@@ -7,7 +7,9 @@ import subprocess
 import sys
 import time
 from contextlib import redirect_stdout
+from functools import partial
 from pathlib import Path
+from queue import SimpleQueue
 
 import click
 import pytest
@@ -49,6 +51,10 @@ class Example(Program):
 def motor(simulator: SimulatedDevice, number: int = 1) -> tuple[str, int]:
     state = simulator.show()["motors"][number - 1]
     return state["direction"], state["speed"]
+
+
+def drives(simulator: SimulatedDevice, wanted: tuple[str, int]) -> bool:
+    return motor(simulator) == wanted
 
 
 def run(runtime: VirtualRuntime, name: str, *arguments: object) -> str:
@@ -213,12 +219,16 @@ def test_lost_settings_are_recovered(
 
 
 def test_last_change_is_undone(
-    virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
+    virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     run(virtual_time, "set_parameters", quick_simulator.url)
+    monkeypatch.setattr("builtins.input", lambda _: "n")
     text = run(virtual_time, "undo", quick_simulator.url)
-    assert text.startswith("Before 'library: serial_timeout, motor1_acceleration', 20")
-    assert "serial_timeout restored.\n" in text
+    assert text.startswith("Before 'library: serial_timeout, motor1_acceleration' at ")
+    assert "Serial Timeout: 0.5 s -> off\n" in text
+    assert quick_simulator.show()["parameters"]["serial_timeout"] == 5
+    monkeypatch.setattr("builtins.input", lambda _: "y")
+    assert run(virtual_time, "undo", quick_simulator.url).endswith("2 restored.\n")
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 0
 
 
@@ -239,13 +249,16 @@ def test_keys_of_a_terminal_drive(
     quick_simulator: SimulatedDevice,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    keys = iter(["w", "a", " ", "q"])
-    monkeypatch.setattr(click, "getchar", lambda: next(keys))
+    keys = SimpleQueue[str]()
+    monkeypatch.setattr(click, "getchar", keys.get)
     example = Example(virtual_time, "teleoperate", quick_simulator.url)
-    example.until(lambda: motor(quick_simulator) == ("forward", 40))
-    example.until(lambda: motor(quick_simulator) == ("reverse", 30))
-    example.until(lambda: motor(quick_simulator) == STOPPED)
+    for key, wanted in (("w", ("forward", 40)), ("a", ("reverse", 30)), (" ", STOPPED)):
+        keys.put(key)
+        example.until(partial(drives, quick_simulator, wanted))
+    keys.put("wwwww q")
+    keys.put("q")
     example.end()
+    assert motor(quick_simulator) == STOPPED
 
 
 def test_line_in_use_is_waited_for(
@@ -284,4 +297,4 @@ def test_every_example_is_tested() -> None:
     text = Path(__file__).read_text("utf-8")
     names = [path.stem for path in EXAMPLES.glob("*.py")]
     assert len(names) >= 15
-    assert [name for name in names if name not in text] == []
+    assert [name for name in names if f'"{name}"' not in text and f"{name}.py" not in text] == []

@@ -178,6 +178,11 @@ class Trex:
         """Stored values as they were last read. The session updates them."""
         return self._board.state
 
+    @property
+    def is_responding(self) -> bool:
+        """Whether the board replied when it was last asked. `wait` takes what has come since."""
+        return self._opened is not None and self._opened.mirror.is_responding
+
     def status(self) -> BoardStatus:
         """Return what the board measures now, and the errors since the last call."""
         board = self._board
@@ -328,7 +333,8 @@ class Trex:
     def lost_settings(self) -> tuple[ComparisonRow, ...]:
         """Return what the board stores otherwise than what was applied last, by any program here.
 
-        Empty for a board to which nothing was applied.
+        A board with the device number of the factory, to which nothing was applied, counts as the
+        one that was at this adapter before: look at `device_number` before you apply this.
         """
         self._board.keeper.load()
         return self._board.keeper.memory.differing.rows
@@ -338,9 +344,14 @@ class Trex:
     ) -> tuple[str, ...]:
         """Store what differs from a settings file, or the right side of rows; return the keys.
 
-        A second call writes nothing. Raises as `set_parameters` and `compare_settings`.
+        What the board stores already is not written. Raises as `set_parameters` and
+        `compare_settings`.
         """
-        rows = self.compare_settings(wanted) if isinstance(wanted, str | Path) else tuple(wanted)
+        rows = self.compare_settings(wanted) if isinstance(wanted, str | Path) else wanted
+        settings = settings_of(self.state)
+        stored: dict[str, object] = {**settings.parameters}
+        stored |= {str(key): found for key, found in settings.calibrations.items()}
+        rows = tuple(row for row in rows if stored.get(row.key) != row.after)
         parameters, calibrations = values_to_write(rows)
         for key, wire in parameters:
             self.state.specs[key].check(wire, forced=force)
@@ -380,6 +391,7 @@ class Trex:
         if not parameters and not calibrations:
             return
         reason = f"library: {', '.join(key for key, _ in (*parameters, *calibrations))}"
+        self._board.pump(self._board.clock())  # the board may have been silent meanwhile
         board, state = self._board, self.state
         transaction = board.keeper.begin(state, self._settings, reason, parameters, calibrations)
         written = board.result(

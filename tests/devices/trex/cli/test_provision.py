@@ -10,7 +10,9 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_command import RunCommand, StartCommand
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui import Trex
-from trex_gui.devices.trex.cli import provision as module
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.trex.cli.provision import pulse
+from trex_gui.devices.trex.cli.provision_record import ProvisionedBoard, ProvisionRecord
 
 
 @pytest.fixture
@@ -33,7 +35,13 @@ def rows_of(file: Path) -> list[dict[str, str]]:
 
 
 def wait_for_rows(runtime: VirtualRuntime, record: Path, count: int) -> None:
-    assert runtime.run_until(lambda: record.exists() and len(rows_of(record)) == count, 60)
+    """Wait until so many boards are through."""
+
+    def is_there() -> bool:
+        rows = rows_of(record) if record.exists() else []
+        return len(rows) == count and rows[-1]["result"] != "begun"
+
+    assert runtime.run_until(is_there, 60)
 
 
 def test_boards_are_set_up_with_a_key_press_each(
@@ -105,7 +113,7 @@ def test_nothing_is_written_when_the_user_ends(
     result = trexcmd("provision", str(profile), "--record", str(record), stdin="q")
     assert "Serial Timeout: off -> 0.5 s" in result.stderr
     assert quick_simulator.show()["parameters"] == before
-    assert not record.exists()
+    assert rows_of(record) == []
 
 
 def test_other_file_is_not_overwritten(
@@ -121,19 +129,65 @@ def test_other_file_is_not_overwritten(
     assert "damaged" in trexcmd("provision", str(profile), "--record", str(record), exits=1).stderr
 
 
-def test_motor_turns_only_while_a_key_is_held(
+def test_board_that_was_skipped_or_failed_gives_its_number_to_none(
+    start: StartCommand,
     virtual_time: VirtualRuntime,
     quick_simulator: SimulatedDevice,
-    monkeypatch: pytest.MonkeyPatch,
+    profile: Path,
+    tmp_path: Path,
 ) -> None:
-    presses = iter("mmmmm\r")
+    record = tmp_path / "record.csv"
+    words = "provision", str(profile), "--record", str(record), "--limit", "3"
+    command = start(*words, stdin="s\r\r")
+    for count in (1, 2, 3):
+        wait_for_rows(virtual_time, record, count)
+        virtual_time.run_until(lambda: False, 8)
+        quick_simulator.do("power off")
+        virtual_time.run_until(lambda: False, 8)
+        quick_simulator.do("factory", "power on")
+    assert command.wait() == 0, command.result.output
+    found = [(row["name"], row["number"], row["result"]) for row in rows_of(record)]
+    assert found == [("robot 1", "7", "skipped"), ("robot 1", "1", "ok"), ("robot 2", "2", "ok")]
+    assert {row["certainty"] for row in rows_of(record)} == {"new"}
 
-    def read_key() -> str:
-        key = next(presses)
-        virtual_time.sleep(0.2 if key == "m" else 3)  # released
-        return key
 
-    monkeypatch.setattr(module, "read_key", read_key)
+def test_number_of_a_board_that_was_lost_while_written_is_reserved(
+    start: StartCommand,
+    virtual_time: VirtualRuntime,
+    quick_simulator: SimulatedDevice,
+    profile: Path,
+    tmp_path: Path,
+) -> None:
+    record = tmp_path / "record.csv"
+    words = "provision", str(profile), "--record", str(record), "--limit", "1"
+    command = start(*words, stdin="\r")
+    assert virtual_time.run_until(
+        lambda: quick_simulator.show()["parameters"]["serial_timeout"] == 5, 60
+    )
+    quick_simulator.do("power off")
+    assert command.wait() == 0, command.result.output
+    (row,) = rows_of(record)
+    assert row["number"] == "1"
+    assert row["result"] not in {"ok", "begun"}
+    assert ProvisionRecord(record).free_number(1) == 2
+
+
+def test_record_that_another_program_changed_is_not_overwritten(tmp_path: Path) -> None:
+    file = tmp_path / "record.csv"
+    one, other = ProvisionRecord(file), ProvisionRecord(file)
+    board = ProvisionedBoard("now", "robot 1", 1, "TReX 1.2", "", "", "ok", "new")
+    one.put(board)
+    one.save()
+    other.put(board)
+    with pytest.raises(BadRequest, match="Another program"):
+        other.save()
+    assert len(rows_of(file)) == 1
+
+
+def test_motor_turns_only_while_space_is_held(
+    virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
+) -> None:
+    held, ends = "", []
 
     def motor() -> tuple[str, int]:
         state = quick_simulator.show()["motors"][0]
@@ -141,12 +195,21 @@ def test_motor_turns_only_while_a_key_is_held(
 
     def run() -> None:
         with Trex(quick_simulator.url) as trex:
-            module.pulse(trex, 1)
+            ends.append(pulse(trex, 1, lambda: held))
 
     program = Program(virtual_time, run)
+    virtual_time.run_until(lambda: False, 3)
+    held = "x"
+    virtual_time.run_until(lambda: False, 1)
+    assert motor()[0] != "forward", "only Space drives"
+    held = " "
     program.until(lambda: motor() == ("forward", 30))
-    virtual_time.run_until(lambda: False, 0.5)
-    assert motor() == ("forward", 30), "held"
+    virtual_time.run_until(lambda: False, 2)
+    assert motor() == ("forward", 30)
+    held, released = "", virtual_time.now()
     program.until(lambda: motor() == ("brake", 127))
-    assert not program.has_ended, "released, before Enter"
+    assert virtual_time.now() - released < 0.5
+    assert not program.has_ended
+    held = "q"
     program.end()
+    assert ends == [False], "the next motor is not tried"

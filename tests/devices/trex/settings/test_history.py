@@ -12,6 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.matrix import examples
+from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import SettingsError
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.device_table import device_table
@@ -137,8 +138,12 @@ def test_name_and_note_change_nothing_else(history: SettingsHistory) -> None:
     assert (labelled.name, labelled.note) == ("new tyres", "run 3 as fast as run 2")
     assert history.load(labelled) == settings_of_a_board()
     assert labelled.reason == "Apply"
-    history.label(labelled, name="x" * 99)
-    assert history.snapshots()[0].name == "x" * 60
+    for bad in ({"name": "x" * 61}, {"note": "x" * 301}, {"name": " 2 "}):
+        with pytest.raises(BadRequest):
+            history.label(labelled, **bad)
+    take(history, 1)
+    with pytest.raises(BadRequest, match="Another snapshot"):
+        history.label(history.snapshots()[0], name="new tyres")
     history.label(labelled, name="", note="")
     assert path.read_bytes() == before
 

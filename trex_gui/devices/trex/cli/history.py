@@ -137,8 +137,6 @@ def name(which: str, name: str | None, note: str | None) -> None:
     texts = {kind: text for kind, text in given.items() if text is not None}
     if not texts:
         raise click.UsageError("Give a name, or a note with --note.")
-    if name is not None and name.strip().isdecimal():
-        raise click.UsageError(f"{name!r} would be the number of a snapshot.")
     with refusals():
         SettingsHistory().label(_snapshot_of(which), **texts)
 
@@ -196,8 +194,9 @@ def _path_of(word: str) -> Path:
 def _snapshot_of(word: str) -> Snapshot:
     history = SettingsHistory()
     snapshots = history.snapshots()
-    if named := [one for one in snapshots if one.name == word]:
-        return named[0]
+    named = next((one for one in snapshots if one.name == word), None)
+    if named is not None and not word.isdecimal():
+        return named
     if not word.isdecimal() or len(word) > 9:
         raise click.UsageError(
             f"{word!r} is neither a number such as 1, the newest snapshot, nor the name of one."

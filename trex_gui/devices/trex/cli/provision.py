@@ -1,97 +1,42 @@
 """provision: one cable, many boards in turn."""
 
-import csv
 import hashlib
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable
 from contextlib import ExitStack, suppress
-from dataclasses import asdict, dataclass, fields
+from dataclasses import dataclass, replace
 from datetime import datetime
 from pathlib import Path
-from queue import SimpleQueue
 from typing import Any
 
 import click
 
-from trex_gui.core.cli import CommandFailed, refusals, say
+from trex_gui.core.cli import refusals, say
 from trex_gui.core.command_io import FileName
 from trex_gui.core.errors import NoReply, PortUnavailable, StudioError
-from trex_gui.core.files import load, save
 from trex_gui.core.host import host
+from trex_gui.core.terminal_keys import pressed_keys
 from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.common import link_options, link_settings
 from trex_gui.devices.trex.cli.files import read_file
+from trex_gui.devices.trex.cli.provision_record import (
+    BEGUN,
+    SKIPPED,
+    ProvisionedBoard,
+    ProvisionRecord,
+)
 from trex_gui.devices.trex.discovery import NUMBERS
 from trex_gui.devices.trex.library import Trex
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.comparison import ComparisonRow
 
-_FACTORY_NUMBER = 7  # given to no board, so that one that has it is new
 _LOOK_S = 0.5  # seconds between two looks for a board
 _PULSE = 30  # speed of 127
-_WRITE, _END = {"\r", "\n"}, {"q", "\x04", ""}  # keys; Ctrl-D in a terminal, the end of a pipe
-_HELD_S = 0.8  # seconds without a key after which it is released: terminals repeat late at first
-
-
-@dataclass(frozen=True, slots=True)
-class ProvisionedBoard:
-    """A line of the record."""
-
-    time: str  # local, with the offset to UTC
-    name: str
-    number: int
-    board: str  # model and firmware
-    calibrations: str  # a hash of them: boards have no serial number
-    differences: str  # keys of what was to be written
-    result: str  # ok, skipped, or what went wrong
-    certainty: str  # new, known, or number only
-
-    @classmethod
-    def of(cls, row: dict[str, Any]) -> "ProvisionedBoard":
-        return cls(**{**row, "number": int(row["number"])})
-
-
-class ProvisionRecord:
-    """A CSV file with a line for each board that was set up."""
-
-    def __init__(self, file: Path) -> None:
-        """Raise a SettingsError if the file cannot be used."""
-        self._file = file
-        self.rows: list[ProvisionedBoard] = []
-        names = [field.name for field in fields(ProvisionedBoard)]
-        if file.exists():
-            reader = csv.DictReader(load(file, "records").decode("utf-8-sig").splitlines())
-            if reader.fieldnames != names:
-                raise CommandFailed(f"{file} is no record of this command; name another one.")
-            try:
-                self.rows = [ProvisionedBoard.of(row) for row in reader]
-            except (TypeError, ValueError) as error:
-                raise CommandFailed(f"{file} is damaged: {error}.") from error
-
-    def known(self, number: int) -> ProvisionedBoard | None:
-        """Return the newest line of the board with a number."""
-        return next((row for row in reversed(self.rows) if row.number == number), None)
-
-    def free_number(self, first: int) -> int:
-        taken = {_FACTORY_NUMBER, *(row.number for row in self.rows)}
-        numbers: list[int] = [*range(first, NUMBERS), *range(first)]
-        for number in numbers:
-            if number not in taken:
-                return number
-        raise CommandFailed(f"All {NUMBERS} device numbers are in {self._file}.")
-
-    def add(self, row: ProvisionedBoard) -> None:
-        """Write the whole file anew: after a SettingsError the old one is there."""
-        self.rows.append(row)
-        with refusals():
-            save(self._file, "".join(self._lines()))
-
-    def _lines(self) -> Iterator[str]:
-        names = [field.name for field in fields(ProvisionedBoard)]
-        for cells in (names, *(asdict(row).values() for row in self.rows)):
-            quoted = (f'"{str(cell).replace(chr(34), chr(34) * 2)}"' for cell in cells)
-            yield f"{','.join(quoted)}\n"
+_FIRST_S, _NEXT_S = 0.8, 0.25  # seconds after which a key is released: it repeats late at first
+_ENTER = {"\r", "\n"}
+_END = {"q", "\x04", ""}  # Ctrl-D in a terminal, the end of a pipe
 
 
 @click.command()
@@ -113,7 +58,7 @@ class ProvisionRecord:
     show_default=True,
     help="The first device number to give.",
 )
-@click.option("--pulse", is_flag=True, help="Then turn each motor slowly while a key is held.")
+@click.option("--pulse", is_flag=True, help="Then turn each motor slowly while Space is held.")
 @click.option("--limit", type=click.IntRange(1), metavar="N", help="End after N boards.")
 def provision(
     profile: str,
@@ -137,59 +82,62 @@ def provision(
     link = link_settings(options)
     if link.device_number is not None:
         raise click.UsageError("One board at a time is set up here, without --protocol expanded.")
+    if pulse and not sys.stdin.isatty():
+        raise click.UsageError("--pulse needs a terminal: it looks which key is held.")
     read_file(profile)
     with refusals():
-        record = ProvisionRecord(Path(file))
-    shop = _Shop(link, profile, record, name, first, pulse=pulse)
-    done = 0
-    while (limit is None or done < limit) and shop.take_board():
-        done += 1
+        shop = _Shop(link, profile, ProvisionRecord(Path(file)), name, first, pulses=pulse)
+        done = 0
+        while (limit is None or done < limit) and shop.take_board():
+            done += 1
     say(f"{counted(done, 'board')} in {file}.")
 
 
+@dataclass
 class _Shop:
-    def __init__(
-        self,
-        link: ConnectionSettings,
-        profile: str,
-        record: ProvisionRecord,
-        name: str,
-        first: int,
-        *,
-        pulse: bool,
-    ) -> None:
-        self._link, self._profile, self._record = link, profile, record
-        self._name, self._first, self._pulses = name, first, pulse
+    link: ConnectionSettings
+    profile: str
+    record: ProvisionRecord
+    name: str
+    first: int
+    pulses: bool
 
     def take_board(self) -> bool:
         """Wait for a board and set it up; return whether the user wants more."""
-        say(f"Waiting for a board on {self._link.url} ...")
-        with ExitStack() as stack:
-            trex = self._wait_for_board(stack)
-            if not self._set_up(trex):
-                return False
-            say("Unplug it.")
-            with suppress(NoReply, PortUnavailable):
-                while True:
-                    trex.wait(1.0)
-        return True
+        say(f"Waiting for a board on {self.link.url} ...")
+        wants_more = True
+        try:
+            with ExitStack() as stack:
+                trex = self._wait_for_board(stack)
+                wants_more = self._set_up(trex)
+                if wants_more:
+                    say("Unplug it.")
+                    with suppress(NoReply, PortUnavailable):
+                        while trex.is_responding:
+                            trex.wait(1.0)
+        except (NoReply, PortUnavailable) as error:
+            say(str(error))
+            _say_notes(error)
+        except BaseException as error:
+            _say_notes(error)
+            raise
+        return wants_more
 
     def _wait_for_board(self, stack: ExitStack) -> Trex:
         said = ""
         while True:
             try:
                 return stack.enter_context(self._open())
-            except NoReply:
-                pass
             except StudioError as error:
-                if str(error) != said:
+                usual = getattr(error, "code", None) is ErrorCode.NO_BOARD
+                if not usual and str(error) != said:
                     said = str(error)
                     say(said)
             with (condition := host().condition()):
                 condition.wait(_LOOK_S)
 
     def _open(self) -> Trex:
-        link, line = self._link, self._link.line
+        link, line = self.link, self.link.line
         return Trex(
             link.url,
             baud=line.baud,
@@ -200,48 +148,63 @@ class _Shop:
         )
 
     def _set_up(self, trex: Trex) -> bool:
-        board, prints = str(trex.state.signature), _fingerprint(trex)
-        stored = trex.parameter("device_number")
-        known = self._record.known(stored)
-        number = self._record.free_number(self._first) if known is None else stored
-        name = known.name if known else self._name.replace("{number}", str(number))
+        stored, prints = trex.parameter("device_number"), _fingerprint(trex)
+        known = self.record.known(stored)
+        number = self.record.free_number(self.first) if known is None else stored
         certainty = "new"
         if known is not None:
             certainty = "known" if known.calibrations == prints else "number only"
         rows = self._differing(trex)
-        say(f"\n{board}, {certainty}: {name}, device number {number}")
+        keys = [row.key for row in rows]
+        if number != stored:
+            keys.append(ParameterKey.DEVICE_NUMBER)
+        board = ProvisionedBoard(
+            datetime.now().astimezone().isoformat(timespec="seconds"),
+            known.name if known else self.name.replace("{number}", str(number)),
+            number,
+            str(trex.state.signature),
+            prints,
+            " ".join(keys),
+            BEGUN,
+            certainty,
+        )
+        say(f"\n{board.board}, {certainty}: {board.name}, device number {number}")
         for row in rows:
             say(f"  {row.name}: {row.text_before or 'not known'} -> {row.text_after}")
         click.echo("Enter: write and check; s: skip; q: end ", nl=False, err=True)
-        while (key := read_key()) not in {*_WRITE, "s", *_END}:
+        while (key := read_key()) not in {*_ENTER, "s", *_END}:
             pass
         click.echo(err=True)
         if key in _END:
             return False
-        keys = [row.key for row in rows]
-        if number != stored:
-            keys.append(ParameterKey.DEVICE_NUMBER)
-        result = self._write(trex, number, rows) if key in _WRITE else "skipped"
-        if result == "ok":
-            stored, prints = number, _fingerprint(trex)
-        self._record.add(
-            ProvisionedBoard(
-                datetime.now().astimezone().isoformat(timespec="seconds"),
-                name,
-                stored,
-                board,
-                prints,
-                " ".join(keys),
-                result,
-                certainty,
-            )
-        )
-        say(f"{name}: {result}.")
+        trex.wait(0.05)  # NoReply if it was unplugged meanwhile
+        if key in _ENTER:
+            self._note(board)  # with its number, before the board may have that
+            result = self._write(trex, number, rows)
+            if trex.is_responding:
+                prints = _fingerprint(trex)
+            self._note(replace(board, calibrations=prints, result=result))
+        else:
+            result = SKIPPED
+            prints = known.calibrations if known else prints
+            self._note(replace(board, number=stored, calibrations=prints, result=result))
+        say(f"{board.name}: {result}.")
         return True
 
+    def _note(self, board: ProvisionedBoard) -> None:
+        self.record.put(board)
+        while True:
+            try:
+                self.record.save()
+            except StudioError as error:
+                say(f"{error} Any key: try again; q: end.")
+                if read_key() in _END:
+                    raise
+            else:
+                return
+
     def _differing(self, trex: Trex) -> tuple[ComparisonRow, ...]:
-        with refusals():
-            rows = trex.compare_settings(self._profile)
+        rows = trex.compare_settings(self.profile)
         return tuple(row for row in rows if row.key != ParameterKey.DEVICE_NUMBER)
 
     def _write(self, trex: Trex, number: int, rows: tuple[ComparisonRow, ...]) -> str:
@@ -251,41 +214,43 @@ class _Shop:
             trex.set_parameters(device_number=number)
             if left := self._differing(trex):
                 return f"differs: {' '.join(row.key for row in left)}"
-            if self._pulses:
-                for motor in (1, 2):
-                    pulse(trex, motor)
+            if self.pulses:
+                with pressed_keys() as typed:
+                    for motor in (1, 2):
+                        if not pulse(trex, motor, typed):
+                            return "ended while motors were tried"
         except StudioError as error:
             return str(error)
-        return "ok"
+        hidden = self._hidden(trex)
+        return f"ok, without {hidden}" if hidden else "ok"
+
+    def _hidden(self, trex: Trex) -> str:
+        """Return the calibrations of the profile that the board does not show and take now."""
+        given = read_file(self.profile).calibrations
+        return " ".join(str(key) for key in given if key.source is not trex.state.source)
 
 
-def pulse(trex: Trex, motor: int) -> None:
-    """Turn a motor slowly while a key is held, until Enter is pressed."""
-    say(f"Hold a key to turn motor {motor}; Enter: go on.")
-    keys: SimpleQueue[str] = SimpleQueue()
+def pulse(trex: Trex, motor: int, typed: Callable[[], str]) -> bool:
+    """Turn a motor slowly while Space is held; return whether Enter ended it, not q or Esc.
 
-    def read() -> None:
-        key = ""
-        with suppress(EOFError, KeyboardInterrupt):
-            while (key := read_key()) not in {"\r", "\n", ""}:
-                keys.put(key)
-        keys.put("")
-
-    host().start_thread(read)
-    clock, pressed, is_running = host().clock, 0.0, False
+    `typed` returns the keys since its last call.
+    """
+    say(f"Hold Space to turn motor {motor}; Enter: go on; q: end.")
+    clock, pressed, presses = host().clock, 0.0, 0  # since the motor turns
+    typed()
     while True:
-        trex.wait(0.05)
-        while not keys.empty():  # all of them: a motor must not turn for keys of a moment ago
-            if not keys.get():
-                trex.stop()
-                return
-            pressed = clock()
-            if not is_running:
-                trex.drive(*((_PULSE, None) if motor == 1 else (None, _PULSE)))
-                is_running = True
-        if is_running and clock() - pressed > _HELD_S:
+        keys = typed()
+        if any(key in keys for key in ("\r", "\n", "q", "\x1b", "\x04")):
             trex.stop()
-            is_running = False
+            return "\r" in keys or "\n" in keys
+        if " " in keys:
+            pressed, presses = clock(), presses + 1
+            trex.drive(*((_PULSE, None) if motor == 1 else (None, _PULSE)))
+        elif presses and clock() - pressed > (_FIRST_S if presses == 1 else _NEXT_S):
+            presses = 0
+            trex.stop()
+            typed()  # what was typed while the stop was confirmed
+        trex.wait(0.05)
 
 
 def read_key() -> str:
@@ -297,3 +262,9 @@ def _fingerprint(trex: Trex) -> str:
     """Return a hash of the calibrations that the board shows."""
     shown = sorted(trex.state.calibrations.items())
     return hashlib.sha256(repr(shown).encode()).hexdigest()[:8]
+
+
+def _say_notes(error: BaseException) -> None:
+    """Say what happened at the end of the block of a `Trex`: a stop that is not confirmed."""
+    for note in getattr(error, "__notes__", ()):
+        say(note)

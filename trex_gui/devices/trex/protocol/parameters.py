@@ -92,7 +92,7 @@ def acceleration_wire(seconds: float) -> int:
     return min(longer, longer + 1, key=lambda wire: abs(FULL_SPEED_S / wire - seconds))
 
 
-@cache
+@cached_text
 def ramp_seconds(wire: int) -> str:
     """Return the shortest number of seconds to full speed that means this wire value."""
     texts = (f"{FULL_SPEED_S / wire:.{decimals}f}" for decimals in range(1, 5))

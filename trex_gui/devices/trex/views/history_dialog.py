@@ -60,7 +60,7 @@ class HistoryDialog(ReusedDialog):
         self._none = ui.label(self, "snapshotNoMatch", tr("No snapshot matches the search."))
         self._none.hide()
         button = partial(ui.button, self, default=False)  # Enter means something else
-        tip = tr("One with a name is kept, however many follow it; F2 or a double click, too")
+        tip = tr("One with a name is kept, however many follow it; a double click, too")
         self._name = button("nameSnapshotButton", tr("&Name…"), icon="edited", tip=tip)
         tip = tr("Save a copy as a settings file")
         self._save = button("saveSnapshotButton", tr("Save &as…"), icon="save", tip=tip)

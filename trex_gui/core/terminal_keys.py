@@ -1,0 +1,44 @@
+"""Keys of a terminal, without waiting for them."""
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+
+@contextmanager
+def pressed_keys() -> Iterator[Callable[[], str]]:
+    """Give a function that returns what was typed since its last call. Ctrl-C stays an interrupt.
+
+    Standard input has to be a terminal. It is as before when the block ends.
+    """
+    if sys.platform == "win32":
+        import msvcrt  # noqa: PLC0415 - not everywhere
+
+        def typed() -> str:
+            text = ""
+            while msvcrt.kbhit():
+                text += msvcrt.getwch()
+            return text
+
+        yield typed
+        return
+
+    import os  # noqa: PLC0415
+    import select  # noqa: PLC0415
+    import termios  # noqa: PLC0415
+    import tty  # noqa: PLC0415
+
+    terminal = sys.stdin.fileno()
+    before = termios.tcgetattr(terminal)
+
+    def read() -> str:
+        text = b""
+        while select.select([terminal], [], [], 0)[0] and (more := os.read(terminal, 1024)):
+            text += more
+        return text.decode("utf-8", "replace")
+
+    try:
+        tty.setcbreak(terminal)
+        yield read
+    finally:
+        termios.tcsetattr(terminal, termios.TCSADRAIN, before)
