@@ -65,7 +65,6 @@ _EXAMPLES = (
     ["explain"],
     ["set_parameters"],
     ["recover"],
-    ["undo"],
     ["wait_for_line"],
     ["log_currents", "0.2"],
     ["drive", "30"],
