@@ -21,7 +21,9 @@ from trex_gui import (
     StudioError,
     Trex,
 )
+from trex_gui.core.files import data_folder
 from trex_gui.core.guardian.log import StopResult, logged_stops
+from trex_gui.core.transport.driven import driven_boards
 
 
 def motor(simulator: SimulatedDevice, number: int = 1) -> tuple[str, int]:
@@ -324,3 +326,30 @@ def test_board_of_a_program_that_closes_every_descriptor_is_stopped(
             )
         finally:
             program.kill()
+
+
+@pytest.mark.realtime
+def test_board_stopped_by_the_end_of_the_block_is_not_left_running(
+    start_simulator: StartSimulator,
+) -> None:
+    with Trex(start_simulator().url) as trex:
+        trex.drive(60)
+        trex.wait(0.5)
+        assert len(list((data_folder() / "driven").iterdir())) == 1
+    assert driven_boards() == {}
+
+
+@pytest.mark.realtime
+def test_silence_ends_a_drive_although_commands_are_repeated(
+    start_simulator: StartSimulator,
+) -> None:
+    """Real adapters have longer deadlines: sending setpoints again must leave polls a turn."""
+    simulator = start_simulator()
+    with Trex(simulator.url) as trex:
+        trex.drive(60, 60)
+        trex.wait(0.5)
+        simulator.do("line mute on")
+        with pytest.raises(NoReply, match="stopped responding"):
+            trex.wait(20)
+        assert motor(simulator) == STOPPED
+        simulator.do("line mute off")

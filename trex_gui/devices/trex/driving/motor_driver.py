@@ -257,6 +257,7 @@ class MotorDriver:
             self._take_statuses([latched] if latched else [])
             self.output.note_status(latched, stops_on_error=True)
             if not latched.is_whole:
+                refresh.note_sent(self._now())  # else it is due again, and polls never have a turn
                 return
         for command in refresh.speeds():
             self.client.send(command)
