@@ -157,3 +157,10 @@ def test_stop_follows_a_changed_device_number(stage: Stage) -> None:
     run_for(stage, 3.0, ConnectionSettings("virtual", device_number=7))
     numbers = {one.packets[1] for one in stage.transport.guardian.watched if one is not None}
     assert numbers == {7, 9}
+
+
+def test_closing_while_motors_are_driven_ends_the_watch(stage: Stage) -> None:
+    stage.script.at(0.5, SETPOINT)
+    reports = run_for(stage, 2.0)
+    assert reports[-1] == Closed(None)
+    assert stage.transport.guardian.watched[-1] is None, "the board was not left running"

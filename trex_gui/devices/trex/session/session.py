@@ -179,6 +179,8 @@ class TrexSession:
             if was_driven and not self._motors.may_move:
                 self._stopped_another = self._is_another_board()
             client.drain()
+            self._is_open = self._motors.may_move
+            line.transport.beat()  # a guardian that is not told so keeps the board as left running
         except StudioError:
             log.info("the line was closed without a confirmed stop", exc_info=True)
         except Exception:
