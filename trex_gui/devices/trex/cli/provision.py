@@ -88,7 +88,7 @@ def provision(
     with refusals():
         shop = _Shop(link, profile, ProvisionRecord(Path(file)), name, first, pulses=pulse)
         done = 0
-        while (limit is None or done < limit) and shop.take_board():
+        while done != limit and shop.take_board(is_last=done + 1 == limit):
             done += 1
     say(f"{counted(done, 'board')} in {file}.")
 
@@ -102,7 +102,7 @@ class _Shop:
     first: int
     pulses: bool
 
-    def take_board(self) -> bool:
+    def take_board(self, *, is_last: bool) -> bool:
         """Wait for a board and set it up; return whether the user wants more."""
         say(f"Waiting for a board on {self.link.url} ...")
         wants_more = True
@@ -110,7 +110,7 @@ class _Shop:
             with ExitStack() as stack:
                 trex = self._wait_for_board(stack)
                 wants_more = self._set_up(trex)
-                if wants_more:
+                if wants_more and not is_last:
                     say("Unplug it.")
                     with suppress(NoReply, PortUnavailable):
                         while trex.is_responding:
