@@ -91,6 +91,22 @@ def test_drive_ends_with_what_happened(
         Program(virtual_time, run).end()
 
 
+def test_logger_goes_on_when_the_board_is_back(
+    virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
+) -> None:
+    def run() -> None:
+        with Trex(quick_simulator.url) as trex:
+            quick_simulator.do("power off")
+            for _ in range(2):
+                with pytest.raises(NoReply):
+                    list(trex.measurements(3))
+            quick_simulator.do("power on")
+            trex.wait(3)
+            assert list(trex.measurements(1))
+
+    Program(virtual_time, run).end()
+
+
 def test_silent_board_is_not_driven_again(
     virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
 ) -> None:

@@ -243,6 +243,9 @@ class Trex:
         """Yield a row for each new pair of motor currents, as `trexcmd stream` writes them.
 
         Keys have the units: `time_s`, `motor_1_current_A`, `channel_1_us`, …
+
+        Raises:
+            NoReply: the board falls silent, or is silent for all of the time.
         """
         table = MeasurementTable(self.state.mode, self.state.signature.model.current_unit)
         board = self._board
@@ -251,6 +254,8 @@ class Trex:
             for sample in board.pump(begun + seconds):
                 if sample.time >= begun and table.take(sample):
                     yield table.finish(sample.time - begun)
+        if not board.mirror.is_responding:
+            raise NoReply(Reason(DriveBlocker.SILENT).text())
 
     # --- Settings -----------------------------------------------------------------------
 
