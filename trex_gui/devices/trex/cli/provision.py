@@ -31,6 +31,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.comparison import ComparisonRow
+from trex_gui.devices.trex.settings.document import Settings
 
 _LOOK_S = 0.5  # seconds between two looks for a board
 _PULSE = 30  # speed of 127
@@ -84,9 +85,10 @@ def provision(
         raise click.UsageError("One board at a time is set up here, without --protocol expanded.")
     if pulse and not sys.stdin.isatty():
         raise click.UsageError("--pulse needs a terminal: it looks which key is held.")
-    read_file(profile)
+    wanted = read_file(profile)
     with refusals():
-        shop = _Shop(link, profile, ProvisionRecord(Path(file)), name, first, pulses=pulse)
+        record = ProvisionRecord(Path(file))
+        shop = _Shop(link, profile, wanted, record, name, first, pulses=pulse)
         done = 0
         while done != limit and shop.take_board(is_last=done + 1 == limit):
             done += 1
@@ -97,13 +99,14 @@ def provision(
 class _Shop:
     link: ConnectionSettings
     profile: str
+    wanted: Settings  # in it
     record: ProvisionRecord
     name: str
     first: int
     pulses: bool
 
     def take_board(self, *, is_last: bool) -> bool:
-        """Wait for a board and set it up; return whether the user wants more."""
+        """Wait for a board and set it up. Return whether the user wants more."""
         say(f"Waiting for a board on {self.link.url} ...")
         wants_more = True
         try:
@@ -226,12 +229,12 @@ class _Shop:
 
     def _hidden(self, trex: Trex) -> str:
         """Return the calibrations of the profile that the board does not show and take now."""
-        given = read_file(self.profile).calibrations
-        return " ".join(str(key) for key in given if key.source is not trex.state.source)
+        given, source = self.wanted.calibrations, trex.state.source
+        return " ".join(str(key) for key in given if key.source is not source)
 
 
 def pulse(trex: Trex, motor: int, typed: Callable[[], str]) -> bool:
-    """Turn a motor slowly while Space is held; return whether Enter ended it, not q or Esc.
+    """Turn a motor slowly while Space is held. Return whether Enter ended it, not q or Esc.
 
     `typed` returns the keys since its last call.
     """
