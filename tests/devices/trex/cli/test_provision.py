@@ -7,7 +7,7 @@ import pytest
 
 from tests.support.library_program import Program
 from tests.support.simulator import SimulatedDevice
-from tests.support.virtual_command import RunCommand, StartCommand
+from tests.support.virtual_command import RunCommand, StartCommand, VirtualCommand
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui import Trex
 from trex_gui.core.errors import BadRequest
@@ -34,44 +34,48 @@ def rows_of(file: Path) -> list[dict[str, str]]:
         return list(csv.DictReader(stream))
 
 
-def wait_for_rows(runtime: VirtualRuntime, record: Path, count: int) -> None:
-    """Wait until so many boards are through."""
+class Shop:
+    """A cable, the boards that come to it, and the record of them."""
 
-    def is_there() -> bool:
-        rows = rows_of(record) if record.exists() else []
-        return len(rows) == count and rows[-1]["result"] != "begun"
+    def __init__(self, board: SimulatedDevice, start: StartCommand, profile: Path) -> None:
+        self.board = board
+        self.record = profile.with_name("record.csv")
+        self._start, self._profile = start, profile
 
-    assert runtime.run_until(is_there, 60)
+    @property
+    def rows(self) -> list[dict[str, str]]:
+        return rows_of(self.record) if self.record.exists() else []
+
+    def begin(self, keys: str, *options: str) -> VirtualCommand:
+        words = "provision", str(self._profile), "--record", str(self.record)
+        return self._start(*words, "--limit", str(len(keys)), *options, stdin=keys)
+
+    def wait_for_rows(self, runtime: VirtualRuntime, count: int) -> None:
+        """Wait until so many boards are through."""
+        assert runtime.run_until(
+            lambda: len(self.rows) == count and self.rows[-1]["result"] != "begun", 60
+        )
+
+    def bring_a_new_board(self, runtime: VirtualRuntime) -> None:
+        self.board.do("power off")
+        runtime.run_until(lambda: False, 8)
+        self.board.do("factory", "power on")
 
 
-def test_boards_are_set_up_with_a_key_press_each(
-    start: StartCommand,
-    virtual_time: VirtualRuntime,
-    quick_simulator: SimulatedDevice,
-    profile: Path,
-    tmp_path: Path,
-) -> None:
-    record, boards = tmp_path / "record.csv", 5
-    command = start(
-        "provision",
-        str(profile),
-        "--record",
-        str(record),
-        "--first",
-        "5",
-        "--limit",
-        str(boards),
-        stdin="\r" * boards,
-    )
-    for done in range(1, boards + 1):
-        wait_for_rows(virtual_time, record, done)
-        stored = quick_simulator.show()["parameters"]
+@pytest.fixture
+def shop(quick_simulator: SimulatedDevice, start: StartCommand, profile: Path) -> Shop:
+    return Shop(quick_simulator, start, profile)
+
+
+def test_boards_are_set_up_with_a_key_press_each(virtual_time: VirtualRuntime, shop: Shop) -> None:
+    command = shop.begin("\r" * 5, "--first", "5")
+    for done in range(1, 6):
+        shop.wait_for_rows(virtual_time, done)
+        stored = shop.board.show()["parameters"]
         assert (stored["serial_timeout"], stored["motor1_acceleration"]) == (5, 20)
-        quick_simulator.do("power off")
-        virtual_time.run_until(lambda: False, 8)
-        quick_simulator.do("factory", "power on")
+        shop.bring_a_new_board(virtual_time)
     assert command.wait() == 0, command.result.output
-    rows = rows_of(record)
+    rows = shop.rows
     assert [row["number"] for row in rows] == ["5", "6", "8", "9", "10"], "7 is that of new boards"
     assert [row["name"] for row in rows][:2] == ["robot 5", "robot 6"]
     assert {row["result"] for row in rows} == {"ok"}
@@ -80,26 +84,11 @@ def test_boards_are_set_up_with_a_key_press_each(
     assert rows[0]["board"] == "TReX 1.2"
 
 
-def test_known_board_keeps_number_and_name(
-    start: StartCommand,
-    virtual_time: VirtualRuntime,
-    quick_simulator: SimulatedDevice,
-    profile: Path,
-    tmp_path: Path,
-) -> None:
-    record = tmp_path / "record.csv"
-    words = "provision", str(profile), "--record", str(record), "--limit", "1"
-
-    def run(key: str, count: int) -> dict[str, str]:
-        command = start(*words, "--name", "arm {number}", stdin=key)
-        wait_for_rows(virtual_time, record, count)
-        quick_simulator.do("power off")
-        assert command.wait() == 0, command.result.output
-        quick_simulator.do("power on")
-        return rows_of(record)[-1]
-
-    assert run("\r", 1)["name"] == "arm 1"
-    again = run("s", 2)
+def test_known_board_keeps_number_and_name(shop: Shop) -> None:
+    assert shop.begin("\r", "--name", "arm {number}").wait() == 0
+    assert shop.rows[-1]["name"] == "arm 1"
+    assert shop.begin("s").wait() == 0
+    again = shop.rows[-1]
     assert (again["name"], again["number"]) == ("arm 1", "1")
     assert (again["result"], again["certainty"]) == ("skipped", "known")
     assert not again["differences"]
@@ -129,47 +118,32 @@ def test_other_file_is_not_overwritten(
     assert "damaged" in trexcmd("provision", str(profile), "--record", str(record), exits=1).stderr
 
 
-def test_board_that_was_skipped_or_failed_gives_its_number_to_none(
-    start: StartCommand,
-    virtual_time: VirtualRuntime,
-    quick_simulator: SimulatedDevice,
-    profile: Path,
-    tmp_path: Path,
+def test_board_that_was_skipped_gives_its_number_to_none(
+    virtual_time: VirtualRuntime, shop: Shop
 ) -> None:
-    record = tmp_path / "record.csv"
-    words = "provision", str(profile), "--record", str(record), "--limit", "3"
-    command = start(*words, stdin="s\r\r")
+    command = shop.begin("s\r\r")
     for count in (1, 2, 3):
-        wait_for_rows(virtual_time, record, count)
-        virtual_time.run_until(lambda: False, 8)
-        quick_simulator.do("power off")
-        virtual_time.run_until(lambda: False, 8)
-        quick_simulator.do("factory", "power on")
+        shop.wait_for_rows(virtual_time, count)
+        shop.bring_a_new_board(virtual_time)
     assert command.wait() == 0, command.result.output
-    found = [(row["name"], row["number"], row["result"]) for row in rows_of(record)]
+    found = [(row["name"], row["number"], row["result"]) for row in shop.rows]
     assert found == [("robot 1", "7", "skipped"), ("robot 1", "1", "ok"), ("robot 2", "2", "ok")]
-    assert {row["certainty"] for row in rows_of(record)} == {"new"}
+    assert {row["certainty"] for row in shop.rows} == {"new"}
 
 
 def test_number_of_a_board_that_was_lost_while_written_is_reserved(
-    start: StartCommand,
-    virtual_time: VirtualRuntime,
-    quick_simulator: SimulatedDevice,
-    profile: Path,
-    tmp_path: Path,
+    virtual_time: VirtualRuntime, shop: Shop
 ) -> None:
-    record = tmp_path / "record.csv"
-    words = "provision", str(profile), "--record", str(record), "--limit", "1"
-    command = start(*words, stdin="\r")
+    command = shop.begin("\r")
     assert virtual_time.run_until(
-        lambda: quick_simulator.show()["parameters"]["serial_timeout"] == 5, 60
+        lambda: shop.board.show()["parameters"]["serial_timeout"] == 5, 60
     )
-    quick_simulator.do("power off")
+    shop.board.do("power off")
     assert command.wait() == 0, command.result.output
-    (row,) = rows_of(record)
+    (row,) = shop.rows
     assert row["number"] == "1"
     assert row["result"] not in {"ok", "begun"}
-    assert ProvisionRecord(record).free_number(1) == 2
+    assert ProvisionRecord(shop.record).free_number(1) == 2
 
 
 def test_record_that_another_program_changed_is_not_overwritten(tmp_path: Path) -> None:

@@ -159,8 +159,8 @@ def test_stop_follows_a_changed_device_number(stage: Stage) -> None:
     assert numbers == {7, 9}
 
 
-def test_closing_while_motors_are_driven_ends_the_watch(stage: Stage) -> None:
-    stage.script.at(0.5, SETPOINT)
-    reports = run_for(stage, 2.0)
+def test_closing_while_motors_are_armed_ends_the_watch(stage: Stage) -> None:
+    stage.script.at(0.4, Arm()).at(0.5, SETPOINT)
+    reports = run_for(stage, 0.8)
     assert reports[-1] == Closed(None)
     assert stage.transport.guardian.watched[-1] is None, "the board was not left running"
