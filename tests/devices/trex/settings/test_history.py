@@ -143,7 +143,7 @@ def test_name_and_note_change_nothing_else(history: SettingsHistory) -> None:
             history.label(labelled, **bad)
     take(history, 1)
     with pytest.raises(BadRequest, match="Another snapshot"):
-        history.label(history.snapshots()[0], name="new tyres")
+        history.label(history.snapshots()[0], name="new  tyres")
     history.label(labelled, name="", note="")
     assert path.read_bytes() == before
 

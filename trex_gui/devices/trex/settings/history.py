@@ -169,17 +169,17 @@ class SettingsHistory:
             BadRequest: the name is a number or that of another snapshot, or a text is too long.
             SettingsError: the file is gone, or cannot be written.
         """
-        for kind, given in texts.items():
-            if len(given) > _LONGEST[kind]:
+        cleaned = {kind: " ".join(clean_note(text).split()) for kind, text in texts.items()}
+        for kind, text in cleaned.items():
+            if len(text) > _LONGEST[kind]:
                 raise BadRequest(tr("It may have {0} characters.").format(_LONGEST[kind]))
-        name = texts.get("name", "").strip()
+        name = cleaned.get("name", "")
         if name.isdecimal():
             raise BadRequest(tr("{0} would be the number of a snapshot.").format(name))
         if name and any(one.name == name != snapshot.name for one in self.snapshots()):
             raise BadRequest(tr("Another snapshot has the name {0}.").format(name))
         lines = load(snapshot.path).split(b"\n")  # all others stay as they are
-        for kind, given in texts.items():
-            text = " ".join(clean_note(given).split())
+        for kind, text in cleaned.items():
             begin = f"# {kind}: ".encode()
             first, *rest = (line for line in lines[:_HEAD_LINES] if not line.startswith(begin))
             lines[:_HEAD_LINES] = [first, *([begin + text.encode()] if text else []), *rest]
