@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from tests.support.library_program import Program
-from tests.support.simulator import SimulatedDevice
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_command import RunCommand, StartCommand, VirtualCommand
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui import Trex
@@ -92,6 +92,16 @@ def test_known_board_keeps_number_and_name(shop: Shop) -> None:
     assert (again["name"], again["number"]) == ("arm 1", "1")
     assert (again["result"], again["certainty"]) == ("skipped", "known")
     assert not again["differences"]
+
+
+def test_board_of_another_model_is_passed_over(
+    start: StartCommand, start_simulator: StartSimulator, profile: Path
+) -> None:
+    words = "provision", str(profile), "--record", str(profile.with_name("record.csv"))
+    command = start(*words, "--limit", "1", url=start_simulator("--model", "trexjr").url)
+    assert command.wait() == 0
+    assert "is of a TReX, and the board a TReX Jr" in command.result.stderr
+    assert rows_of(profile.with_name("record.csv")) == []
 
 
 def test_nothing_is_written_when_the_user_ends(

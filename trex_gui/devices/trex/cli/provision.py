@@ -13,7 +13,7 @@ import click
 
 from trex_gui.core.cli import refusals, say
 from trex_gui.core.command_io import FileName
-from trex_gui.core.errors import NoReply, PortUnavailable, StudioError
+from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable, StudioError
 from trex_gui.core.host import host
 from trex_gui.core.terminal_keys import pressed_keys
 from trex_gui.core.texts import counted
@@ -157,7 +157,11 @@ class _Shop:
         certainty = "new"
         if known is not None:
             certainty = "known" if known.calibrations == prints else "number only"
-        rows = self._differing(trex)
+        try:
+            rows = self._differing(trex)
+        except BadRequest as error:  # of another model: the next board may fit
+            say(str(error))
+            return True
         keys = [row.key for row in rows]
         if number != stored:
             keys.append(ParameterKey.DEVICE_NUMBER)
