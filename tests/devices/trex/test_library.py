@@ -367,5 +367,5 @@ def test_silence_ends_a_drive_although_commands_are_repeated(
         simulator.do("line mute on")
         with pytest.raises(NoReply, match="stopped responding"):
             trex.wait(20)
-        assert motor(simulator) == STOPPED
+        assert comes_true(lambda: motor(simulator) == STOPPED)
         simulator.do("line mute off")
