@@ -12,7 +12,7 @@ from tests.support.virtual_time import VirtualRuntime
 from trex_gui import Trex
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.cli.provision import pulse
-from trex_gui.devices.trex.cli.provision_record import ProvisionedBoard, ProvisionRecord
+from trex_gui.devices.trex.settings.provision_record import ProvisionedBoard, ProvisionRecord
 
 
 @pytest.fixture
@@ -153,7 +153,7 @@ def test_number_of_a_board_that_was_lost_while_written_is_reserved(
     (row,) = shop.rows
     assert row["number"] == "1"
     assert row["result"] not in {"ok", "begun"}
-    assert ProvisionRecord(shop.record).free_number(1) == 2
+    assert ProvisionRecord(shop.record).free_number() == 2
 
 
 def test_record_that_another_program_changed_is_not_overwritten(tmp_path: Path) -> None:

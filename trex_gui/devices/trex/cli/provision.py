@@ -1,11 +1,9 @@
 """provision: one cable, many boards in turn."""
 
-import hashlib
 import sys
 from collections.abc import Callable
 from contextlib import ExitStack, suppress
 from dataclasses import dataclass, replace
-from datetime import datetime
 from pathlib import Path
 from typing import Any
 
@@ -19,19 +17,20 @@ from trex_gui.core.terminal_keys import pressed_keys
 from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.common import link_options, link_settings
 from trex_gui.devices.trex.cli.files import read_file
-from trex_gui.devices.trex.cli.provision_record import (
-    BEGUN,
-    SKIPPED,
-    ProvisionedBoard,
-    ProvisionRecord,
-)
 from trex_gui.devices.trex.discovery import NUMBERS
 from trex_gui.devices.trex.library import Trex
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import ErrorCode
-from trex_gui.devices.trex.protocol.parameters import ParameterKey
-from trex_gui.devices.trex.settings.comparison import ComparisonRow
-from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow
+from trex_gui.devices.trex.settings.document import Settings, settings_of
+from trex_gui.devices.trex.settings.provision_record import (
+    NOT_TRIED,
+    ProvisionedBoard,
+    ProvisionRecord,
+    differing,
+    fingerprint,
+    result_text,
+)
 
 _LOOK_S = 0.5  # seconds between two looks for a board
 _PULSE = 30  # speed of 127
@@ -87,8 +86,8 @@ def provision(
         raise click.UsageError("--pulse needs a terminal: it looks which key is held.")
     wanted = read_file(profile)
     with refusals():
-        record = ProvisionRecord(Path(file))
-        shop = _Shop(link, profile, wanted, record, name, first, pulses=pulse)
+        record = ProvisionRecord(Path(file), name=name, first=first)
+        shop = _Shop(link, profile, wanted, record, pulses=pulse)
         done = 0
         while done != limit and shop.take_board(is_last=done + 1 == limit):
             done += 1
@@ -101,8 +100,6 @@ class _Shop:
     profile: str
     wanted: Settings  # in it
     record: ProvisionRecord
-    name: str
-    first: int
     pulses: bool
 
     def take_board(self, *, is_last: bool) -> bool:
@@ -151,31 +148,14 @@ class _Shop:
         )
 
     def _set_up(self, trex: Trex) -> bool:
-        stored, prints = trex.parameter("device_number"), _fingerprint(trex)
-        known = self.record.known(stored)
-        number = self.record.free_number(self.first) if known is None else stored
-        certainty = "new"
-        if known is not None:
-            certainty = "known" if known.calibrations == prints else "number only"
         try:
             rows = self._differing(trex)
         except BadRequest as error:  # of another model: the next board may fit
             say(str(error))
             return True
-        keys = [row.key for row in rows]
-        if number != stored:
-            keys.append(ParameterKey.DEVICE_NUMBER)
-        board = ProvisionedBoard(
-            datetime.now().astimezone().isoformat(timespec="seconds"),
-            known.name if known else self.name.replace("{number}", str(number)),
-            number,
-            str(trex.state.signature),
-            prints,
-            " ".join(keys),
-            BEGUN,
-            certainty,
-        )
-        say(f"\n{board.board}, {certainty}: {board.name}, device number {number}")
+        stored = settings_of(trex.state)
+        board = self.record.propose(stored, str(trex.state.signature), rows)
+        say(f"\n{board.board}, {board.certainty}: {board.name}, device number {board.number}")
         for row in rows:
             say(f"  {row.name}: {row.text_before or 'not known'} -> {row.text_after}")
         click.echo("Enter: write and check; s: skip; q: end ", nl=False, err=True)
@@ -187,15 +167,14 @@ class _Shop:
         trex.wait(0.05)  # NoReply if it was unplugged meanwhile
         if key in _ENTER:
             self._note(board)  # with its number, before the board may have that
-            result = self._write(trex, number, rows)
+            result = self._write(trex, board.number, rows)
             if trex.is_responding:
-                prints = _fingerprint(trex)
-            self._note(replace(board, calibrations=prints, result=result))
+                board = replace(board, calibrations=fingerprint(settings_of(trex.state)))
+            board = replace(board, result=result)
         else:
-            result = SKIPPED
-            prints = known.calibrations if known else prints
-            self._note(replace(board, number=stored, calibrations=prints, result=result))
-        say(f"{board.name}: {result}.")
+            board = self.record.skipped(board, stored)
+        self._note(board)
+        say(f"{board.name}: {board.result}.")
         return True
 
     def _note(self, board: ProvisionedBoard) -> None:
@@ -211,30 +190,22 @@ class _Shop:
                 return
 
     def _differing(self, trex: Trex) -> tuple[ComparisonRow, ...]:
-        rows = trex.compare_settings(self.profile)
-        return tuple(row for row in rows if row.key != ParameterKey.DEVICE_NUMBER)
+        return differing(Comparison(trex.compare_settings(self.profile)))
 
     def _write(self, trex: Trex, number: int, rows: tuple[ComparisonRow, ...]) -> str:
         """Return how it ended, for the record."""
         try:
             trex.apply_settings(rows)
             trex.set_parameters(device_number=number)
-            if left := self._differing(trex):
-                return f"differs: {' '.join(row.key for row in left)}"
-            if self.pulses:
+            left = self._differing(trex)
+            if self.pulses and not left:
                 with pressed_keys() as typed:
                     for motor in (1, 2):
                         if not pulse(trex, motor, typed):
-                            return "ended while motors were tried"
+                            return NOT_TRIED
         except StudioError as error:
             return str(error)
-        hidden = self._hidden(trex)
-        return f"ok, without {hidden}" if hidden else "ok"
-
-    def _hidden(self, trex: Trex) -> str:
-        """Return the calibrations of the profile that the board does not show and take now."""
-        given, source = self.wanted.calibrations, trex.state.source
-        return " ".join(str(key) for key in given if key.source is not source)
+        return result_text(self.wanted, settings_of(trex.state), left)
 
 
 def pulse(trex: Trex, motor: int, typed: Callable[[], str]) -> bool:
@@ -263,12 +234,6 @@ def pulse(trex: Trex, motor: int, typed: Callable[[], str]) -> bool:
 def read_key() -> str:
     """Wait for a key of the terminal, or read the next character of a pipe. Empty at its end."""
     return click.getchar() if sys.stdin.isatty() else sys.stdin.read(1)
-
-
-def _fingerprint(trex: Trex) -> str:
-    """Return a hash of the calibrations that the board shows."""
-    shown = sorted(trex.state.calibrations.items())
-    return hashlib.sha256(repr(shown).encode()).hexdigest()[:8]
 
 
 def _say_notes(error: BaseException) -> None:

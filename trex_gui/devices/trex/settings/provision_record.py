@@ -1,0 +1,154 @@
+"""The record of the boards that were set up: a CSV file with a line for each."""
+
+import csv
+import hashlib
+import io
+from collections.abc import Collection
+from dataclasses import asdict, dataclass, fields, replace
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.core.files import load, save_over
+from trex_gui.devices.trex.discovery import NUMBERS
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow
+from trex_gui.devices.trex.settings.document import Settings
+
+FACTORY_NUMBER = 7  # given to no board, so that one that has it is new
+NEW, KNOWN, NUMBER_ONLY = "new", "known", "number only"  # how sure it is which board it is
+BEGUN, SKIPPED = "begun", "skipped"  # results
+NOT_TRIED = "ended while motors were tried"
+
+
+@dataclass(frozen=True, slots=True)
+class ProvisionedBoard:
+    """A line of the record."""
+
+    time: str  # local, with the offset to UTC
+    name: str
+    number: int  # that the board has, or may have
+    board: str  # model and firmware
+    calibrations: str  # a hash of them: boards have no serial number
+    differences: str  # keys of what was to be written
+    result: str  # begins with ok, or is skipped, begun, or what went wrong
+    certainty: str  # `NEW`, `KNOWN`, or `NUMBER_ONLY`
+
+    @classmethod
+    def of(cls, row: dict[str, Any]) -> "ProvisionedBoard":
+        return cls(**{**row, "number": int(row["number"])})
+
+
+_COLUMNS = [field.name for field in fields(ProvisionedBoard)]
+
+
+class ProvisionRecord:
+    """Boards with numbers and names. A number that was given is never given again.
+
+    `name` becomes that of a new board, with its number for `{number}`; `first` is the first number.
+
+    Raises:
+        StudioError: the file cannot be used.
+    """
+
+    def __init__(self, file: Path, *, name: str = "robot {number}", first: int = 1) -> None:
+        self._file, self._name, self._first = file, name, first
+        self._rows: list[ProvisionedBoard] = []
+        self._saved = load(file, "records") if file.exists() else b""
+        try:
+            reader = csv.DictReader(io.StringIO(self._saved.decode("utf-8-sig"), newline=""))
+            if self._saved and reader.fieldnames != _COLUMNS:
+                raise BadRequest(f"{file} is no record of this command; name another one.")
+            self._rows = [ProvisionedBoard.of(row) for row in reader]
+        except (TypeError, ValueError, csv.Error) as error:
+            if isinstance(error, BadRequest):
+                raise
+            raise BadRequest(f"{file} is damaged: {error}.") from error
+        self.save()
+
+    def propose(
+        self, stored: Settings, board: str, differing: Collection[ComparisonRow]
+    ) -> ProvisionedBoard:
+        """Return the line of a board that stores this: with the number and name it has or gets.
+
+        Raises:
+            BadRequest: every number is given.
+        """
+        number, prints = stored.parameters[ParameterKey.DEVICE_NUMBER], fingerprint(stored)
+        known = self._known(number)
+        given = self.free_number() if known is None else number
+        certainty = NEW
+        if known is not None:
+            certainty = KNOWN if known.calibrations == prints else NUMBER_ONLY
+        keys = [str(row.key) for row in differing]
+        if given != number:
+            keys.append(ParameterKey.DEVICE_NUMBER)
+        return ProvisionedBoard(
+            datetime.now().astimezone().isoformat(timespec="seconds"),
+            known.name if known else self._name.replace("{number}", str(given)),
+            given,
+            board,
+            prints,
+            " ".join(keys),
+            BEGUN,
+            certainty,
+        )
+
+    def skipped(self, board: ProvisionedBoard, stored: Settings) -> ProvisionedBoard:
+        """Return the line of a board that stays as it is."""
+        number = stored.parameters[ParameterKey.DEVICE_NUMBER]
+        known = self._known(number)
+        prints = known.calibrations if known else board.calibrations
+        return replace(board, number=number, calibrations=prints, result=SKIPPED)
+
+    def _known(self, number: int) -> ProvisionedBoard | None:
+        """Return the newest line of the board that was given this number."""
+        given = (row for row in reversed(self._rows) if row.result != SKIPPED)
+        return next((row for row in given if row.number == number != FACTORY_NUMBER), None)
+
+    def free_number(self) -> int:
+        """Return a number that no board was given. Raises BadRequest if there is none."""
+        taken = {FACTORY_NUMBER, *(row.number for row in self._rows)}
+        numbers: list[int] = [*range(self._first, NUMBERS), *range(self._first)]
+        for number in numbers:
+            if number not in taken:
+                return number
+        raise BadRequest(f"All {NUMBERS} device numbers are in {self._file}.")
+
+    def put(self, row: ProvisionedBoard) -> None:
+        """Add a line, in place of the last one if that has begun. Call `save` then."""
+        if self._rows and self._rows[-1].result == BEGUN:
+            self._rows.pop()
+        self._rows.append(row)
+
+    def save(self) -> None:
+        """Write the file. After a StudioError it is as before."""
+        text = io.StringIO(newline="")
+        writer = csv.DictWriter(text, _COLUMNS, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(map(asdict, self._rows))
+        content = text.getvalue().encode("utf-8")
+        if not save_over(self._file, content, self._saved):
+            raise BadRequest(f"Another program has changed {self._file}: end this one, look at it.")
+        self._saved = content
+
+
+def differing(comparison: Comparison) -> tuple[ComparisonRow, ...]:
+    """Return what a profile changes of a board: all but the number, which the record gives."""
+    return tuple(
+        row for row in comparison.rows if row.changed and row.key != ParameterKey.DEVICE_NUMBER
+    )
+
+
+def fingerprint(stored: Settings) -> str:
+    """Return a hash of the calibrations that a board shows."""
+    return hashlib.sha256(repr(sorted(stored.calibrations.items())).encode()).hexdigest()[:8]
+
+
+def result_text(wanted: Settings, stored: Settings, left: Collection[ComparisonRow]) -> str:
+    """Return the result of a board that stores this now, and still differs in `left`."""
+    if left:
+        return f"differs: {' '.join(row.key for row in left)}"
+    hidden = " ".join(key for key in wanted.calibrations if key not in stored.calibrations)
+    return f"ok, without {hidden}" if hidden else "ok"
