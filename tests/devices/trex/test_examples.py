@@ -167,7 +167,7 @@ def test_boards_are_audited(
     assert ended.value.code == 1
     lines = example.text.splitlines()
     assert lines[0] == f"{quick_simulator.url}: serial_timeout"
-    assert lines[1].endswith("is of a TReX, and the board a TReX Jr.")
+    assert lines[1].endswith("These settings are for a TReX, not a TReX Jr")
     run(virtual_time, "apply_profile", quick_simulator.url, profile)
     example = Example(virtual_time, "audit", str(profile), quick_simulator.url)
     with pytest.raises(SystemExit) as ended:

@@ -52,7 +52,11 @@ from trex_gui.devices.trex.session.messages import (
     Written,
 )
 from trex_gui.devices.trex.settings.board_records import utc_now
-from trex_gui.devices.trex.settings.comparison import ComparisonRow, compare, values_to_write
+from trex_gui.devices.trex.settings.comparison import (
+    ComparisonRow,
+    compare_with_board,
+    values_to_write,
+)
 from trex_gui.devices.trex.settings.document import settings_of
 from trex_gui.devices.trex.settings.history import SettingsHistory, Snapshot
 from trex_gui.devices.trex.settings.notes import LONGEST_NOTE, clean_note
@@ -326,13 +330,10 @@ class Trex:
             StudioError: the file cannot be used, or is of another model.
         """
         wanted, _ = read_settings(load(Path(file)), str(file))
-        model, source = self.state.signature.model, self.state.source
-        if wanted.product != model:
-            raise BadRequest(f"{file} is of a {wanted.product.name}, and the board a {model.name}.")
-        shown = {key: c for key, c in wanted.calibrations.items() if key.source is source}
-        result = compare(settings_of(self.state), replace(wanted, calibrations=shown))
-        if result.left_out:
-            raise BadRequest(f"{file}: {' '.join(result.left_out)}")
+        try:
+            result = compare_with_board(settings_of(self.state), self.state.source, wanted)
+        except BadRequest as error:
+            raise BadRequest(f"{file}: {error}") from None
         return tuple(row for row in result.rows if row.changed)
 
     def lost_settings(self) -> tuple[ComparisonRow, ...]:

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
+from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import cached_text, tr, tr_noop
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_FIELDS,
@@ -11,6 +12,7 @@ from trex_gui.devices.trex.protocol.calibration import (
     CalibrationKey,
 )
 from trex_gui.devices.trex.protocol.device_table import Model
+from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec
 from trex_gui.devices.trex.settings.document import Settings, specs_for
 from trex_gui.devices.trex.settings.writer import calibration_text
@@ -128,6 +130,24 @@ def compare(before: Settings, after: Settings) -> Comparison:
     reasons = {key: reason for key in given if (reason := _why_not_carried(key, before, after))}
     rows = [_parameter_row(key, before, after) for key in given if key not in reasons]
     return Comparison((*rows, *_calibration_rows(before, after)), tuple(reasons.values()))
+
+
+def compare_with_board(stored: Settings, source: InputSource, wanted: Settings) -> Comparison:
+    """Compare what a board stores with settings that all fit it.
+
+    Calibrations of the inputs other than this `source` are left out: the board hides them.
+
+    Raises:
+        BadRequest: they are for another model, or the board lacks a parameter.
+    """
+    if wanted.product.key != stored.product.key:
+        text = tr("These settings are for a {0}, not a {1}")
+        raise BadRequest(text.format(wanted.product.name, stored.product.name))
+    shown = {key: found for key, found in wanted.calibrations.items() if key.source is source}
+    result = compare(stored, replace(wanted, calibrations=shown))
+    if result.left_out:
+        raise BadRequest(" ".join(result.left_out))
+    return result
 
 
 def values_to_write(
