@@ -1,28 +1,26 @@
 """The steps that find out which way the sticks go, and which motor is which."""
 
 from functools import partial
-from itertools import chain
 
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QPushButton, QWidget
+from PySide6.QtWidgets import QPushButton
 
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.board.drive_status import drive_statuses
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.drive_status import drive_inputs, fault_text
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.setup.pulses import STRONGER
 from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup
 from trex_gui.devices.trex.model.setup.wiring import Driver, Movement, Rewiring, Side, Wiring
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.views.learning.live_pages import InputStrip
-from trex_gui.devices.trex.views.motor_controls import ArmButton, TimeoutNotice
+from trex_gui.devices.trex.views.motor_controls import TimeoutNotice
+from trex_gui.devices.trex.views.pulse_controls import PulseControls
 from trex_gui.devices.trex.views.robot_view import MOVEMENTS, RobotView
 from trex_gui.devices.trex.views.steps import Page
 from trex_gui.ui.theme.theme import set_look, set_text_color
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import HoldButton, only_when_visible
+from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.labels import Muted, Note
 
 
@@ -152,41 +150,17 @@ class WiringPage(Page):
         items = (self._question, 0, middle), (self._robot, 1), below
         ui.column(*items, into=self, margins=0)
 
-        text = tr("The wheels are &off the ground")
-        self._free = ui.check_box(side, "setupWheelsFree", text)
-        self._run_place = QWidget(side)  # disables the button, which enables itself
-        run = ArmButton(device, "setupRunButton", self._run_place)
-        run.setAutoDefault(False)
-        self._run_place.setEnabled(False)
-        ui.row(run, into=self._run_place, margins=0)
-        self._note_label = ui.named(Note(2, side), "setupPulseNote")
-        self._holds: dict[int, HoldButton] = {}
-        self._answers: dict[int, QPushButton] = {}
-        for motor in (1, 2):
-            self._holds[motor] = self._make_hold(motor)
-            self._answers[motor] = self._make_answer(motor)
+        self._answers = {motor: self._make_answer(motor) for motor in (1, 2)}
+        self._controls = PulseControls("setup", device, setup.pulses, side, self._answers)
+        self._controls.hold_started.connect(self._on_hold_started)
         self._result = ui.named(Note(2, side), "setupWiringNote")
-        motors = chain.from_iterable(zip(self._holds.values(), self._answers.values(), strict=True))
         notice = TimeoutNotice(device, side)
-        first = self._free, self._run_place, self._note_label, *motors
-        ui.column(*first, self._result, notice, into=side, margins=0, spacing=6)
+        ui.column(self._controls, self._result, notice, into=side, margins=0, spacing=6)
 
-        self._free.clicked.connect(setup.pulses.confirm_wheels)
         self._again.clicked.connect(setup.forget_movements)
         self._again.clicked.connect(partial(self._ask, 1))
         for changed in (setup.changed, setup.pulses.changed, device.telemetry.text_due):
             changed.connect(self.refresh)
-
-    def _make_hold(self, motor: int) -> HoldButton:
-        hold = HoldButton(tr("Hold to turn motor {0}").format(motor), self.side)
-        tip = tr("Short, weak pulses while you hold it with the mouse or the space bar")
-        ui.named(hold, f"setupHold{motor}", tip=tip)
-        hold.setMinimumHeight(2 * self.fontMetrics().height() + 4)
-        set_look(hold, f"motor{motor}")
-        ui.set_bold(hold)
-        hold.hold_started.connect(partial(self._on_hold_started, motor))
-        hold.hold_ended.connect(self._setup.pulses.release)
-        return hold
 
     def _make_answer(self, motor: int) -> QPushButton:
         name, tip = f"setupAnswer{motor}", tr("Click what this motor moved")
@@ -199,6 +173,7 @@ class WiringPage(Page):
         self._motor = motor
         self.refresh()
 
+    @Slot(int)
     def _on_hold_started(self, motor: int) -> None:
         self._motor = motor
         stronger = self._setup.movements.get(motor) is Movement.NOTHING
@@ -236,22 +211,8 @@ class WiringPage(Page):
     @Slot()
     @only_when_visible
     def refresh(self) -> None:
-        pulses, blocker = self._setup.pulses, self._setup.pulses.blocker
-        can_confirm = self._device.is_connected and not pulses.cannot_drive
-        self._free.setEnabled(can_confirm)
-        self._free.setChecked(pulses.wheels_are_free)
-        may_run = can_confirm and pulses.wheels_are_free
-        self._run_place.setEnabled(may_run or self._device.motors.armed)
-        for motor, hold in self._holds.items():
-            hold.setEnabled(pulses.motor in {0, motor} and not blocker)
+        self._controls.refresh()
         self._show_answers()
-        text = blocker or tr("Armed. The motor turns in short, weak pulses while you hold.")
-        if pulses.motor:
-            text = tr("Motor {0} is driven in pulses. Release the button to stop it.")
-            text = text.format(pulses.motor)
-        if not blocker:
-            text = fault_text(drive_statuses(drive_inputs(self._device))) or text
-        self._note_label.show_note(text, alarming=self._device.motors.armed)
         wiring = self._setup.wiring
         rewiring = wiring.rewiring(self._setup.driver) if wiring else None
         self._again.setVisible(bool(rewiring))

@@ -1,0 +1,87 @@
+"""Buttons that turn one motor in weak pulses while they are held."""
+
+from collections.abc import Mapping
+from functools import partial
+from types import MappingProxyType
+
+from PySide6.QtCore import Signal, Slot
+from PySide6.QtWidgets import QWidget
+
+from trex_gui.core.translation import tr
+from trex_gui.devices.trex.board.drive_status import drive_statuses
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.drive_status import drive_inputs, fault_text
+from trex_gui.devices.trex.model.setup.pulses import MotorPulses
+from trex_gui.devices.trex.views.motor_controls import ArmButton
+from trex_gui.ui.theme.theme import set_look
+from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import HoldButton, only_when_visible
+from trex_gui.ui.widgets.labels import Note
+
+
+class PulseControls(QWidget):
+    """Asks whether the wheels are free, arms, and has a button for each motor.
+
+    `below` has a widget to show below the button of a motor. The owner starts the pulses.
+    """
+
+    hold_started = Signal(int)  # the motor
+
+    def __init__(
+        self,
+        name: str,
+        device: Device,
+        pulses: MotorPulses,
+        parent: QWidget,
+        below: Mapping[int, QWidget] = MappingProxyType({}),
+    ) -> None:
+        super().__init__(parent)
+        self._device, self._pulses = device, pulses
+        text = tr("The wheels are &off the ground")
+        self._free = ui.check_box(self, f"{name}WheelsFree", text, on_click=pulses.confirm_wheels)
+        self._run_place = QWidget(self)  # disables the button, which enables itself
+        run = ArmButton(device, f"{name}RunButton", self._run_place)
+        run.setAutoDefault(False)
+        self._run_place.setEnabled(False)
+        ui.row(run, into=self._run_place, margins=0)
+        self._note = ui.named(Note(2, self), f"{name}PulseNote")
+        self._holds = {motor: self._make_hold(f"{name}Hold{motor}", motor) for motor in (1, 2)}
+        motors: list[QWidget] = []
+        for motor, hold in self._holds.items():
+            motors += [hold, below[motor]] if motor in below else [hold]
+        for each in motors:  # the focus goes through them in this order
+            each.setParent(self)
+        first = self._free, self._run_place, self._note
+        ui.column(*first, *motors, into=self, margins=0, spacing=6)
+        for changed in (pulses.changed, device.telemetry.text_due):
+            changed.connect(self.refresh)
+
+    def _make_hold(self, name: str, motor: int) -> HoldButton:
+        hold = HoldButton(tr("Hold to turn motor {0}").format(motor))
+        tip = tr("Short, weak pulses while you hold it with the mouse or the space bar")
+        ui.named(hold, name, tip=tip)
+        hold.setMinimumHeight(2 * self.fontMetrics().height() + 4)
+        set_look(hold, f"motor{motor}")
+        ui.set_bold(hold)
+        hold.hold_started.connect(partial(self.hold_started.emit, motor))
+        hold.hold_ended.connect(self._pulses.release)
+        return hold
+
+    @Slot()
+    @only_when_visible
+    def refresh(self) -> None:
+        pulses, blocker = self._pulses, self._pulses.blocker
+        can_confirm = self._device.is_connected and not pulses.cannot_drive
+        self._free.setEnabled(can_confirm)
+        self._free.setChecked(pulses.wheels_are_free)
+        may_run = can_confirm and pulses.wheels_are_free
+        self._run_place.setEnabled(may_run or self._device.motors.armed)
+        for motor, hold in self._holds.items():
+            hold.setEnabled(pulses.motor in {0, motor} and not blocker)
+        text = blocker or tr("Armed. The motor turns in short, weak pulses while you hold.")
+        if pulses.motor:
+            text = tr("Motor {0} is driven in pulses. Release the button to stop it.")
+            text = text.format(pulses.motor)
+        if not blocker:
+            text = fault_text(drive_statuses(drive_inputs(self._device))) or text
+        self._note.show_note(text, alarming=self._device.motors.armed)
