@@ -1817,6 +1817,8 @@
         <translation>Noch aktiv: {0}.</translation></message>
     <message><source>{0} {1}</source>
         <translation>{0} {1}</translation></message>
+    <message><source>Set up as {0}</source>
+        <translation>Eingerichtet als {0}</translation></message>
     <message><source>Recording {0} ended: the board or its input source has changed.</source>
         <translation>Aufzeichnung {0} beendet: Das Board oder seine Eingangsquelle hat sich geändert.</translation></message>
     <message><source>calibration of channel {0}: {1}</source>
@@ -2377,6 +2379,14 @@
         <translation>Höchstens {0} Zeichen sind möglich.</translation></message>
     <message><source>cannot be read ({0})</source>
         <translation>kann nicht gelesen werden ({0})</translation></message>
+    <message><source>All {0} device numbers are in {1}.</source>
+        <translation>Alle {0} Gerätenummern stehen in {1}.</translation></message>
+    <message><source>Another program has changed {0}. Nothing was saved. Start again to continue it.</source>
+        <translation>Ein anderes Programm hat {0} geändert. Nichts wurde gespeichert. Beginnen Sie neu, um es fortzusetzen.</translation></message>
+    <message><source>{0} is no record of boards. Select another file.</source>
+        <translation>{0} ist kein Protokoll von Boards. Wählen Sie eine andere Datei.</translation></message>
+    <message><source>{0} is damaged: {1}.</source>
+        <translation>{0} ist beschädigt: {1}.</translation></message>
     <message><source>the last line has no end; was the file cut short?</source>
         <translation>die letzte Zeile hat kein Zeilenende; wurde die Datei abgeschnitten?</translation></message>
     <message><source>{count} more errors are not listed</source>
@@ -3963,6 +3973,84 @@ bisher {1}</translation></message>
         <translation>Verwerfen und schließen</translation></message>
     <message><source>Show…</source>
         <translation>Anzeigen…</translation></message>
+    <message><source>A new board: its device number is in no line of the record.</source>
+        <translation>Ein neues Board: Seine Gerätenummer steht in keiner Zeile des Protokolls.</translation></message>
+    <message><source>Known: its device number and its calibrations are in the record.</source>
+        <translation>Bekannt: Seine Gerätenummer und seine Kalibrierungen stehen im Protokoll.</translation></message>
+    <message><source>Probably known: its device number is in the record, with other calibrations.</source>
+        <translation>Vermutlich bekannt: Seine Gerätenummer steht im Protokoll, mit anderen Kalibrierungen.</translation></message>
+    <message><source>skipped</source>
+        <translation>übersprungen</translation></message>
+    <message><source>First device number</source>
+        <translation>Erste Gerätenummer</translation></message>
+    <message><source>The profile is a settings file. Each board gets its settings, a device number that no other one has, and a line in the record: a CSV file, which is continued if it exists.</source>
+        <translation>Das Profil ist eine Einstellungsdatei. Jedes Board erhält ihre Einstellungen, eine Gerätenummer, die kein anderes hat, und eine Zeile im Protokoll: einer CSV-Datei, die fortgesetzt wird, wenn es sie schon gibt.</translation></message>
+    <message><source>Boards have no serial number. One whose device number is in the record keeps it.</source>
+        <translation>Boards haben keine Seriennummer. Eines, dessen Gerätenummer im Protokoll steht, behält sie.</translation></message>
+    <message><source>Select…</source>
+        <translation>Auswählen…</translation></message>
+    <message><source>CSV files (*.csv);;All files (*)</source>
+        <translation>CSV-Dateien (*.csv);;Alle Dateien (*)</translation></message>
+    <message><source>Record of the boards</source>
+        <translation>Protokoll der Boards</translation></message>
+    <message><source>Boards done</source>
+        <translation>Fertige Boards</translation></message>
+    <message><source>{0}, device number {1}: {2}</source>
+        <translation>{0}, Gerätenummer {1}: {2}</translation></message>
+    <message><source>What every board gets</source>
+        <translation>Was jedes Board erhält</translation></message>
+    <message><source>&amp;Profile:</source>
+        <translation>Pro&amp;fil:</translation></message>
+    <message><source>&amp;Record:</source>
+        <translation>P&amp;rotokoll:</translation></message>
+    <message><source>Then turn each &amp;motor while a button is held</source>
+        <translation>Dann jeden &amp;Motor drehen, solange eine Taste gehalten wird</translation></message>
+    <message><source>Plug in a board, and switch it on.</source>
+        <translation>Stecken Sie ein Board an und schalten Sie es ein.</translation></message>
+    <message><source>{0}: {1}. Unplug it, and plug in the next board.</source>
+        <translation>{0}: {1}. Ziehen Sie es ab und stecken Sie das nächste Board an.</translation></message>
+    <message><source>Hold each button: does its motor turn?</source>
+        <translation>Halten Sie jede Taste: Dreht ihr Motor?</translation></message>
+    <message><source>Profile</source>
+        <translation>Profil</translation></message>
+    <message><source>Plug in</source>
+        <translation>Anstecken</translation></message>
+    <message><source>Write</source>
+        <translation>Schreiben</translation></message>
+    <message><source>Unplug</source>
+        <translation>Abziehen</translation></message>
+    <message><source>Set up boards in turn</source>
+        <translation>Boards nacheinander einrichten</translation></message>
+    <message><source>&amp;Names:</source>
+        <translation>&amp;Namen:</translation></message>
+    <message><source>&amp;First number:</source>
+        <translation>Erste N&amp;ummer:</translation></message>
+    <message><source>Profile for every board</source>
+        <translation>Profil für jedes Board</translation></message>
+    <message><source>This board cannot be set up. Unplug it.</source>
+        <translation>Dieses Board kann nicht eingerichtet werden. Ziehen Sie es ab.</translation></message>
+    <message><source>Connect to a board: use Connect or Find in the window.</source>
+        <translation>Verbinden Sie ein Board: mit „Verbinden“ oder „Suchen“ im Hauptfenster.</translation></message>
+    <message><source>&amp;Write and check</source>
+        <translation>Sch&amp;reiben und prüfen</translation></message>
+    <message><source>M&amp;otors</source>
+        <translation>M&amp;otoren</translation></message>
+    <message><source>&amp;Start</source>
+        <translation>&amp;Starten</translation></message>
+    <message><source>Both &amp;turned</source>
+        <translation>Beide dre&amp;hten</translation></message>
+    <message><source>&amp;Try again</source>
+        <translation>&amp;Erneut versuchen</translation></message>
+    <message><source>The wheels are &amp;off the ground</source>
+        <translation>Die Räder sind vom &amp;Boden abgehoben</translation></message>
+    <message><source>Short, weak pulses while you hold it with the mouse or the space bar</source>
+        <translation>Kurze, schwache Impulse, solange Sie die Schaltfläche mit der Maus oder der Leertaste gedrückt halten</translation></message>
+    <message><source>Armed. The motor turns in short, weak pulses while you hold.</source>
+        <translation>Freigegeben. Der Motor dreht in kurzen, schwachen Impulsen, solange Sie gedrückt halten.</translation></message>
+    <message><source>Motor {0} is driven in pulses. Release the button to stop it.</source>
+        <translation>Motor {0} läuft in Impulsen. Lassen Sie die Schaltfläche los, um ihn zu stoppen.</translation></message>
+    <message><source>Hold to turn motor {0}</source>
+        <translation>Gedrückt halten: Motor {0} dreht</translation></message>
     <message><source>&amp;Keep 30 s around each fault and stop</source>
         <translation>30 s um &amp;jede Störung und jeden Stopp behalten</translation></message>
     <message><source>The seconds around “{0}” were kept. File, Open fault or stop: {1}</source>
@@ -4137,10 +4225,6 @@ bisher {1}</translation></message>
         <translation>&amp;Drähte vertauscht – erneut testen</translation></message>
     <message><source>Forget both answers and find out again which motor is which</source>
         <translation>Beide Antworten vergessen und erneut herausfinden, welcher Motor welcher ist</translation></message>
-    <message><source>The wheels are &amp;off the ground</source>
-        <translation>Die Räder sind vom &amp;Boden abgehoben</translation></message>
-    <message><source>Short, weak pulses while you hold it with the mouse or the space bar</source>
-        <translation>Kurze, schwache Impulse, solange Sie die Schaltfläche mit der Maus oder der Leertaste gedrückt halten</translation></message>
     <message><source>Nothing has to change: the wheels follow the sticks.</source>
         <translation>Es muss nichts geändert werden: Die Räder folgen den Knüppeln.</translation></message>
     <message><source>Switch the motors' power off.</source>
@@ -4165,10 +4249,6 @@ bisher {1}</translation></message>
         <translation>Taste gedrückt halten, dann klicken, was sich bewegt hat</translation></message>
     <message><source>Click what this motor moved</source>
         <translation>Klicken Sie, was dieser Motor bewegt hat</translation></message>
-    <message><source>Armed. The motor turns in short, weak pulses while you hold.</source>
-        <translation>Freigegeben. Der Motor dreht in kurzen, schwachen Impulsen, solange Sie gedrückt halten.</translation></message>
-    <message><source>Motor {0} is driven in pulses. Release the button to stop it.</source>
-        <translation>Motor {0} läuft in Impulsen. Lassen Sie die Schaltfläche los, um ihn zu stoppen.</translation></message>
     <message><source>Nothing turned: the next pulses are stronger (30 %). If that does not help, check the battery and the wires of this motor.</source>
         <translation>Nichts hat sich gedreht: Die nächsten Impulse sind stärker (30 %). Wenn das nicht hilft, prüfen Sie die Batterie und die Drähte dieses Motors.</translation></message>
     <message><source>Motor 1 drives the left wheel, motor 2 the right one, both forward.</source>
@@ -4191,8 +4271,6 @@ bisher {1}</translation></message>
         <translation>Nichts hat sich gedreht: Die Impulse bleiben unter der Höchstgeschwindigkeit der Seite „Motoren“. Erhöhen Sie diese, oder prüfen Sie die Batterie und die Drähte dieses Motors.</translation></message>
     <message><source>Two motors cannot drive the same wheel: try both buttons again.</source>
         <translation>Zwei Motoren können nicht dasselbe Rad antreiben: Versuchen Sie beide Schaltflächen erneut.</translation></message>
-    <message><source>Hold to turn motor {0}</source>
-        <translation>Gedrückt halten: Motor {0} dreht</translation></message>
     <message><source>What did motor {0} move?</source>
         <translation>Was hat Motor {0} bewegt?</translation></message>
     <message><source>Is the transmitter on?</source>
@@ -4207,14 +4285,10 @@ bisher {1}</translation></message>
         <translation>&amp;Jumper</translation></message>
     <message><source>&amp;Sticks</source>
         <translation>&amp;Knüppel</translation></message>
-    <message><source>M&amp;otors</source>
-        <translation>M&amp;otoren</translation></message>
     <message><source>&amp;Limits</source>
         <translation>&amp;Grenzen</translation></message>
     <message><source>T&amp;imeout</source>
         <translation>T&amp;imeout</translation></message>
-    <message><source>Write</source>
-        <translation>Schreiben</translation></message>
     <message><source>Each step can be skipped. Nothing is written before you apply it at the end.</source>
         <translation>Jeder Schritt kann übersprungen werden. Nichts wird geschrieben, bevor Sie es am Ende anwenden.</translation></message>
     <message><source>Schematic: the user's guide shows where your board has them.</source>
@@ -4463,6 +4537,8 @@ bisher {1}</translation></message>
         <translation>Weitere Boards an dieser Leitung s&amp;uchen</translation></message>
     <message><source>A&amp;pply a file to several boards…</source>
         <translation>&amp;Datei auf mehrere Boards anwenden…</translation></message>
+    <message><source>Set up one board after anot&amp;her…</source>
+        <translation>B&amp;oards nacheinander einrichten…</translation></message>
     <message><source>Lear&amp;n channels…</source>
         <translation>Kanäle &amp;einlernen…</translation></message>
     <message><source>&amp;Demo TReX panel</source>
@@ -4659,8 +4735,6 @@ bisher {1}</translation></message>
         <translation>Die wahrscheinlichen Einstellungen kommen zuerst; ein Port ohne Antwort dauert etwa eine halbe Minute.</translation></message>
     <message><source>&amp;Full search: also every CRC polynomial and every device number (some minutes)</source>
         <translation>&amp;Vollständige Suche: auch jedes CRC-Polynom und jede Gerätenummer (einige Minuten)</translation></message>
-    <message><source>&amp;Start</source>
-        <translation>&amp;Starten</translation></message>
     <message><source>C&amp;ancel</source>
         <translation>A&amp;bbrechen</translation></message>
     <message><source>C&amp;heck the board…</source>

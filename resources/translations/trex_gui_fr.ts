@@ -1817,6 +1817,8 @@
         <translation>Encore actif : {0}.</translation></message>
     <message><source>{0} {1}</source>
         <translation>{0} {1}</translation></message>
+    <message><source>Set up as {0}</source>
+        <translation>Configurée comme {0}</translation></message>
     <message><source>Recording {0} ended: the board or its input source has changed.</source>
         <translation>L'enregistrement {0} s'est terminé : la carte ou sa source des entrées a changé.</translation></message>
     <message><source>calibration of channel {0}: {1}</source>
@@ -2377,6 +2379,14 @@
         <translation>{0} caractères au plus sont possibles.</translation></message>
     <message><source>cannot be read ({0})</source>
         <translation>est illisible ({0})</translation></message>
+    <message><source>All {0} device numbers are in {1}.</source>
+        <translation>Les {0} numéros d'appareil figurent tous dans {1}.</translation></message>
+    <message><source>Another program has changed {0}. Nothing was saved. Start again to continue it.</source>
+        <translation>Un autre programme a modifié {0}. Rien n'a été enregistré. Recommencez pour le compléter.</translation></message>
+    <message><source>{0} is no record of boards. Select another file.</source>
+        <translation>{0} n'est pas un registre de cartes. Choisissez un autre fichier.</translation></message>
+    <message><source>{0} is damaged: {1}.</source>
+        <translation>{0} est endommagé : {1}.</translation></message>
     <message><source>the last line has no end; was the file cut short?</source>
         <translation>la dernière ligne n'a pas de fin ; le fichier a-t-il été tronqué ?</translation></message>
     <message><source>{count} more errors are not listed</source>
@@ -3963,6 +3973,84 @@ avant {1}</translation></message>
         <translation>Abandonner et fermer</translation></message>
     <message><source>Show…</source>
         <translation>Afficher…</translation></message>
+    <message><source>A new board: its device number is in no line of the record.</source>
+        <translation>Une nouvelle carte : son numéro d'appareil ne figure dans aucune ligne du registre.</translation></message>
+    <message><source>Known: its device number and its calibrations are in the record.</source>
+        <translation>Connue : son numéro d'appareil et ses étalonnages figurent dans le registre.</translation></message>
+    <message><source>Probably known: its device number is in the record, with other calibrations.</source>
+        <translation>Probablement connue : son numéro d'appareil figure dans le registre, avec d'autres étalonnages.</translation></message>
+    <message><source>skipped</source>
+        <translation>passée</translation></message>
+    <message><source>First device number</source>
+        <translation>Premier numéro d'appareil</translation></message>
+    <message><source>The profile is a settings file. Each board gets its settings, a device number that no other one has, and a line in the record: a CSV file, which is continued if it exists.</source>
+        <translation>Le profil est un fichier de réglages. Chaque carte reçoit ses réglages, un numéro d'appareil qu'aucune autre n'a, et une ligne dans le registre : un fichier CSV, complété s'il existe déjà.</translation></message>
+    <message><source>Boards have no serial number. One whose device number is in the record keeps it.</source>
+        <translation>Les cartes n'ont pas de numéro de série. Celle dont le numéro d'appareil figure dans le registre le garde.</translation></message>
+    <message><source>Select…</source>
+        <translation>Choisir…</translation></message>
+    <message><source>CSV files (*.csv);;All files (*)</source>
+        <translation>Fichiers CSV (*.csv);;Tous les fichiers (*)</translation></message>
+    <message><source>Record of the boards</source>
+        <translation>Registre des cartes</translation></message>
+    <message><source>Boards done</source>
+        <translation>Cartes terminées</translation></message>
+    <message><source>{0}, device number {1}: {2}</source>
+        <translation>{0}, numéro d'appareil {1} : {2}</translation></message>
+    <message><source>What every board gets</source>
+        <translation>Ce que reçoit chaque carte</translation></message>
+    <message><source>&amp;Profile:</source>
+        <translation>P&amp;rofil :</translation></message>
+    <message><source>&amp;Record:</source>
+        <translation>Re&amp;gistre :</translation></message>
+    <message><source>Then turn each &amp;motor while a button is held</source>
+        <translation>Ensuite, faire tourner chaque &amp;moteur tant qu'un bouton est maintenu</translation></message>
+    <message><source>Plug in a board, and switch it on.</source>
+        <translation>Branchez une carte et mettez-la sous tension.</translation></message>
+    <message><source>{0}: {1}. Unplug it, and plug in the next board.</source>
+        <translation>{0} : {1}. Débranchez-la et branchez la carte suivante.</translation></message>
+    <message><source>Hold each button: does its motor turn?</source>
+        <translation>Maintenez chaque bouton : son moteur tourne-t-il ?</translation></message>
+    <message><source>Profile</source>
+        <translation>Profil</translation></message>
+    <message><source>Plug in</source>
+        <translation>Brancher</translation></message>
+    <message><source>Write</source>
+        <translation>Écrire</translation></message>
+    <message><source>Unplug</source>
+        <translation>Débrancher</translation></message>
+    <message><source>Set up boards in turn</source>
+        <translation>Configurer des cartes l'une après l'autre</translation></message>
+    <message><source>&amp;Names:</source>
+        <translation>&amp;Noms :</translation></message>
+    <message><source>&amp;First number:</source>
+        <translation>Premier n&amp;uméro :</translation></message>
+    <message><source>Profile for every board</source>
+        <translation>Profil de chaque carte</translation></message>
+    <message><source>This board cannot be set up. Unplug it.</source>
+        <translation>Cette carte ne peut pas être configurée. Débranchez-la.</translation></message>
+    <message><source>Connect to a board: use Connect or Find in the window.</source>
+        <translation>Connectez une carte : avec « Connecter » ou « Rechercher » dans la fenêtre principale.</translation></message>
+    <message><source>&amp;Write and check</source>
+        <translation>&amp;Écrire et vérifier</translation></message>
+    <message><source>M&amp;otors</source>
+        <translation>M&amp;oteurs</translation></message>
+    <message><source>&amp;Start</source>
+        <translation>&amp;Démarrer</translation></message>
+    <message><source>Both &amp;turned</source>
+        <translation>Les &amp;deux ont tourné</translation></message>
+    <message><source>&amp;Try again</source>
+        <translation>R&amp;éessayer</translation></message>
+    <message><source>The wheels are &amp;off the ground</source>
+        <translation>&amp;Les roues ne touchent pas le sol</translation></message>
+    <message><source>Short, weak pulses while you hold it with the mouse or the space bar</source>
+        <translation>Impulsions courtes et faibles tant que vous le maintenez avec la souris ou la barre d'espace</translation></message>
+    <message><source>Armed. The motor turns in short, weak pulses while you hold.</source>
+        <translation>Activé. Le moteur tourne par impulsions courtes et faibles tant que vous maintenez.</translation></message>
+    <message><source>Motor {0} is driven in pulses. Release the button to stop it.</source>
+        <translation>Le moteur {0} tourne par impulsions. Relâchez le bouton pour l'arrêter.</translation></message>
+    <message><source>Hold to turn motor {0}</source>
+        <translation>Maintenir : le moteur {0} tourne</translation></message>
     <message><source>&amp;Keep 30 s around each fault and stop</source>
         <translation>&amp;Garder 30 s autour de chaque défaut ou arrêt</translation></message>
     <message><source>The seconds around “{0}” were kept. File, Open fault or stop: {1}</source>
@@ -4137,10 +4225,6 @@ avant {1}</translation></message>
         <translation>Fils permutés – tester de &amp;nouveau</translation></message>
     <message><source>Forget both answers and find out again which motor is which</source>
         <translation>Oublier les deux réponses et chercher à nouveau quel moteur est lequel</translation></message>
-    <message><source>The wheels are &amp;off the ground</source>
-        <translation>&amp;Les roues ne touchent pas le sol</translation></message>
-    <message><source>Short, weak pulses while you hold it with the mouse or the space bar</source>
-        <translation>Impulsions courtes et faibles tant que vous le maintenez avec la souris ou la barre d'espace</translation></message>
     <message><source>Nothing has to change: the wheels follow the sticks.</source>
         <translation>Rien n'est à changer : les roues suivent les manches.</translation></message>
     <message><source>Switch the motors' power off.</source>
@@ -4165,10 +4249,6 @@ avant {1}</translation></message>
         <translation>Maintenez un bouton, puis cliquez sur ce qui a bougé</translation></message>
     <message><source>Click what this motor moved</source>
         <translation>Cliquez sur ce que ce moteur a fait bouger</translation></message>
-    <message><source>Armed. The motor turns in short, weak pulses while you hold.</source>
-        <translation>Activé. Le moteur tourne par impulsions courtes et faibles tant que vous maintenez.</translation></message>
-    <message><source>Motor {0} is driven in pulses. Release the button to stop it.</source>
-        <translation>Le moteur {0} tourne par impulsions. Relâchez le bouton pour l'arrêter.</translation></message>
     <message><source>Nothing turned: the next pulses are stronger (30 %). If that does not help, check the battery and the wires of this motor.</source>
         <translation>Rien n'a tourné : les impulsions suivantes sont plus fortes (30 %). Si cela ne suffit pas, vérifiez la batterie et les fils de ce moteur.</translation></message>
     <message><source>Motor 1 drives the left wheel, motor 2 the right one, both forward.</source>
@@ -4191,8 +4271,6 @@ avant {1}</translation></message>
         <translation>Rien n'a tourné : les impulsions restent sous la vitesse maximale de la page Moteurs. Augmentez-la, ou vérifiez la batterie et les fils de ce moteur.</translation></message>
     <message><source>Two motors cannot drive the same wheel: try both buttons again.</source>
         <translation>Deux moteurs ne peuvent pas entraîner la même roue : essayez à nouveau les deux boutons.</translation></message>
-    <message><source>Hold to turn motor {0}</source>
-        <translation>Maintenir : le moteur {0} tourne</translation></message>
     <message><source>What did motor {0} move?</source>
         <translation>Qu'est-ce que le moteur {0} a fait bouger ?</translation></message>
     <message><source>Is the transmitter on?</source>
@@ -4207,14 +4285,10 @@ avant {1}</translation></message>
         <translation>&amp;Cavaliers</translation></message>
     <message><source>&amp;Sticks</source>
         <translation>&amp;Manches</translation></message>
-    <message><source>M&amp;otors</source>
-        <translation>M&amp;oteurs</translation></message>
     <message><source>&amp;Limits</source>
         <translation>&amp;Limites</translation></message>
     <message><source>T&amp;imeout</source>
         <translation>Déla&amp;i</translation></message>
-    <message><source>Write</source>
-        <translation>Écrire</translation></message>
     <message><source>Each step can be skipped. Nothing is written before you apply it at the end.</source>
         <translation>Chaque étape peut être passée. Rien n'est écrit avant que vous l'appliquiez à la fin.</translation></message>
     <message><source>Schematic: the user's guide shows where your board has them.</source>
@@ -4463,6 +4537,8 @@ avant {1}</translation></message>
         <translation>Rechercher d'autres cartes sur cette liais&amp;on</translation></message>
     <message><source>A&amp;pply a file to several boards…</source>
         <translation>Appliquer un fichier à &amp;plusieurs cartes…</translation></message>
+    <message><source>Set up one board after anot&amp;her…</source>
+        <translation>Confi&amp;gurer des cartes l'une après l'autre…</translation></message>
     <message><source>Lear&amp;n channels…</source>
         <translation>Apprendre les &amp;voies…</translation></message>
     <message><source>&amp;Demo TReX panel</source>
@@ -4659,8 +4735,6 @@ avant {1}</translation></message>
         <translation>Les réglages probables viennent d'abord ; un port sans réponse demande environ une demi-minute.</translation></message>
     <message><source>&amp;Full search: also every CRC polynomial and every device number (some minutes)</source>
         <translation>Recherche &amp;complète : aussi chaque polynôme CRC et chaque numéro d'appareil (quelques minutes)</translation></message>
-    <message><source>&amp;Start</source>
-        <translation>&amp;Démarrer</translation></message>
     <message><source>C&amp;ancel</source>
         <translation>&amp;Annuler</translation></message>
     <message><source>C&amp;heck the board…</source>

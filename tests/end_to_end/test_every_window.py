@@ -82,6 +82,7 @@ FOCUSED = {
     "historyDialog": "snapshotSearch",
     "newSettingsDialog": "beginningsList",
     "numberDialog": "newNumberField",
+    "provisionDialog": "provisionProfile",
     "applyToBoardsDialog": "closeBoardsButton",  # nothing can be written in this test
     # The first control: the primary button is disabled at the board of this test.
     "checkDialog": "checkNextButton",

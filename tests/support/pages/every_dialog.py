@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from PySide6.QtWidgets import QDialog, QFileDialog, QTabWidget, QWidget
+from PySide6.QtWidgets import QCheckBox, QDialog, QFileDialog, QLineEdit, QTabWidget, QWidget
 
 from tests.devices.trex.bench.runs import run_of
 from tests.support.pages.every_window import WINDOWS_WITH_STOP, open_bench, open_editor, open_plot
@@ -86,6 +86,7 @@ def _trex_windows(
     yield from _learning(window)
     yield from _setup(window)
     yield from _bench(window, folder)
+    yield from _provision(window, folder)
     for key in DIALOGS:
         window.action(key).setEnabled(True)  # whatever the board would need it for
         window.trigger(key)
@@ -202,6 +203,24 @@ def _setup(window: WindowDriver) -> Iterator[QWidget]:
         runtime().sleep(0.3)
         yield setup.root
     setup.root.close()
+
+
+def _provision(window: WindowDriver, folder: Path) -> Iterator[QWidget]:
+    """Set up the board as the first of many."""
+    (folder / "profile.txt").write_text("product: TReX\nmotor1_acceleration: 20\n", "utf-8")
+    window.trigger("provision")
+    shop = window.dialog("provisionDialog")
+    yield shop.root
+    for name in ("profile.txt", "record.csv"):
+        field = f"provision{name.split('.')[0].title()}"
+        shop.find(QLineEdit, field).setText(str(folder / name))
+    shop.find(QCheckBox, "provisionMotors").setChecked(True)
+    for page in ("provisionBoardPage", "provisionMotorsPage", "provisionWiring"):
+        shop.wait(lambda: shop.is_enabled("provisionNextButton"))
+        shop.click("provisionNextButton")
+        shop.wait(lambda: shop.has(page))  # noqa: B023 - within the loop
+        yield shop.root
+    shop.click("provisionCloseButton")
 
 
 def _bench(window: WindowDriver, folder: Path) -> Iterator[QWidget]:

@@ -100,7 +100,7 @@ def test_board_of_another_model_is_passed_over(
     words = "provision", str(profile), "--record", str(profile.with_name("record.csv"))
     command = start(*words, "--limit", "1", url=start_simulator("--model", "trexjr").url)
     assert command.wait() == 0
-    assert "is of a TReX, and the board a TReX Jr" in command.result.stderr
+    assert "are for a TReX, not a TReX Jr" in command.result.stderr
     assert rows_of(profile.with_name("record.csv")) == []
 
 
@@ -121,7 +121,7 @@ def test_other_file_is_not_overwritten(
     record = tmp_path / "record.csv"
     record.write_text("my,table\n1,2\n", "utf-8")
     result = trexcmd("provision", str(profile), "--record", str(record), exits=1)
-    assert "is no record of this command" in result.stderr
+    assert "is no record of boards" in result.stderr
     assert record.read_text("utf-8") == "my,table\n1,2\n"
     head = "time,name,number,board,calibrations,differences,result,certainty\n"
     record.write_text(f"{head}now,robot,seven,TReX,,,ok,new\n", "utf-8")

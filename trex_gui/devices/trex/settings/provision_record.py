@@ -11,6 +11,7 @@ from typing import Any
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import load, save_over
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.discovery import NUMBERS
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow
@@ -59,12 +60,13 @@ class ProvisionRecord:
         try:
             reader = csv.DictReader(io.StringIO(self._saved.decode("utf-8-sig"), newline=""))
             if self._saved and reader.fieldnames != _COLUMNS:
-                raise BadRequest(f"{file} is no record of this command; name another one.")
+                text = tr("{0} is no record of boards. Select another file.")
+                raise BadRequest(text.format(file))
             self._rows = [ProvisionedBoard.of(row) for row in reader]
         except (TypeError, ValueError, csv.Error) as error:
             if isinstance(error, BadRequest):
                 raise
-            raise BadRequest(f"{file} is damaged: {error}.") from error
+            raise BadRequest(tr("{0} is damaged: {1}.").format(file, error)) from error
         self.save()
 
     def propose(
@@ -114,7 +116,8 @@ class ProvisionRecord:
         for number in numbers:
             if number not in taken:
                 return number
-        raise BadRequest(f"All {NUMBERS} device numbers are in {self._file}.")
+        text = tr("All {0} device numbers are in {1}.")
+        raise BadRequest(text.format(NUMBERS, self._file))
 
     def put(self, row: ProvisionedBoard) -> None:
         """Add a line, in place of the last one if that has begun. Call `save` then."""
@@ -130,7 +133,10 @@ class ProvisionRecord:
         writer.writerows(map(asdict, self._rows))
         content = text.getvalue().encode("utf-8")
         if not save_over(self._file, content, self._saved):
-            raise BadRequest(f"Another program has changed {self._file}: end this one, look at it.")
+            text = tr(
+                "Another program has changed {0}. Nothing was saved. Start again to continue it."
+            )
+            raise BadRequest(text.format(self._file))
         self._saved = content
 
 

@@ -224,7 +224,8 @@ class Steps(ReusedDialog):
             # While Next is disabled, Enter must not press Close, and Skip only where it is stuck.
             skip = [self._skip] if shown.is_alarming else []
             wanted = [self._close] if shown.closes else [self._next, *skip]
-            next((each for each in wanted if self._is_usable(each)), self).setFocus()
+            other = shown.page.focusProxy() or self
+            next((each for each in wanted if self._is_usable(each)), other).setFocus()
 
     def _show_next(self, shown: Shown) -> None:
         is_other = shown.next != self._next.text() and self._next.isVisible()

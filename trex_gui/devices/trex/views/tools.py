@@ -13,6 +13,7 @@ from trex_gui.devices.trex.views.changes.boards import ApplyToSeveral
 from trex_gui.devices.trex.views.check_board import CheckBoardFlow
 from trex_gui.devices.trex.views.history_dialog import HistoryDialog
 from trex_gui.devices.trex.views.learning.flow import LearnFlow
+from trex_gui.devices.trex.views.provision import ProvisionFlow
 from trex_gui.devices.trex.views.setup.flow import SetupFlow
 from trex_gui.devices.trex.views.steps import Steps
 from trex_gui.ui.frame.main_window import MainWindow
@@ -52,6 +53,12 @@ class Tools:
     def setup(self) -> SetupFlow:
         flow = SetupFlow(self.device, self.learning)
         flow.apply_requested.connect(self.review)
+        Steps(self.device, flow, self.frame)
+        return flow
+
+    @cached_property
+    def provision(self) -> ProvisionFlow:
+        flow = ProvisionFlow(self.device)
         Steps(self.device, flow, self.frame)
         return flow
 

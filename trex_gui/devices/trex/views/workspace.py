@@ -208,6 +208,9 @@ class TrexWorkspace(Workspace):
     def _set_up(self) -> None:
         self._tools.setup.open()
 
+    def _provision(self) -> None:
+        self._tools.provision.open()
+
     @Slot(object)
     def _learn(self, channels: Sequence[int] = CHANNELS) -> None:
         self._tools.learn.learn(channels)
@@ -282,6 +285,7 @@ class TrexWorkspace(Workspace):
                 Entry("to_boards", tr("A&pply a file to several boards…"), self._apply_to_boards),
                 SEPARATOR,
                 Entry("setup", tr("Set &up my robot…"), self._set_up, "", "settings"),
+                Entry("provision", tr("Set up one board after anot&her…"), self._provision),
                 Entry("learn", tr("Lear&n channels…"), self._learn, "", "calibrate"),
                 Entry("test_sticks", tr("&Test the sticks…"), self._test_sticks),
                 Entry("bench", tr("&Bench test…"), self._open_bench, "Ctrl+B", "plot"),

@@ -1,0 +1,203 @@
+"""Boards in turn, in the window: one press of Enter sets up, checks and records each."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QCheckBox, QLineEdit, QTableWidget
+
+from tests.support.keyboard import check_keyboard
+from tests.support.simulator import SimulatedDevice
+from tests.support.window import LEFT, WindowDriver
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.trex.model.provision import Provision, ProvisionStep
+from trex_gui.devices.trex.settings.provision_record import ProvisionRecord
+from trex_gui.devices.trex.views.provision import ProvisionFlow
+from trex_gui.devices.trex.views.steps import Steps
+from trex_gui.ui.widgets.behaviour import HoldButton
+
+HEAD = "product: TReX\nfirmware: 1.2\n"
+
+
+class ShopDriver:
+    """The dialog, the cable with a board, and the record."""
+
+    def __init__(self, window: WindowDriver, board: SimulatedDevice, folder: Path) -> None:
+        self.window, self.board = window, board
+        self.profile, self.record = folder / "profile.txt", folder / "record.csv"
+        self.profile.write_text(f"{HEAD}serial_timeout: 5\nmotor1_acceleration: 20\n", "utf-8")
+        window.trigger("provision")
+        (self.dialog,) = (
+            each for each in window.find_all(Steps) if isinstance(each.flow, ProvisionFlow)
+        )
+        assert isinstance(self.dialog.flow, ProvisionFlow)
+        self.work: Provision = self.dialog.flow.work
+
+    def start(self, *, turns_motors: bool = False) -> None:
+        find = self.window.find
+        find(QLineEdit, "provisionProfile").setText(str(self.profile))
+        find(QLineEdit, "provisionRecord").setText(str(self.record))
+        find(QCheckBox, "provisionMotors").setChecked(turns_motors)
+        self.press_next()
+
+    def press_next(self) -> None:
+        self.window.wait(lambda: self.window.is_enabled("provisionNextButton"))
+        self.window.click("provisionNextButton")
+
+    def wait_for(self, step: ProvisionStep) -> None:
+        self.window.wait(lambda: self.work.step is step)
+
+    def bring_a_new_board(self) -> None:
+        self.board.do("power off")
+        self.wait_for(ProvisionStep.WAIT)
+        self.board.do("factory", "power on")
+        self.wait_for(ProvisionStep.REVIEW)
+
+    @property
+    def rows(self) -> list[list[str]]:
+        return [line.split(",") for line in self.record.read_text("utf-8").splitlines()[1:]]
+
+
+@pytest.fixture
+def shop(
+    connected_window: WindowDriver, quick_simulator: SimulatedDevice, tmp_path: Path
+) -> ShopDriver:
+    return ShopDriver(connected_window, quick_simulator, tmp_path)
+
+
+def test_boards_are_set_up_with_a_press_each(shop: ShopDriver) -> None:
+    check_keyboard(shop.dialog)
+    shop.start()
+    for number in (1, 2, 3):
+        shop.wait_for(ProvisionStep.REVIEW)
+        assert f"robot {number}, device number {number}" in shop.window.text("provisionBoard")
+        assert shop.dialog.focusWidget() is shop.window.button("provisionNextButton")
+        shop.press_next()
+        shop.wait_for(ProvisionStep.UNPLUG)
+        shop.window.wait(lambda: len(shop.work.done) == number)  # noqa: B023 - within the loop
+        stored = shop.board.show()["parameters"]
+        assert (stored["serial_timeout"], stored["motor1_acceleration"]) == (5, 20)
+        assert f"robot {number}: written and verified" in shop.window.text("provisionBoard")
+        shop.bring_a_new_board()
+    check_keyboard(shop.dialog)
+    assert shop.window.find(QTableWidget, "provisionDone").rowCount() == 3
+    assert [row[1:4] for row in shop.rows] == [
+        [f"robot {number}", str(number), "TReX 1.2"] for number in (1, 2, 3)
+    ]
+    assert {(row[-2], row[-1]) for row in shop.rows} == {("ok", "new")}
+
+
+def test_skipped_board_keeps_what_it_stores(shop: ShopDriver) -> None:
+    before = shop.board.show()["parameters"]
+    shop.start()
+    shop.wait_for(ProvisionStep.REVIEW)
+    shop.window.click("provisionSkipButton")
+    shop.window.wait(lambda: bool(shop.work.done))
+    assert shop.board.show()["parameters"] == before
+    assert [(row[2], row[-2]) for row in shop.rows] == [("7", "skipped")]
+
+
+def test_board_lost_before_it_is_written_is_forgotten(shop: ShopDriver) -> None:
+    shop.start()
+    shop.wait_for(ProvisionStep.REVIEW)
+    shop.board.do("power off")
+    shop.wait_for(ProvisionStep.WAIT)
+    assert not shop.window.is_enabled("provisionNextButton")
+    assert shop.rows == []
+
+
+def test_number_of_a_board_lost_while_it_is_written_is_reserved(shop: ShopDriver) -> None:
+    shop.start()
+    shop.wait_for(ProvisionStep.REVIEW)
+    shop.press_next()
+    shop.window.wait(lambda: shop.window.device.writer.running)
+    shop.board.do("power off")
+    shop.window.wait(lambda: len(shop.work.done) == 1)
+    (row,) = shop.rows
+    assert row[2] == "1"
+    assert row[-2] not in {"ok", "begun"}
+    assert ProvisionRecord(shop.record).free_number() == 2
+
+
+def test_profile_of_another_model_is_named_and_not_written(shop: ShopDriver) -> None:
+    shop.profile.write_text("product: TReX Jr\nserial_timeout: 5\n", "utf-8")
+    shop.start()
+    shop.wait_for(ProvisionStep.UNPLUG)
+    assert "for a TReX Jr, not a TReX" in shop.window.text("provisionNote")
+    assert shop.rows == []
+
+
+def test_file_that_is_no_record_is_kept(shop: ShopDriver) -> None:
+    shop.record.write_text("my,table\n", "utf-8")
+    shop.start()
+    shop.window.wait_for_text("provisionTrouble", "no record")
+    assert shop.work.step is ProvisionStep.PROFILE
+    assert shop.record.read_text("utf-8") == "my,table\n"
+
+
+def test_record_that_cannot_be_saved_is_saved_again(
+    shop: ShopDriver, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    before = shop.board.show()["parameters"]
+    shop.start()
+    shop.wait_for(ProvisionStep.REVIEW)
+    with monkeypatch.context() as patch:
+
+        def fail(_record: ProvisionRecord) -> None:
+            raise BadRequest("The disk is full.")
+
+        patch.setattr(ProvisionRecord, "save", fail)
+        shop.press_next()
+        shop.window.wait_for_text("provisionNote", "disk is full")
+        assert shop.board.show()["parameters"] == before, "its number is not in the record yet"
+    shop.press_next()
+    shop.window.wait(lambda: len(shop.work.done) == 1)
+    assert shop.rows[0][-2] == "ok"
+
+
+@pytest.mark.parametrize(
+    ("end", "result"),
+    [
+        (lambda shop: shop.press_next(), "ok"),
+        (lambda shop: shop.window.click("provisionSkipButton"), "ended while motors were tried"),
+        (lambda shop: shop.dialog.close(), "ended while motors were tried"),
+        (lambda shop: shop.board.do("power off"), "ended while motors were tried"),
+    ],
+    ids=["turned", "skipped", "closed", "lost"],
+)
+def test_motors_turn_while_a_button_is_held(
+    shop: ShopDriver, end: Callable[[ShopDriver], object], result: str
+) -> None:
+    def speed() -> tuple[str, int]:
+        motor = shop.board.show()["motors"][0]
+        return motor["direction"], motor["speed"]
+
+    shop.start(turns_motors=True)
+    shop.wait_for(ProvisionStep.REVIEW)
+    shop.press_next()
+    shop.wait_for(ProvisionStep.MOTORS)
+    check_keyboard(shop.dialog)
+    shop.window.click("provisionWheelsFree")
+    shop.window.wait(lambda: shop.window.is_enabled("provisionRunButton"))
+    shop.window.click("provisionRunButton")
+    shop.window.wait(lambda: shop.window.is_enabled("provisionHold1"))
+    button = shop.window.find(HoldButton, "provisionHold1")
+    QTest.mousePress(button, LEFT)
+    shop.window.wait(lambda: speed() == ("forward", 25))
+    QTest.mouseRelease(button, LEFT)
+    shop.window.wait(lambda: speed()[0] == "brake")
+    end(shop)
+    shop.window.wait(lambda: len(shop.work.done) == 1)
+    assert not shop.window.motors.armed
+    assert shop.rows[0][-2] == result
+
+
+def test_closed_dialog_sets_up_no_other_board(shop: ShopDriver) -> None:
+    shop.start()
+    shop.wait_for(ProvisionStep.REVIEW)
+    shop.press_next()
+    shop.dialog.close()
+    shop.wait_for(ProvisionStep.PROFILE)
+    assert shop.rows[0][-2] == "ok", "what was begun is written and recorded to its end"
+    assert shop.board.show()["parameters"]["serial_timeout"] == 5

@@ -1,0 +1,227 @@
+"""One cable, many boards in turn: each gets a profile, a number, and a line in a record."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from enum import Enum, auto
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.core.errors import BadRequest, StudioError
+from trex_gui.core.translation import in_english, tr
+from trex_gui.devices.trex.board import WriteResult
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.setup.pulses import MotorPulses
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.settings.comparison import (
+    Comparison,
+    compare_with_board,
+    values_to_write,
+)
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.provision_record import (
+    NOT_TRIED,
+    ProvisionedBoard,
+    ProvisionRecord,
+    differing,
+    fingerprint,
+    result_text,
+)
+from trex_gui.ui.files import in_background
+from trex_gui.ui.translations import error_sentence, error_text
+
+
+class ProvisionStep(Enum):
+    PROFILE = auto()  # nothing was begun
+    WAIT = auto()  # for a board
+    REVIEW = auto()
+    WRITE = auto()
+    MOTORS = auto()
+    UNPLUG = auto()  # the board is done
+
+
+class Provision(QObject):
+    """Follows the boards that come to the line, and sets up each when the user says so."""
+
+    changed = Signal()  # an attribute
+
+    def __init__(self, device: Device, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.step = ProvisionStep.PROFILE
+        self.board: ProvisionedBoard | None = None  # its line, as proposed or as it ended
+        self.comparison = Comparison(())  # what is, or was, to be written
+        self.done: list[ProvisionedBoard] = []  # the lines since `start`
+        self.problem = ""  # why the board, or the record, cannot be used; for the user
+        self.pulses = MotorPulses(device, self)
+        self.turns_motors = False
+        self._device = device
+        self._profile: Settings | None = None
+        self._record: ProvisionRecord | None = None
+        self._is_ending = False
+        self._saving: Callable[[], None] | None = None  # what follows once the record is saved
+        device.link_changed.connect(self._on_board_changed)
+        device.state_changed.connect(self._on_board_changed)
+        device.applied.connect(self._on_applied)
+        device.request_failed.connect(self._on_request_failed)
+        device.connection.line_closed.connect(self._on_line_closed)
+
+    # --- User actions -------------------------------------------------------------------
+
+    def start(self, profile: Settings, record: ProvisionRecord, *, turns_motors: bool) -> None:
+        self._profile, self._record, self.turns_motors = profile, record, turns_motors
+        self.done, self._is_ending = [], False
+        self._go(ProvisionStep.WAIT)
+        self._on_board_changed()
+
+    def write(self) -> None:
+        """Write what was reviewed. The record has the number before the board may have it."""
+        if self.step is ProvisionStep.REVIEW and self.board and self._device.writer.can_apply:
+            self._go(ProvisionStep.WRITE)
+            self._save(self.board, self._write)
+
+    def skip(self) -> None:
+        """Leave the board as it is."""
+        stored = self._device.draft.stored
+        if self.step is ProvisionStep.REVIEW and self.board and self._record and stored:
+            self._finish(self._record.skipped(self.board, stored))
+
+    def finish_motors(self, *, turned: bool) -> None:
+        """Record that the user saw both motors turn, or not."""
+        if self.step is ProvisionStep.MOTORS and self.board is not None:
+            self.pulses.leave("")
+            self._finish(self.board if turned else replace(self.board, result=NOT_TRIED))
+
+    def retry(self) -> None:
+        """Save the record again."""
+        if self.problem and self._saving is not None and self.board is not None:
+            self._save(self.board, self._saving)
+
+    def stop(self) -> None:
+        """End the work, after a board that is being written or whose line is being saved."""
+        self.finish_motors(turned=False)
+        self._is_ending = True
+        if self.problem or (self.step is not ProvisionStep.WRITE and self._saving is None):
+            self._saving = None
+            self._go(ProvisionStep.PROFILE)
+
+    # --- One board after the other ------------------------------------------------------
+
+    @Slot()
+    def _on_board_changed(self) -> None:
+        device, stored = self._device, self._device.draft.stored
+        is_there = device.is_connected and device.state is not None and stored is not None
+        number = stored.parameters.get(ParameterKey.DEVICE_NUMBER) if stored else None
+        match self.step:
+            case ProvisionStep.WAIT if is_there and device.is_writable:
+                self._review()
+            case ProvisionStep.REVIEW:
+                if is_there:
+                    self._review()
+                else:
+                    self._go(ProvisionStep.WAIT)
+            case ProvisionStep.MOTORS if not is_there:
+                self.finish_motors(turned=False)
+            case ProvisionStep.UNPLUG if self._saving is None:
+                if not is_there or (self.board is not None and number != self.board.number):
+                    self._go(ProvisionStep.WAIT)
+                    self._on_board_changed()
+
+    def _review(self) -> None:
+        try:
+            self.comparison = self._compare()
+            if self._record is not None and (stored := self._device.draft.stored):
+                rows = differing(self.comparison)
+                name = str(self._device.state.signature) if self._device.state else ""
+                self.board = self._record.propose(stored, name, rows)
+        except BadRequest as error:
+            self.board, self.comparison = None, Comparison(())
+            self._go(ProvisionStep.UNPLUG, error_text(error))
+        else:
+            self._go(ProvisionStep.REVIEW)
+
+    def _compare(self) -> Comparison:
+        state, stored = self._device.state, self._device.draft.stored
+        if state is None or stored is None or self._profile is None:
+            return Comparison(())
+        result = compare_with_board(stored, state.source, self._profile)
+        return Comparison(differing(result))
+
+    def _write(self) -> None:
+        parameters, calibrations = values_to_write(self.comparison.rows)
+        stored, board = self._device.draft.stored, self.board
+        key = ParameterKey.DEVICE_NUMBER
+        if stored is not None and board is not None and stored.parameters[key] != board.number:
+            parameters = (*parameters, (key, board.number))
+        if not (parameters or calibrations):
+            self._on_written("")
+        elif self._device.writer.can_apply:
+            reason = tr("Set up as {0}").format(board.name if board else "")
+            self._device.writer.write(reason, parameters, calibrations)
+        else:
+            self._on_written(tr("No board is connected."))
+
+    @Slot(object)
+    def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
+        if self.step is not ProvisionStep.WRITE or self._saving is not None:
+            return
+        failed = [result for result in results if result.error is not None]
+        with in_english():
+            reasons = dict.fromkeys(error_sentence(result.error) for result in failed)
+        keys = " ".join(result.key for result in failed)
+        self._on_written(f"not verified: {keys}: {' '.join(reasons)}" if failed else "")
+
+    @Slot(str)
+    def _on_request_failed(self, reason: str) -> None:
+        if self.step is ProvisionStep.WRITE and self._saving is None:
+            self._on_written(reason)
+
+    @Slot()
+    def _on_line_closed(self) -> None:
+        self._on_request_failed(tr("The connection was closed."))
+
+    def _on_written(self, problem: str) -> None:
+        stored = self._device.draft.stored
+        if self.board is None or self._profile is None or stored is None:
+            return
+        result = problem or result_text(self._profile, stored, self._compare().rows)
+        self.board = replace(self.board, calibrations=fingerprint(stored), result=result)
+        if self.turns_motors and not self._is_ending and result.startswith("ok"):
+            self._go(ProvisionStep.MOTORS)
+        else:
+            self._finish(self.board)
+
+    def _finish(self, board: ProvisionedBoard) -> None:
+        self._go(ProvisionStep.UNPLUG)
+
+        def note() -> None:
+            self.done.append(board)
+            if self._is_ending:
+                self._go(ProvisionStep.PROFILE)
+            else:
+                self.changed.emit()
+                self._on_board_changed()
+
+        self._save(board, note)
+
+    def _save(self, board: ProvisionedBoard, then: Callable[[], None]) -> None:
+        """Save the line of a board. The step stays until that has succeeded."""
+        if (record := self._record) is None:
+            return
+        self.board, self._saving, self.problem = board, then, ""
+        record.put(board)
+        in_background(self, record.save, lambda _: self._on_saved(), self._on_not_saved)
+        self.changed.emit()
+
+    def _on_saved(self) -> None:
+        then, self._saving = self._saving, None
+        if then is not None:
+            then()
+
+    def _on_not_saved(self, error: StudioError) -> None:
+        self.problem = error_text(error)
+        self.changed.emit()
+
+    def _go(self, step: ProvisionStep, problem: str = "") -> None:
+        self.step, self.problem = step, problem
+        if step in {ProvisionStep.PROFILE, ProvisionStep.WAIT}:
+            self.board, self.comparison = None, Comparison(())
+        self.changed.emit()
