@@ -127,11 +127,11 @@ class ProvisionRecord:
 
     def save(self) -> None:
         """Write the file. After a StudioError it is as before."""
-        text = io.StringIO(newline="")
-        writer = csv.DictWriter(text, _COLUMNS, lineterminator="\n")
+        table = io.StringIO(newline="")
+        writer = csv.DictWriter(table, _COLUMNS, lineterminator="\n")
         writer.writeheader()
         writer.writerows(map(asdict, self._rows))
-        content = text.getvalue().encode("utf-8")
+        content = table.getvalue().encode("utf-8")
         if not save_over(self._file, content, self._saved):
             text = tr(
                 "Another program has changed {0}. Nothing was saved. Start again to continue it."
