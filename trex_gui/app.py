@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from trex_gui import composition
 from trex_gui.core.decimals import decimal
-from trex_gui.core.transport.settings import url_problem
+from trex_gui.core.transport.urls import url_problem
 from trex_gui.version import __version__
 
 if TYPE_CHECKING:

@@ -22,9 +22,10 @@ from trex_gui.core.host import host
 from trex_gui.core.plugin import Lazy
 from trex_gui.core.signals import ENDING, FROM_TERMINAL, SUSPENDING, handled_signals
 from trex_gui.core.transport.serial_port import Transport
-from trex_gui.core.transport.settings import PortSettings, url_problem
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.core.transport.traffic import Decoder, logged
 from trex_gui.core.transport.transcript import TranscriptWriter
+from trex_gui.core.transport.urls import url_problem
 
 FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
 

@@ -2,8 +2,6 @@
 
 from dataclasses import dataclass, field, replace
 from enum import Enum
-from importlib.util import find_spec
-from urllib.parse import urlsplit
 
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.translation import tr, tr_noop
@@ -93,24 +91,3 @@ class PortSettings:
 
     def text(self) -> str:
         return tr("{0} at {1}").format(self.label, self.line.text())
-
-
-def url_problem(url: str) -> str:
-    """Return why a port cannot have this URL, as a sentence; empty if it may."""
-    scheme, is_url, _ = url.partition("://")
-    if not is_url:
-        return ""
-    if not scheme.isidentifier() or find_spec(f"serial.urlhandler.protocol_{scheme}") is None:
-        return tr("{0}: there is no kind of port {1!r}; try socket:// or rfc2217://.").format(
-            url, scheme
-        )
-    try:
-        parts = urlsplit(url)
-        is_complete = bool(parts.hostname) and parts.port is not None
-    except ValueError:  # no number, or none that a port can have
-        is_complete = False
-    if scheme in {"socket", "rfc2217"} and not is_complete:
-        return tr("{0} is not {1}://host:port, such as {1}://192.168.1.20:2217.").format(
-            url, scheme
-        )
-    return ""

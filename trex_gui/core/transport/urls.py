@@ -1,0 +1,129 @@
+"""URLs of ports, and of boards that another computer serves, with the secrets of their users."""
+
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass
+from importlib.util import find_spec
+from urllib.parse import urlsplit
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.core.files import data_folder
+from trex_gui.core.translation import tr
+
+SCHEME = "trex"
+PORT = 7477
+LOCAL_USER = "local"  # of every client, where there are no users
+_LONGEST_NAME = 40
+_SECRETS = "secrets"  # file in the data folder: a line `USER@HOST SECRET` for each
+
+
+@dataclass(frozen=True, slots=True)
+class Address:
+    """A served board: `trex://USER@HOST:PORT/NAME`, all but host and name optional.
+
+    Without a `name` it is a computer that serves boards.
+    """
+
+    host: str
+    name: str = ""
+    user: str = ""
+    port: int = PORT
+
+    @classmethod
+    def of(cls, url: str) -> "Address":
+        """Read the URL of a board; BadRequest if it is none."""
+        if (found := cls._read(url)) is None or not is_name(found.name):
+            text = tr("{0} is not trex://host/name, such as trex://robot.local/arm.")
+            raise BadRequest(text.format(url))
+        return found
+
+    @classmethod
+    def of_host(cls, text: str) -> "Address":
+        """Read `USER@HOST:PORT`, or a URL; BadRequest if it is neither."""
+        found = cls._read(text if "://" in text else f"{SCHEME}://{text}")
+        if found is None:
+            raise BadRequest(tr("{0} is not a host, such as robot.local.").format(text))
+        return found
+
+    @classmethod
+    def _read(cls, url: str) -> "Address | None":
+        try:
+            parts = urlsplit(url)
+            host, port = parts.hostname, parts.port
+        except ValueError:
+            return None
+        if not host or parts.scheme != SCHEME or parts.password is not None:
+            return None
+        return cls(host, parts.path.strip("/"), parts.username or "", port or PORT)
+
+    @property
+    def url(self) -> str:
+        user = f"{self.user}@" if self.user else ""
+        port = "" if self.port == PORT else f":{self.port}"
+        return f"{SCHEME}://{user}{self._host}{port}/{self.name}"
+
+    @property
+    def _host(self) -> str:
+        return f"[{self.host}]" if ":" in self.host else self.host
+
+    @property
+    def endpoint(self) -> str:
+        """The address as the engine of the network has it; `TREX_TLS_CA` encrypts."""
+        return f"{'tls' if os.environ.get('TREX_TLS_CA') else 'tcp'}/{self._host}:{self.port}"
+
+    @property
+    def secret(self) -> str:
+        """The secret of the user: `TREX_SECRET`, or its line in the file of secrets."""
+        if secret := os.environ.get("TREX_SECRET"):
+            return secret
+        return next((secret for one, secret in _secrets() if one == f"{self.user}@{self.host}"), "")
+
+
+def known_hosts() -> tuple[Address, ...]:
+    """Return the hosts of which there is a secret, with its user."""
+    return tuple(Address.of_host(one) for one, _ in _secrets())
+
+
+def _secrets() -> Iterator[tuple[str, str]]:
+    path = data_folder() / _SECRETS
+    lines = path.read_text("utf-8", errors="replace").splitlines() if path.exists() else []
+    for words in (line.split(maxsplit=1) for line in lines):
+        if len(words) == 2 and not words[0].startswith("#"):
+            yield words[0], words[1].strip()
+
+
+def is_served(url: str) -> bool:
+    return url.startswith(f"{SCHEME}://")
+
+
+def is_name(text: str) -> bool:
+    """Return whether a board can be served by this name: letters, digits, and -_. between them."""
+    letters = text.replace("-", "").replace("_", "").replace(".", "")
+    return letters.isascii() and letters.isalnum() and len(text) <= _LONGEST_NAME
+
+
+def url_problem(url: str) -> str:
+    """Return why a port cannot have this URL, as a sentence; empty if it may."""
+    scheme, is_url, _ = url.partition("://")
+    if not is_url:
+        return ""
+    if is_served(url):
+        try:
+            Address.of(url)
+        except BadRequest as error:
+            return str(error)
+        return ""
+    if not scheme.isidentifier() or find_spec(f"serial.urlhandler.protocol_{scheme}") is None:
+        return tr("{0}: there is no kind of port {1!r}; try socket:// or rfc2217://.").format(
+            url, scheme
+        )
+    try:
+        parts = urlsplit(url)
+        is_complete = bool(parts.hostname) and parts.port is not None
+    except ValueError:  # no number, or none that a port can have
+        is_complete = False
+    if scheme in {"socket", "rfc2217"} and not is_complete:
+        return tr("{0} is not {1}://host:port, such as {1}://192.168.1.20:2217.").format(
+            url, scheme
+        )
+    return ""
