@@ -399,7 +399,7 @@ def pip_commands(pip: Sequence[str], constraints: Path = CONSTRAINTS) -> list[li
     install = [*pip, "install", "--constraint", str(constraints)]
     return [
         [*install, *BUILD_REQUIREMENTS],
-        [*install, "--no-build-isolation", "--editable", f"{ROOT}[gui,gamepad,mcap,test]"],
+        [*install, "--no-build-isolation", "--editable", f"{ROOT}[gui,gamepad,mcap,remote,test]"],
     ]
 
 

@@ -26,7 +26,7 @@ from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 HERE = ROOT / ".venv-lowest"
-EXTRAS = ("gui", "gamepad", "mcap")
+EXTRAS = ("gui", "gamepad", "mcap", "remote")
 
 
 def lowest_versions(project: str) -> dict[str, str]:

@@ -24,8 +24,8 @@ from trex_gui.devices.trex.driving.requests import (
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import ErrorCode
+from trex_gui.devices.trex.serve.sessions import session_at
 from trex_gui.devices.trex.session.messages import Batch, Connected, NotResponding, Report
-from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.settings.board_records import utc_now
 
 log = logging.getLogger(__name__)
@@ -59,7 +59,9 @@ class OpenBoard:
         self._inbox = RequestQueue(computer.condition())
         self.put = self._inbox.put
         self._reports = RequestQueue(computer.condition())
-        session = TrexSession(settings, self._inbox, self._put_report, computer.open_transport)
+        session = session_at(
+            settings, self._inbox, self._put_report, computer.open_transport, computer.clock
+        )
         self._join = computer.start_thread(session.run)
 
     def _put_report(self, report: Report) -> None:

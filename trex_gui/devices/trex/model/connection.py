@@ -38,6 +38,7 @@ from trex_gui.devices.trex.session.messages import (
 from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
 from trex_gui.ui.devices.connection import ConnectionState, DeviceConnection
 from trex_gui.ui.notifier import ConnectWith, Remedies, Remedy, remedies_of
+from trex_gui.ui.runtime import now
 from trex_gui.ui.workers.session_thread import NO_HANDLER, MakeSession
 
 log = logging.getLogger(__name__)
@@ -88,11 +89,11 @@ class Connection(DeviceConnection[ConnectionSettings]):
         return isinstance(request, Write)
 
     def new_session(self, settings: ConnectionSettings, *, may_move: bool) -> MakeSession:
-        from trex_gui.devices.trex.session.session import TrexSession  # noqa: PLC0415 - not at the start
+        from trex_gui.devices.trex.serve.sessions import session_at  # noqa: PLC0415 - not at the start
 
         self.is_guarded = False
-        return lambda inbox, emit: TrexSession(
-            settings, inbox, emit, self.open_logged, may_move=may_move
+        return lambda inbox, emit: session_at(
+            settings, inbox, emit, self.open_logged, now, may_move=may_move
         )
 
     def prepare_to_close(self) -> None:

@@ -43,6 +43,11 @@ class RawPacket:
         )
 
     @property
+    def is_query(self) -> bool:
+        """Whether it neither moves a motor nor stores anything."""
+        return isinstance(self.packet, Packet) and not (self.moves or self.writes)
+
+    @property
     def writes_everywhere(self) -> bool:
         """Whether every board on the line stores it."""
         return self.writes and self.device_number is None

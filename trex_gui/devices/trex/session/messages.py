@@ -101,10 +101,37 @@ class SetWatched:
     watched: bool
 
 
+@dataclass(frozen=True, slots=True)
+class AskLease:
+    """Drive a board that is served to several, as soon as that is possible.
+
+    A `LeaseChanged` follows. This and the next three have no effect at a line of this computer.
+    """
+
+
+@dataclass(frozen=True, slots=True)
+class HandOver:
+    """Let the waiting client of this user drive in place of the sender."""
+
+    user: str
+
+
+@dataclass(frozen=True, slots=True)
+class TakeLease:
+    """Drive in place of whoever does; only owners may."""
+
+
+@dataclass(frozen=True, slots=True)
+class ReturnLease:
+    """Drive no more. Motors that may be moving are stopped."""
+
+
+LeaseRequest = AskLease | HandOver | TakeLease | ReturnLease
+
 Job = SendPacket | Write | Reload | ProbeNumber | SelectBoard
 """Requests that are served in their order; each has an `Outcome`."""
 
-Request = Job | MotorRequest | SetReconnectCandidates | SetWatched | Close
+Request = Job | MotorRequest | SetReconnectCandidates | SetWatched | LeaseRequest | Close
 
 
 class ReadReason(Enum):
@@ -181,6 +208,34 @@ class Batch:
     counters: Counters
 
 
+@dataclass(frozen=True, slots=True)
+class LeaseChanged:
+    """Who drives a board that is served to several clients, and who waits for that."""
+
+    user: str = ""  # the user of this client
+    driver: str = ""  # the user who drives; empty: nobody
+    is_mine: bool = False
+    waiting: tuple[str, ...] = ()  # users
+    may_drive: bool = True
+    may_take: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class NetworkDelay:
+    """How long a message takes to the server of the board and back, in seconds."""
+
+    seconds: float
+
+
 Report = (
-    Progress | Connected | GuardianChanged | NotResponding | MotorReport | Batch | Outcome | Closed
+    Progress
+    | Connected
+    | GuardianChanged
+    | NotResponding
+    | MotorReport
+    | Batch
+    | LeaseChanged
+    | NetworkDelay
+    | Outcome
+    | Closed
 )

@@ -10,6 +10,7 @@ from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, Stop
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexRequestError
 from trex_gui.devices.trex.session.messages import (
     Job,
+    LeaseRequest,
     Request,
     SendPacket,
     SetReconnectCandidates,
@@ -50,6 +51,8 @@ class TrexRequestQueue:
                     self._liveness.expect(settings)
                 case SetWatched(watched=watched):
                     self.is_watched = watched
+                case _ if isinstance(request, LeaseRequest):
+                    pass  # nobody else is at a line of this computer
                 case Arm(selection=selection) if selection != self.selection:
                     pass  # meant for another board
                 case _ if isinstance(request, Job):

@@ -1,0 +1,212 @@
+"""Requests and reports cross a network as they cross threads."""
+
+import random
+from typing import Any
+
+import pytest
+from msgspec import msgpack
+
+from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable, StudioError
+from trex_gui.core.session import Closed, Outcome, Progress
+from trex_gui.devices.trex.client.client import Counters
+from trex_gui.devices.trex.client.reading import DeviceState
+from trex_gui.devices.trex.client.telemetry import (
+    Control,
+    Currents,
+    LatchedStatus,
+    ModeSample,
+    Raw,
+    Remapped,
+)
+from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.driving.requests import (
+    Arm,
+    CommandsRepeated,
+    Heartbeat,
+    MotorsStopped,
+    SetAuxiliary,
+    SetMotor,
+    SetMotors,
+    Stop,
+    StopSent,
+)
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
+from trex_gui.devices.trex.protocol.commands import Signature
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.protocol.driving import Drive
+from trex_gui.devices.trex.protocol.errors import (
+    BoardElsewhere,
+    ErrorCode,
+    Rejected,
+    ResultCode,
+    TrexBadReplyError,
+    TrexError,
+    TrexNoReplyError,
+)
+from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError
+from trex_gui.devices.trex.protocol.framing import Malformed
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.protocol.raw_packets import RawPacket
+from trex_gui.devices.trex.serve.codec import (
+    decode_report,
+    decode_request,
+    encode_report,
+    encode_request,
+    with_head,
+)
+from trex_gui.devices.trex.serve.messages import Alive, Hello, Leave, Refused, Tick, Welcome
+from trex_gui.devices.trex.session.messages import (
+    AskLease,
+    Batch,
+    Connected,
+    GuardianChanged,
+    HandOver,
+    LeaseChanged,
+    NetworkDelay,
+    NotResponding,
+    ProbeNumber,
+    ProbeProgress,
+    ReadReason,
+    Reload,
+    ReturnLease,
+    SelectBoard,
+    SendPacket,
+    SetReconnectCandidates,
+    SetWatched,
+    TakeLease,
+    Write,
+    Written,
+)
+
+BOARD = Signature(device_table().models[0], "1.2")
+CURVE = Calibration(2500, 3750, 5000, 50)
+STATE = DeviceState(
+    BOARD, Mode.SERIAL_RC, True, {"serial_timeout": 5}, {1: CURVE}, 3, {"motor_mode": "no reply"}
+)
+SETTINGS = ConnectionSettings(
+    "/dev/ttyUSB0", LineSettings(115200, Detection.CRC7), 9, reserved=frozenset({1})
+)
+SAMPLES = (
+    Raw(1.5, (1, None, 3, 4, 5)),
+    Remapped(2.0, (1, -127, 3, 4, 5)),
+    Currents(2.0, (1, 2)),
+    LatchedStatus(3.0, Status.UART_ERROR | Status.MOTOR1_FAULT, UartError.CRC, is_whole=False),
+    Control(1.0, True),
+    ModeSample(1.0, Mode.RC),
+)
+RESULTS = (
+    WriteResult("serial_timeout", 5),
+    WriteResult("rc_channel_1", CURVE),
+    WriteResult("motor_mode", None, Rejected("motor_mode", ResultCode.BAD_VALUE)),
+)
+REPORTS: tuple[Any, ...] = (
+    Batch(SAMPLES, Counters(1, 2, 3, slowest=0.1)),
+    Connected(STATE, False, ReadReason.OPENED, SETTINGS, port_rates=frozenset({9600})),
+    GuardianChanged(True),
+    NotResponding("no reply", Counters()),
+    StopSent(),
+    CommandsRepeated(),
+    MotorsStopped(ErrorCode.NO_HEARTBEAT, True),
+    MotorsStopped(None, False),
+    Outcome(3, b"\x0a"),
+    Outcome(4, Written(RESULTS, STATE, SETTINGS)),
+    Outcome(5, BOARD),
+    Outcome(6),
+    Closed(PortUnavailable("gone"), True),
+    Closed(None),
+    Progress(1, 2, "x"),
+    ProbeProgress(1, 2, "x"),
+    LeaseChanged("bob", "alice", False, ("bob",), may_take=True),
+    NetworkDelay(0.01),
+    Welcome("arm"),
+    Tick(),
+    Refused("another version"),
+)
+REQUESTS: tuple[Any, ...] = (
+    SendPacket(1, RawPacket(Malformed(b"\x81", ""))),
+    Write(2, (("serial_timeout", 5),), ((CalibrationKey.RC_CHANNEL_1, CURVE),), STATE),
+    Write(3),
+    Reload(4),
+    ProbeNumber(5, 9),
+    SelectBoard(6, 9, (7, 9)),
+    SetMotor(1, Drive.at(-5)),
+    SetMotors((SetMotor(1, Drive.at(5)), SetMotor(2, Drive.brake(7), True))),
+    SetAuxiliary(5),
+    Stop(7),
+    Arm(6),
+    Heartbeat(1.0),
+    Heartbeat(),
+    SetReconnectCandidates((SETTINGS,)),
+    SetWatched(False),
+    AskLease(),
+    HandOver("bob"),
+    TakeLease(),
+    ReturnLease(),
+    Hello(1, "x"),
+    Alive(),
+    Leave(),
+)
+
+
+@pytest.mark.parametrize("report", REPORTS, ids=lambda one: type(one).__name__)
+def test_report_arrives_as_it_was_sent(report: Any) -> None:
+    head, received = decode_report(with_head(encode_report(report), 1, 2.5), 2)
+    assert list(head) == [1, 2.5]
+    assert repr(received) == repr(report)
+
+
+@pytest.mark.parametrize("request_", REQUESTS, ids=lambda one: type(one).__name__)
+def test_request_arrives_as_it_was_sent(request_: Any) -> None:
+    assert decode_request(encode_request(request_, 1, 2.5), 2) == ((1, 2.5), request_)
+
+
+@pytest.mark.parametrize(
+    "error",
+    [
+        NoReply("nothing"),
+        TrexNoReplyError(ErrorCode.NO_REPLY, "86 1F"),
+        TrexBadReplyError(ErrorCode.PARAMETER_MISMATCH, "motor_mode", 1, 2),
+        TrexError(ErrorCode.STRAY_WRITE, "x", (TrexError(ErrorCode.CLOSED), "y")),
+        Rejected("motor_mode", ResultCode.NOT_SERIAL_MODE),
+        BoardElsewhere(ErrorCode.OTHER_NUMBER, "port", "TReX 1.2", 9, 7, SETTINGS),
+    ],
+    ids=lambda error: type(error).__name__,
+)
+def test_error_keeps_its_kind_and_its_text(error: StudioError) -> None:
+    _, outcome = decode_report(with_head(encode_report(Outcome(1, error=error))), 0)
+    assert isinstance(outcome, Outcome)
+    assert str(outcome.error) == str(error)
+    kind = TrexNoReplyError if isinstance(error, BoardElsewhere) else type(error)
+    assert type(outcome.error).__name__ == kind.__name__
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        {"_type": "Exec", "code": "x"},
+        {"_type": "Stop", "id": "1"},
+        {"_type": "Stop", "id": 1, "more": 2},
+        {"_type": "SetMotor", "motor": 1, "drive": 5, "accelerate": False},
+        {"_type": "Arm", "selection": True},
+        [],
+        None,
+    ],
+)
+def test_message_of_another_form_is_refused(body: object) -> None:
+    with pytest.raises(BadRequest):
+        decode_request(msgpack.encode([1, 2.0, 3.0, body]), 3)
+
+
+def test_no_bytes_raise_another_error() -> None:
+    chance = random.Random(1)
+    for _ in range(3000):
+        data = bytearray(encode_request(chance.choice(REQUESTS), 1, 2.0, 3.0))
+        for _ in range(chance.randint(1, 4)):
+            data[chance.randrange(len(data))] = chance.randrange(256)
+        try:
+            decode_request(bytes(data), 3)
+        except BadRequest:
+            continue
+    with pytest.raises(BadRequest):
+        decode_request(b"\x91" * 5000, 3)

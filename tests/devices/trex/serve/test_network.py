@@ -1,0 +1,286 @@
+"""Boards over the network, in real time: Zenoh on the loopback, a simulated board behind it."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from trex_gui import Trex
+from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable, StudioError
+from trex_gui.core.transport.urls import Address
+from trex_gui.devices.trex.cli.serve import find_robots, stop_robots
+from trex_gui.devices.trex.open_board import MotorsStoppedError
+from trex_gui.devices.trex.serve.network import key, open_client
+from trex_gui.devices.trex.serve.users import add_user
+
+pytestmark = pytest.mark.realtime
+
+STOPPED = ("brake", 127)
+_WAIT_S = 10.0
+
+
+def comes_true(happened: Callable[[], object], seconds: float = _WAIT_S) -> bool:
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        if happened():
+            return True
+        time.sleep(0.01)
+    return False
+
+
+def motor(simulator: SimulatedDevice) -> tuple[str, int]:
+    state = simulator.show()["motors"][0]
+    return state["direction"], state["speed"]
+
+
+class ServerDriver:
+    """`trexcmd serve` in a process of its own."""
+
+    def __init__(self, simulator: SimulatedDevice, *options: str) -> None:
+        self.simulator = simulator
+        words = [sys.executable, "-m", "trex_gui.cli", "serve", "--port", simulator.url]
+        words += ["--name", "arm", "--listen", "127.0.0.1:0", *options]
+        port = _free_port()
+        words[words.index("127.0.0.1:0")] = f"127.0.0.1:{port}"
+        self.address = Address("127.0.0.1", "arm", port=port)
+        self.process = subprocess.Popen(words, stderr=subprocess.PIPE, text=True)
+        assert self.process.stderr is not None
+        assert "Serving" in self.process.stderr.readline()
+
+    def url(self, user: str = "") -> str:
+        return Address("127.0.0.1", "arm", user, self.address.port).url
+
+    def wait_for_board(self, user: str = "") -> None:
+        def responds() -> bool:
+            rows = find_robots([Address.of(self.url(user)).url])
+            return bool(rows) and rows[0]["responds"]
+
+        assert comes_true(responds)
+
+    def end(self) -> int:
+        self.process.send_signal(signal.SIGTERM)
+        return self.process.wait(_WAIT_S)
+
+
+def _free_port() -> int:
+    import socket
+
+    with socket.socket() as found:
+        found.bind(("127.0.0.1", 0))
+        port: int = found.getsockname()[1]
+        return port
+
+
+@contextmanager
+def served(simulator: SimulatedDevice, *options: str) -> Iterator[ServerDriver]:
+    server = ServerDriver(simulator, *options)
+    try:
+        yield server
+    finally:
+        server.process.kill()
+        server.process.wait()
+        assert server.process.stderr is not None
+        server.process.stderr.close()
+
+
+@pytest.fixture
+def server(start_simulator: StartSimulator) -> Iterator[ServerDriver]:
+    with served(start_simulator()) as one:
+        one.wait_for_board()
+        yield one
+
+
+@pytest.fixture
+def secrets(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A file of users, each of which has its secret."""
+    file, roles = tmp_path / "users", {"alice": "drive", "bob": "drive", "wanda": "watch"}
+    for user, role in roles.items():
+        secret = add_user(file, user, role)
+        data = Path(os.environ["TREX_STUDIO_DATA"])
+        data.mkdir(exist_ok=True, parents=True)
+        with (data / "secrets").open("a", encoding="utf-8") as known:
+            known.write(f"{user}@127.0.0.1 {secret}\n")
+    return file
+
+
+def test_library_reads_writes_and_drives_as_at_a_cable(server: ServerDriver) -> None:
+    with Trex(server.url()) as trex:
+        assert trex.status().product == "TReX"
+        trex.set_parameters(serial_timeout="0.5 s")
+        assert server.simulator.show()["parameters"]["serial_timeout"] == 5
+        trex.drive(40)
+        trex.wait(0.3)
+        assert motor(server.simulator) == ("forward", 40)
+        (row,) = find_robots([server.url()])
+        assert row["driver"] == "local"
+        trex.stop()
+        assert motor(server.simulator) == STOPPED
+        assert next(iter(trex.measurements(1.0)))["motor_1_current_A"] == 0.0
+    assert comes_true(lambda: find_robots([server.url()])[0]["driver"] is None)
+
+
+def test_second_driver_is_refused_and_watches(server: ServerDriver) -> None:
+    with Trex(server.url()) as first, Trex(server.url()) as second:
+        first.drive(40)
+        first.wait(0.2)
+        second.drive(-40)
+        with pytest.raises(MotorsStoppedError, match="Somebody else drives"):
+            second.wait(1)
+        with pytest.raises(BadRequest, match="Somebody else drives"):
+            second.set_parameters(serial_timeout=5)
+        assert second.status().serial_controls
+        first.wait(0.1)
+        assert motor(server.simulator) == ("forward", 40)
+        second.stop()
+        assert motor(server.simulator) == STOPPED
+
+
+_DRIVES = """
+import sys
+from trex_gui import Trex
+with Trex(sys.argv[1]) as trex:
+    trex.drive(50)
+    trex.wait(0.5)
+    print("drives", flush=True)
+    trex.wait(60)
+"""
+
+
+@pytest.mark.parametrize("end", [signal.SIGKILL, signal.SIGSTOP], ids=["killed", "suspended"])
+def test_motors_stop_when_their_driver_ends(server: ServerDriver, end: signal.Signals) -> None:
+    command = [sys.executable, "-c", _DRIVES, server.url()]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as driver:
+        assert driver.stdout is not None
+        assert driver.stdout.readline() == b"drives\n"
+        assert motor(server.simulator) == ("forward", 50)
+        try:
+            driver.send_signal(end)
+            assert comes_true(lambda: motor(server.simulator) == STOPPED)
+            assert comes_true(lambda: find_robots([server.url()])[0]["driver"] is None)
+        finally:
+            driver.kill()
+
+
+def test_motors_stop_when_the_server_is_killed(server: ServerDriver) -> None:
+    def drive() -> None:
+        with Trex(server.url()) as trex:
+            trex.drive(50)
+            trex.wait(0.5)
+            server.process.kill()
+            assert comes_true(lambda: motor(server.simulator) == STOPPED), "by the guardian"
+            trex.wait(10)
+
+    with pytest.raises((NoReply, MotorsStoppedError)):
+        drive()
+
+
+def test_end_of_the_server_stops_the_motors(server: ServerDriver) -> None:
+    def drive() -> None:
+        with Trex(server.url()) as trex:
+            trex.drive(50)
+            trex.wait(0.3)
+            assert server.end() == 0
+            assert motor(server.simulator) == STOPPED
+            trex.wait(1)
+
+    with pytest.raises(StudioError, match="closed"):
+        drive()
+
+
+def test_board_that_returns_is_served_again(server: ServerDriver) -> None:
+    server.simulator.do("power off")
+    assert comes_true(lambda: not find_robots([server.url()])[0]["responds"])
+    with pytest.raises(NoReply), Trex(server.url()) as trex:
+        trex.status()
+    server.simulator.do("power on")
+    server.wait_for_board()
+    with Trex(server.url()) as trex:
+        assert trex.status().product == "TReX"
+
+
+def test_robot_is_stopped_by_name_and_confirms(server: ServerDriver) -> None:
+    with Trex(server.url()) as trex:
+        trex.drive(40)
+        trex.wait(0.3)
+        assert stop_robots([server.url()]) == {server.url(): ""}
+        assert motor(server.simulator) == STOPPED
+        trex.wait(0.5)
+        assert motor(server.simulator) == STOPPED, "heartbeats of the driver start nothing"
+    server.simulator.do("power off")
+    (error,) = stop_robots([server.url()]).values()
+    assert error
+
+
+# --- Users --------------------------------------------------------------------------------
+
+
+def test_user_drives_and_watcher_does_not(start_simulator: StartSimulator, secrets: Path) -> None:
+    with served(start_simulator(), "--users", str(secrets)) as server:
+        server.wait_for_board("alice")
+        with Trex(server.url("alice")) as trex:
+            trex.drive(40)
+            trex.wait(0.3)
+            assert motor(server.simulator) == ("forward", 40)
+        with Trex(server.url("wanda")) as trex:
+            assert trex.status().product == "TReX"
+            trex.drive(40)
+            with pytest.raises(MotorsStoppedError, match="watch"):
+                trex.wait(1)
+        assert motor(server.simulator) == STOPPED
+
+
+@pytest.mark.parametrize("user", ["", "mallory", "alice"])
+def test_stranger_and_wrong_secret_are_refused(
+    start_simulator: StartSimulator, secrets: Path, user: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with served(start_simulator(), "--users", str(secrets)) as server:
+        server.wait_for_board("bob")
+        monkeypatch.setenv("TREX_SECRET", "wrong")
+        with pytest.raises(PortUnavailable, match="No board is served"), Trex(server.url(user)):
+            pass
+
+
+def test_user_cannot_speak_as_another_one(start_simulator: StartSimulator, secrets: Path) -> None:
+    from itertools import count
+
+    from trex_gui.devices.trex.driving.requests import Arm, SetMotor
+    from trex_gui.devices.trex.protocol.driving import Drive
+    from trex_gui.devices.trex.serve.codec import encode_request
+    from trex_gui.devices.trex.serve.messages import VERSION, Hello
+    from trex_gui.devices.trex.session.messages import AskLease
+
+    with served(start_simulator(), "--users", str(secrets)) as server:
+        server.wait_for_board("wanda")
+        address, numbers = Address.of(server.url("wanda")), count(1)
+        with open_client(address) as session:
+            for user in ("alice", "*", "**", "wanda"):
+                name = key("arm", "from", user, "0123456789abcdef")
+                for request in (Hello(VERSION, "x"), AskLease(), Arm(), SetMotor(1, Drive.at(50))):
+                    session.put(name, encode_request(request, next(numbers), 1e9, 0.0))
+            time.sleep(0.5)
+        assert find_robots([address.url])[0]["driver"] is None
+        assert server.simulator.show()["motors"][0]["target_speed"] == 0
+
+
+def test_file_of_users_that_others_read_is_refused(tmp_path: Path, secrets: Path) -> None:
+    from trex_gui.devices.trex.serve.users import read_users
+
+    assert [user.name for user in read_users(secrets)] == ["alice", "bob", "wanda"]
+    secrets.chmod(0o644)
+    with pytest.raises(BadRequest, match="chmod 600"):
+        read_users(secrets)
+    with pytest.raises(BadRequest, match="has a user alice"):
+        add_user(secrets, "alice", "own")
+    bad = tmp_path / "bad"
+    for text in ("alice drive\n", "alice king x\n", "a/b drive x\n", "", "a own x\na own y\n"):
+        bad.write_text(text, "utf-8")
+        bad.chmod(0o600)
+        with pytest.raises(BadRequest):
+            read_users(bad)

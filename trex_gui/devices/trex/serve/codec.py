@@ -1,0 +1,249 @@
+"""Requests and reports as bytes.
+
+A message is its type by name and its fields, in MessagePack. Decoding checks each field for its
+type, and knows no other types than those of the tables here.
+"""
+
+from collections.abc import Callable, Iterable
+from enum import Enum
+from functools import cache
+from typing import Any, TypeVar, get_args
+
+import cattrs
+from cattrs.preconf.msgspec import make_converter
+from cattrs.strategies import configure_tagged_union, include_subclasses
+from msgspec import msgpack
+
+from trex_gui.core.errors import (
+    BadReply,
+    BadRequest,
+    CodedError,
+    InternalError,
+    NoReply,
+    PortShared,
+    PortUnavailable,
+    StudioError,
+)
+from trex_gui.core.session import Outcome
+from trex_gui.devices.trex.client.telemetry import Sample
+from trex_gui.devices.trex.protocol.commands import Signature
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.device_table import Model, device_table
+from trex_gui.devices.trex.protocol.errors import (
+    BoardElsewhere,
+    ErrorCode,
+    OtherBoard,
+    Rejected,
+    ResultCode,
+    Skipped,
+    TrexBadReplyError,
+    TrexError,
+    TrexInternalError,
+    TrexNoReplyError,
+    TrexRequestError,
+)
+from trex_gui.devices.trex.protocol.flags import Status, UartError
+from trex_gui.devices.trex.protocol.framing import Malformed
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.protocol.raw_packets import RawPacket
+from trex_gui.devices.trex.serve.messages import ClientRequest, ServerReport
+from trex_gui.devices.trex.session.messages import ProbeProgress, Written
+from trex_gui.devices.trex.session.messages import Report as SessionReport
+from trex_gui.devices.trex.session.messages import Request as SessionRequest
+
+LARGEST_REQUEST = 8192
+"""Bytes; a `Write` of every parameter and calibration with what was read before has 3000."""
+
+Request = SessionRequest | ClientRequest
+Report = SessionReport | ServerReport
+_REQUESTS: Any = Request
+_REPORTS: Any = Report | ProbeProgress
+
+_VALUES: Any = Written | Signature
+"""Types that the value of an `Outcome` may have, beside bytes and none."""
+
+_ERRORS: tuple[type[StudioError], ...] = (
+    BadReply,
+    BadRequest,
+    InternalError,
+    NoReply,
+    PortShared,
+    PortUnavailable,
+    StudioError,
+)
+_CODED: tuple[type[TrexError], ...] = (
+    OtherBoard,
+    Skipped,
+    TrexBadReplyError,
+    TrexError,
+    TrexInternalError,
+    TrexNoReplyError,
+    TrexRequestError,
+)
+
+MessageT = TypeVar("MessageT")
+
+
+def encode_request(request: Request, *head: float) -> bytes:
+    """Return a request behind its `head` of numbers."""
+    return msgpack.encode([*head, _codec().unstructure(request, _REQUESTS)])
+
+
+def decode_request(data: bytes, head: int) -> tuple[tuple[float, ...], Request]:
+    """Return the `head` numbers and the request; BadRequest if these bytes are none."""
+    return _decode(data, head, _REQUESTS)
+
+
+def encode_report(report: Report) -> Any:
+    """Return a report as plain values, which `with_head` packs for each client."""
+    return _codec().unstructure(report, _REPORTS)
+
+
+def with_head(report: Any, *head: float) -> bytes:
+    return msgpack.encode([*head, report])
+
+
+def decode_report(data: bytes, head: int) -> tuple[tuple[float, ...], Report]:
+    """Return the `head` numbers and the report; BadRequest if these bytes are none."""
+    return _decode(data, head, _REPORTS)
+
+
+def _decode(data: bytes, head: int, union: Any) -> tuple[tuple[float, ...], Any]:
+    try:
+        *numbers, body = msgpack.decode(data)
+        return _numbers(numbers, head), _codec().structure(body, union)
+    except Exception as error:
+        raise BadRequest(f"no message: {error!r:.200}") from error
+
+
+def _numbers(found: list[Any], count: int) -> tuple[float, ...]:
+    if len(found) != count or not all(type(one) in {int, float} for one in found):
+        raise BadRequest(f"{count} numbers and a message were expected")
+    return tuple(found)
+
+
+@cache
+def _codec() -> cattrs.Converter:
+    codec = make_converter(forbid_extra_keys=True, detailed_validation=False)
+    for kind in (int, float, str, bytes, bool):
+        codec.register_structure_hook(kind, _strict(kind))
+    codec.register_unstructure_hook_func(_is_code, lambda code: code.name)
+    codec.register_structure_hook_func(_is_code, lambda name, kind: kind[name])
+    for flags in (Status, UartError):
+        codec.register_structure_hook(flags, lambda bits, kind: kind(_strict(int)(bits, int)))
+    codec.register_unstructure_hook(Model, lambda model: model.key)
+    codec.register_structure_hook(Model, lambda key, _: _model(key))
+    codec.register_unstructure_hook(LineSettings, lambda line: line.to_wire())
+    codec.register_structure_hook(LineSettings, lambda wire, _: LineSettings.from_wire(wire))
+    codec.register_unstructure_hook(ConnectionSettings, lambda one: [one.url, one.name, one.packed])
+    codec.register_structure_hook(
+        ConnectionSettings,
+        lambda parts, _: ConnectionSettings(parts[0], name=parts[1]).unpacked(parts[2]),
+    )
+    codec.register_unstructure_hook(RawPacket, lambda raw: raw.packet.raw)
+    codec.register_structure_hook(
+        RawPacket, lambda raw, _: RawPacket(Malformed(_strict(bytes)(raw, bytes), ""))
+    )
+    for error in (StudioError, StudioError | None):
+        codec.register_unstructure_hook(error, lambda one: _error_form(one, codec))
+        codec.register_structure_hook(error, lambda form, _: _error_of(form, codec))
+    codec.register_unstructure_hook(Outcome, lambda one: _outcome_form(one, codec))
+    codec.register_structure_hook(Outcome, lambda form, _: _outcome_of(form, codec))
+    include_subclasses(Sample, codec, union_strategy=configure_tagged_union)
+    for union in (_VALUES, _REQUESTS, _REPORTS):
+        configure_tagged_union(union, codec)
+    return codec
+
+
+def _strict(kind: type) -> Callable[[Any, Any], Any]:
+    """Return what lets values of this type through, and a whole number as a `float`."""
+
+    def check(value: Any, _kind: Any) -> Any:
+        if type(value) is kind or (kind is float and type(value) is int):
+            return value
+        raise BadRequest(f"{kind.__name__} expected, not {value!r:.40}")
+
+    return check
+
+
+def _is_code(kind: Any) -> bool:
+    """Return whether an enumeration has texts for users as values, or numbers without meaning."""
+    return isinstance(kind, type) and issubclass(kind, Enum) and kind.__name__ in _BY_NAME
+
+
+_BY_NAME = {"ErrorCode", "ReadReason", "Mode"}
+
+
+def _model(key: object) -> Model:
+    return next(model for model in device_table().models if model.key == key)
+
+
+def _error_form(error: StudioError | None, codec: cattrs.Converter) -> Any:
+    if error is None:
+        return None
+    if isinstance(error, Rejected):
+        return ["Rejected", error.fields[0], error.result.name]
+    if isinstance(error, BoardElsewhere):
+        return ["BoardElsewhere", error.code.name, [str(field) for field in error.fields[:-1]]]
+    if isinstance(error, CodedError):
+        known = next((kind for kind in _CODED if type(error) is kind), TrexError)
+        return [known.__name__, error.code.name, _field_forms(error.fields, codec)]
+    named = next((kind for kind in _ERRORS if isinstance(error, kind)), StudioError)
+    return [named.__name__, str(error)]
+
+
+def _field_forms(fields: Iterable[object], codec: cattrs.Converter) -> list[Any]:
+    def form(field: object) -> Any:
+        match field:
+            case CodedError():
+                return [_error_form(field, codec)]
+            case tuple():
+                return [form(part) for part in field]
+            case int() | float():
+                return field
+        return str(field)
+
+    return [form(field) for field in fields]
+
+
+def _error_of(form: Any, codec: cattrs.Converter) -> StudioError | None:
+    match form:
+        case None:
+            return None
+        case ["Rejected", str(what), str(result)]:
+            return Rejected(what, ResultCode[result])
+        case ["BoardElsewhere", str(code), [*fields]]:
+            return TrexNoReplyError(ErrorCode[code], *map(str, fields))
+        case [str(name), str(code), [*fields]]:
+            kind = next(one for one in _CODED if one.__name__ == name)
+            return kind(ErrorCode[code], *(_field_of(field, codec) for field in fields))
+        case [str(name), str(text)]:
+            return next(one for one in _ERRORS if one.__name__ == name)(text)
+    raise BadRequest("no error")
+
+
+def _field_of(form: Any, codec: cattrs.Converter) -> object:
+    match form:
+        case str() | int() | float():
+            return form
+        case [[str(_), *_]]:
+            return _error_of(form[0], codec)
+        case [*parts]:
+            return tuple(_field_of(part, codec) for part in parts)
+    raise BadRequest("no field of an error")
+
+
+def _outcome_form(outcome: Outcome, codec: cattrs.Converter) -> Any:
+    value: Any = outcome.value
+    if isinstance(value, get_args(_VALUES)):
+        value = codec.unstructure(value, _VALUES)
+    return {"id": outcome.id, "value": value, "error": _error_form(outcome.error, codec)}
+
+
+def _outcome_of(form: Any, codec: cattrs.Converter) -> Outcome:
+    number, value, error = (form[key] for key in ("id", "value", "error"))
+    if isinstance(value, dict):
+        value = codec.structure(value, _VALUES)
+    elif not (value is None or isinstance(value, bytes)):
+        raise BadRequest("no value of an outcome")
+    return Outcome(_strict(int)(number, int), value, _error_of(error, codec))

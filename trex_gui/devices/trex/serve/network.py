@@ -1,0 +1,212 @@
+"""The network below servers and clients: Zenoh, its users and encryption.
+
+Every user has key expressions of its own, and the engine lets nobody else use them: a message of
+`from/alice/…` is one of Alice's.
+"""
+
+import json
+import os
+import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from trex_gui.core.errors import PortUnavailable
+from trex_gui.core.transport.urls import LOCAL_USER, Address
+from trex_gui.devices.trex.serve.users import User
+
+if TYPE_CHECKING:
+    from types import ModuleType
+
+    import zenoh
+
+_ROOT = "trex/v1"
+
+
+def key(name: str, *parts: str) -> str:
+    return "/".join((_ROOT, name, *parts))
+
+
+def open_client(*addresses: Address) -> "zenoh.Session":
+    """Connect to servers at which the user of the first address is known.
+
+    Raises:
+        PortUnavailable: none is there, or it does not know the user.
+    """
+    first, is_one = addresses[0], len(addresses) == 1
+    config: dict[str, Any] = {
+        "mode": "client" if is_one else "peer",
+        "connect/endpoints": [address.endpoint for address in addresses],
+        "connect/timeout_ms": 2000,
+        "connect/exit_on_failure": is_one,
+        "scouting/multicast/enabled": False,
+        "scouting/gossip/enabled": False,
+    }
+    if not is_one:
+        config["listen/endpoints"] = []
+    if first.user:
+        config["transport/auth/usrpwd"] = {"user": first.user, "password": first.secret}
+    if authority := os.environ.get("TREX_TLS_CA"):
+        config["transport/link/tls/root_ca_certificate"] = authority
+    engine = _engine()
+    try:
+        session: zenoh.Session = engine.open(_config(config))
+    except engine.ZError as error:
+        who = f"{first.user} with this secret" if first.user else "a client without a user"
+        text = (
+            f"No board is served at {first.host}:{first.port}, or not to {who}. Check that "
+            "`trexcmd serve` runs there, the user in the address, and TREX_SECRET."
+        )
+        raise PortUnavailable(text) from error
+    return session
+
+
+def scout(seconds: float) -> tuple[Address, ...]:
+    """Return the computers on the local network that answer in this time."""
+    engine = _engine()
+    found: dict[Address, None] = {}
+    config = _config({"scouting/multicast/enabled": True})
+    scouting = engine.scout(what="peer", config=config)
+    try:
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            hello = scouting.try_recv()
+            if hello is None:
+                time.sleep(0.02)
+                continue
+            for locator in hello.locators:
+                kind, _, where = str(locator).partition("/")
+                if kind in {"tcp", "tls"}:
+                    found[Address.of_host(where.split("?")[0])] = None
+    finally:
+        scouting.stop()
+    return tuple(found)
+
+
+class ClientLink:
+    """The connection of one client to a server.
+
+    Args:
+        address: of the board.
+        receive: gets each message of the server, in a thread of the engine.
+    """
+
+    def __init__(self, address: Address, receive: Callable[[bytes], None]) -> None:
+        self._session = open_client(address)
+        user, client = address.user or LOCAL_USER, os.urandom(8).hex()
+
+        def name(part: str) -> str:
+            return key(address.name, part, user, client)
+
+        self._kept = (  # the engine ends what nothing refers to
+            self._session.declare_subscriber(
+                name("to"), lambda sample: receive(bytes(sample.payload))
+            ),
+            self._session.liveliness().declare_token(name("client")),
+        )
+        self._publisher = declare_publisher(self._session, name("from"))
+
+    def send(self, message: bytes) -> None:
+        self._publisher.put(message)
+
+    def close(self) -> None:
+        self._session.close()  # type: ignore[no-untyped-call]
+
+
+def open_server(
+    name: str,
+    listen: Sequence[str],
+    users: Sequence[User],
+    folder: Path,
+    *,
+    tls: tuple[Path, Path] | None = None,
+) -> "zenoh.Session":
+    """Listen for clients; `tls` are the files of certificate and key.
+
+    The engine reads the secrets from a file in `folder`, which belongs to this program alone.
+
+    Raises:
+        PortUnavailable: an address cannot be listened at.
+    """
+    is_public = bool(users)
+    config: dict[str, Any] = {
+        "mode": "peer",
+        "listen/endpoints": list(listen),
+        "listen/exit_on_failure": True,
+        # Answers who looks for servers, and looks for none itself
+        "scouting/multicast/enabled": is_public,
+        "scouting/multicast/autoconnect": [],
+        "scouting/gossip/enabled": False,
+        "transport/link/rx/max_message_size": 65536,
+    }
+    if tls is not None:
+        config["transport/link/tls/listen_certificate"] = str(tls[0])
+        config["transport/link/tls/listen_private_key"] = str(tls[1])
+    if users:
+        secrets = folder / "users"
+        secrets.touch(mode=0o600)
+        lines = [f"{user.name}:{user.secret}\n" for user in users]
+        secrets.write_text("".join(lines), "utf-8")
+        # The engine wants a user of its own, which nobody can be.
+        config["transport/auth/usrpwd"] = {
+            "user": "-",
+            "password": os.urandom(16).hex(),
+            "dictionary_file": str(secrets),
+        }
+        config["access_control"] = _access(name, users)
+    engine = _engine()
+    try:
+        session: zenoh.Session = engine.open(_config(config))
+    except engine.ZError as error:
+        raise PortUnavailable(f"Cannot listen at {', '.join(listen)}: {error}") from error
+    return session
+
+
+def declare_publisher(session: "zenoh.Session", name: str) -> "zenoh.Publisher":
+    """Return a publisher that loses nothing, and delays nothing to send more at once."""
+    engine = _engine()
+    block = engine.CongestionControl.BLOCK
+    publisher: zenoh.Publisher = session.declare_publisher(
+        name, congestion_control=block, express=True
+    )
+    return publisher
+
+
+def _access(name: str, users: Sequence[User]) -> dict[str, Any]:
+    """Return the rules of the engine: a user reaches its own keys, and what all may read."""
+    messages = ["put", "query", "reply", "declare_subscriber", "declare_queryable"]
+    messages += ["liveliness_token", "liveliness_query", "declare_liveliness_subscriber"]
+
+    def rule(number: str, *keys: str) -> dict[str, Any]:
+        return {
+            "id": number,
+            "permission": "allow",
+            "flows": ["ingress", "egress"],
+            "messages": messages,
+            "key_exprs": list(keys),
+        }
+
+    own = [
+        rule(one.name, *(key(name, part, one.name, "**") for part in ("from", "to", "client")))
+        for one in users
+    ]
+    return {
+        "enabled": True,
+        "default_permission": "deny",
+        "rules": [rule("-all", key("*", "info"), key(name, "data", "**")), *own],
+        "subjects": [{"id": one.name, "usernames": [one.name]} for one in users],
+        "policies": [{"rules": ["-all", one.name], "subjects": [one.name]} for one in users],
+    }
+
+
+def _config(settings: dict[str, Any]) -> "zenoh.Config":
+    config: zenoh.Config = _engine().Config()
+    for name, value in settings.items():
+        config.insert_json5(name, json.dumps(value))
+    return config
+
+
+def _engine() -> "ModuleType":
+    import zenoh  # noqa: PLC0415 - takes a moment
+
+    return zenoh

@@ -1,0 +1,347 @@
+"""The session of a served board, as its clients see it: the same requests, the same reports."""
+
+import logging
+import math
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from itertools import count
+
+from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable, StudioError
+from trex_gui.core.session import Close, Closed, Closing, Inbox, Outcome, run_until_closed
+from trex_gui.core.transport.urls import Address
+from trex_gui.devices.trex.client.client import Counters
+from trex_gui.devices.trex.driving.requests import (
+    Arm,
+    Heartbeat,
+    MotorsStopped,
+    SetAuxiliary,
+    SetMotor,
+    SetMotors,
+    Stop,
+)
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexInternalError, TrexRequestError
+from trex_gui.devices.trex.serve.codec import decode_report, encode_request
+from trex_gui.devices.trex.serve.messages import (
+    VERSION,
+    Alive,
+    ClientRequest,
+    Hello,
+    Leave,
+    Refused,
+    ServerReport,
+    Tick,
+    Welcome,
+)
+from trex_gui.devices.trex.serve.network import ClientLink
+from trex_gui.devices.trex.session.messages import (
+    AskLease,
+    Batch,
+    Connected,
+    LeaseChanged,
+    LeaseRequest,
+    NetworkDelay,
+    NotResponding,
+    ProbeNumber,
+    ReadReason,
+    Reload,
+    Report,
+    Request,
+    SelectBoard,
+    SendPacket,
+    SetWatched,
+    Write,
+)
+from trex_gui.version import __version__
+
+log = logging.getLogger(__name__)
+
+_SLICE = 0.005  # longest seconds until a report that has come is passed on
+_HEARTBEAT = 0.1  # seconds between two heartbeats
+_SILENCE = 0.7
+"""Seconds without a report after which the network counts as silent; the server sends ten a
+second, and stops the motors of a client that it has not heard for half a second."""
+
+_LOST = 5.0  # seconds of silence after which the connection is given up
+_ANSWER = 3.0  # seconds within which a server welcomes a client, or answers about the lease
+
+_LEAVING = 1.0  # seconds within which the stop is confirmed when the connection is closed
+_LAST_STOP = -2  # id of that stop
+_DELAY_INTERVAL = 1.0  # seconds between two reports of the delay
+
+
+@dataclass(slots=True)
+class _Waiting:
+    """Requests that wait until it is known whether this client may drive."""
+
+    requests: list[Request]
+    until: float
+
+
+class RemoteSession:
+    """Serves requests through a server, from connecting to leaving.
+
+    Has the arguments of a `TrexSession`. The lease is requested with the first request that needs
+    it, and returned at the end.
+    """
+
+    def __init__(
+        self,
+        settings: ConnectionSettings,
+        inbox: Inbox[Request],
+        emit: Callable[[Report], None],
+        clock: Callable[[], float],
+        *,
+        may_move: bool = False,
+        open_link: Callable[[Address, Callable[[bytes], None]], ClientLink] = ClientLink,
+    ) -> None:
+        self._open_link = open_link
+        self._settings, self._inbox, self._emit = settings, inbox, emit
+        self._clock = clock
+        self._may_move = may_move
+        self._received: deque[tuple[float, bytes]] = deque()
+        self._counter = count(1)
+        self._seen = 0.0  # newest time of the server that arrived
+        self._offset = math.inf  # of its clock from ours, at most
+        self._heard_at = 0.0
+        self._beat_at = 0.0
+        self._watches = True
+        self._welcome: Welcome | None = None
+        self._lease = LeaseChanged()
+        self._waiting: _Waiting | None = None
+        self._board: Connected | None = None
+        self._is_silent = False
+        self._has_armed = False  # motors that were not stopped since
+        self._closed: Closed | None = None
+        self._counters = Counters()
+        self._unanswered: set[int] = set()
+        self._stops: set[int] = set()  # of them those of stops
+        self._delay_at = 0.0  # when the delay was last reported
+
+    def run(self) -> None:
+        """Serve until the server or the network is lost, or `Close` comes. Never raises."""
+        error = run_until_closed(
+            self._open, self._step, lambda detail: TrexInternalError(ErrorCode.INTERNAL, detail)
+        )
+        self._leave()
+        for number in self._unanswered - {_LAST_STOP}:
+            self._emit(Outcome(number, error=error or NoReply(self._lost_text)))
+        last = self._closed or Closed(error, self._may_move)
+        self._emit(last)
+
+    # --- Beginning and end --------------------------------------------------------------
+
+    _link: ClientLink | None = None
+
+    def _open(self) -> None:
+        address = Address.of(self._settings.url)
+        self._link = self._open_link(address, self._receive)
+        end = self._clock() + _ANSWER
+        hello_at = 0.0
+        while self._welcome is None:
+            now = self._clock()
+            if now >= end:
+                who = address.user or "a client without a user"
+                text = f"{address.host} does not serve a board named {address.name} to {who}."
+                raise PortUnavailable(text)
+            if now >= hello_at:
+                hello_at = now + 0.5
+                self._send(Hello(VERSION, f"TReX Studio {__version__}"))
+            self._take_requests(_SLICE)
+            self._take_reports()
+        self._heard_at = self._clock()
+
+    def _leave(self) -> None:
+        """Stop the motors if this client drove them, and leave."""
+        if self._link is None:
+            return
+        try:
+            if self._may_move and self._closed is None:
+                self._pass_on(Stop(_LAST_STOP))
+                end = self._clock() + _LEAVING
+                while self._may_move and self._clock() < end:
+                    self._inbox.get(_SLICE)
+                    self._take_reports()
+        except (StudioError, Closing):
+            log.info("the server has left first", exc_info=True)
+        try:
+            self._send(Leave())
+            self._link.close()
+        except Exception:
+            log.info("leaving the server failed", exc_info=True)
+
+    # --- The loop -----------------------------------------------------------------------
+
+    def _step(self) -> None:
+        now = self._clock()
+        if now >= self._beat_at:
+            self._beat_at = now + _HEARTBEAT
+            self._send(Alive(self._watches))
+        self._take_requests(min(_SLICE, max(0.0, self._beat_at - now)))
+        self._take_reports()
+        self._judge_silence()
+        if self._waiting is not None and self._clock() >= self._waiting.until:
+            self._reject_waiting()
+
+    def _judge_silence(self) -> None:
+        silence = self._clock() - self._heard_at
+        if silence >= _LOST:
+            raise NoReply(self._lost_text)
+        if silence >= _SILENCE and not self._is_silent and self._board is not None:
+            self._is_silent = True
+            self._emit(NotResponding(self._lost_text, self._counters))
+
+    _lost_text = (
+        "The network to the robot is silent. There the motors are stopped half a second after the "
+        "last heartbeat."
+    )
+
+    # --- Requests -----------------------------------------------------------------------
+
+    def _take_requests(self, seconds: float) -> None:
+        request = self._inbox.get(seconds)
+        while request is not None:
+            self._take(request)
+            request = self._inbox.get(0.0)
+
+    def _take(self, request: Request) -> None:
+        match request:
+            case Close():
+                raise Closing
+            case SetWatched(watched=watched):
+                self._watches = watched
+            case Stop():
+                self._waiting = None
+                self._pass_on(request)
+            case _ if isinstance(request, LeaseRequest) or self._may_pass(request):
+                self._pass_on(request)
+            case SetMotor() | SetMotors() | SetAuxiliary() if self._waiting is not None:
+                self._waiting.requests.append(request)  # behind an `Arm`
+            case Arm() | Write() | SelectBoard() | ProbeNumber() | Reload() | SendPacket():
+                self._wait_for_lease(request)
+
+    def _may_pass(self, request: Request) -> bool:
+        if isinstance(request, SendPacket) and request.packet.is_query:
+            return True
+        return self._lease.is_mine
+
+    def _pass_on(self, request: Request) -> None:
+        if isinstance(request, Heartbeat):
+            request = Heartbeat()
+        if isinstance(request, Stop):
+            self._has_armed = False
+            self._stops.add(request.id)
+        elif isinstance(request, Arm):
+            self._has_armed = True
+        if number := getattr(request, "id", 0):
+            self._unanswered.add(number)
+        self._may_move = self._may_move or isinstance(request, SetMotor | SetMotors | SetAuxiliary)
+        self._send(request)
+
+    def _wait_for_lease(self, request: Request) -> None:
+        if self._waiting is None:
+            self._waiting = _Waiting([], self._clock() + _ANSWER)
+            self._send(AskLease())
+        self._waiting.requests.append(request)
+
+    def _reject_waiting(self) -> None:
+        """Tell that another client drives, or that this one may not."""
+        waiting, self._waiting = self._waiting, None
+        code = ErrorCode.OTHER_DRIVES if self._lease.may_drive else ErrorCode.MAY_NOT_DRIVE
+        for request in waiting.requests if waiting else ():
+            if number := getattr(request, "id", 0):
+                self._emit(Outcome(number, error=TrexRequestError(code)))
+            elif isinstance(request, Arm):
+                self._emit(MotorsStopped(code, confirmed=True))
+
+    def _send(self, request: Request | ClientRequest) -> None:
+        if self._link is not None:
+            head = next(self._counter), self._seen, self._clock()
+            self._link.send(encode_request(request, *head))
+
+    # --- Reports ------------------------------------------------------------------------
+
+    def _receive(self, message: bytes) -> None:
+        """Queue a message, in any thread."""
+        self._received.append((self._clock(), message))
+
+    def _take_reports(self) -> None:
+        while self._received:
+            arrived, data = self._received.popleft()
+            try:
+                (_, time, echo), report = decode_report(data, 3)
+            except BadRequest as error:
+                log.warning("a message of the server is not understood: %s", error)
+                continue
+            self._seen = max(self._seen, time)
+            self._offset = min(self._offset, arrived - time)
+            self._heard_at = arrived
+            if arrived - self._delay_at >= _DELAY_INTERVAL:
+                self._delay_at = arrived
+                self._emit(NetworkDelay(max(0.0, arrived - echo)))
+            if self._is_silent:
+                self._is_silent = False
+                if self._board is not None:
+                    self._emit(replace(self._board, occasion=ReadReason.RETURNED))
+            self._report(report)
+
+    def _report(self, report: Report | ServerReport) -> None:
+        match report:
+            case Welcome():
+                self._welcome = report
+            case Refused(reason=reason):
+                raise PortUnavailable(reason)
+            case Tick():
+                pass
+            case LeaseChanged():
+                self._take_lease(report)
+            case Closed():
+                self._closed = report
+                raise report.error or Closing
+            case _:
+                self._pass_back(report)
+
+    def _pass_back(self, report: Report | ServerReport) -> None:
+        """Pass on a report of the board's session, with the clock of this computer."""
+        match report:
+            case Outcome(id=number):
+                self._unanswered.discard(number)
+                if number in self._stops and report.error is None:
+                    self._may_move = False
+                self._stops.discard(number)
+                if number != _LAST_STOP:
+                    self._emit(report)
+            case Connected():
+                url = self._settings.url
+                settings = replace(report.settings, url=url, name=self._settings.name)
+                self._board = replace(report, settings=settings)
+                self._may_move = report.may_move
+                self._emit(self._board)
+            case Batch():
+                self._counters = report.counters
+                samples = tuple(
+                    replace(one, time=one.time + self._offset) for one in report.samples
+                )
+                self._emit(replace(report, samples=samples))
+            case MotorsStopped(reason=reason, confirmed=confirmed):
+                self._may_move = self._may_move and not confirmed
+                if self._has_armed or reason is None:  # else those of another client
+                    self._emit(report)
+                self._has_armed = self._has_armed and reason is None
+            case Welcome() | Refused() | Tick():
+                pass
+            case _:
+                self._emit(report)
+
+    def _take_lease(self, report: LeaseChanged) -> None:
+        self._lease = report
+        self._emit(report)
+        if self._waiting is None:
+            return
+        if report.is_mine:
+            waiting, self._waiting = self._waiting, None
+            for request in waiting.requests:
+                self._pass_on(request)
+        elif report.driver or not report.may_drive:
+            self._reject_waiting()

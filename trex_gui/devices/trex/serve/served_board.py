@@ -1,0 +1,246 @@
+"""A board that is served: its session in one thread, the network in those of the engine."""
+
+import json
+import logging
+import tempfile
+import threading
+from collections import deque
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from trex_gui.core.errors import StudioError
+from trex_gui.core.host import Host
+from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
+from trex_gui.core.transport.urls import LOCAL_USER
+from trex_gui.devices.trex.board.keeper import Keeper
+from trex_gui.devices.trex.board.mirror import BoardMirror
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.serve.lease import Party, Role
+from trex_gui.devices.trex.serve.network import declare_publisher, key, open_server
+from trex_gui.devices.trex.serve.server import BoardServer
+from trex_gui.devices.trex.serve.users import User
+from trex_gui.devices.trex.session.messages import Report
+from trex_gui.devices.trex.session.session import TrexSession
+from trex_gui.devices.trex.settings.board_records import utc_now
+
+if TYPE_CHECKING:
+    import zenoh
+
+log = logging.getLogger(__name__)
+
+_RETRY_S = 1.0  # between two attempts to open the line
+_LEAVING = 0.5  # seconds for the last messages to a client
+_MOST_WAITING = 300  # messages for a client that does not take them: some five seconds
+
+
+class _Outbox:
+    """Sends the messages of one client in a thread of its own, which alone waits for it."""
+
+    def __init__(self, session: "zenoh.Session", name: str, full: Callable[[], None]) -> None:
+        self._messages: deque[bytes | None] = deque()
+        self._ready = threading.Condition()
+        self._full = full
+        self._publisher = declare_publisher(session, name)
+        self._thread = threading.Thread(target=self._run, daemon=True)
+        self._thread.start()
+
+    def close(self, seconds: float) -> None:
+        """Send what is queued, for so long at most."""
+        self.put(None)
+        self._thread.join(seconds)
+
+    def put(self, message: bytes | None) -> None:
+        """Queue a message. `None` ends the thread after those before it."""
+        with self._ready:
+            if len(self._messages) >= _MOST_WAITING:
+                self._messages.clear()
+                message = None
+                self._full()
+            self._messages.append(message)
+            self._ready.notify()
+
+    def _run(self) -> None:
+        while True:
+            with self._ready:
+                while not self._messages:
+                    self._ready.wait()
+                message = self._messages.popleft()
+            if message is None:
+                break
+            try:
+                self._publisher.put(message)
+            except Exception:  # the client is gone
+                log.info("a message could not be sent", exc_info=True)
+        self._publisher.undeclare()  # type: ignore[no-untyped-call]
+
+
+class ServedBoard:
+    """Serves the board at a line under a name, until it is told to end.
+
+    Args:
+        settings: how to reach the board.
+        name: under which it is served.
+        listen: endpoints of the engine, such as `tcp/0.0.0.0:7477`.
+        users: who may connect; none: every program that reaches the endpoint owns the board.
+        computer: its ports, threads and clock.
+        say: receives what the operator of the server should know.
+        tls: files of certificate and key.
+    """
+
+    def __init__(
+        self,
+        settings: ConnectionSettings,
+        name: str,
+        *,
+        listen: Sequence[str],
+        users: Sequence[User],
+        computer: Host,
+        say: Callable[[str], None],
+        tls: tuple[Path, Path] | None = None,
+    ) -> None:
+        self._settings, self.name = settings, name
+        self._computer, self._say = computer, say
+        self._roles = {user.name: user.role for user in users} or {LOCAL_USER: Role.OWN}
+        self._inbox = RequestQueue(computer.condition())
+        self.server = BoardServer(name, self._put, self._send, computer.clock)
+        self._board = BoardMirror(Keeper(log.info, log.warning).memory)
+        self._outboxes: dict[Party, _Outbox] = {}
+        self._is_ending = False
+        self._closed = threading.Event()
+        with tempfile.TemporaryDirectory(prefix="trex-serve-") as folder:
+            self._network = open_server(name, listen, users, Path(folder), tls=tls)
+        # By user: the engine tells a client only of expressions that it may use.
+        self._kept: list[object] = [
+            self._network.declare_queryable(key(name, "info"), self._on_query)
+        ]
+        for user in self._roles:
+            self._kept += [
+                self._network.declare_subscriber(key(name, "from", user, "*"), self._on_request),
+                self._network.liveliness().declare_subscriber(
+                    key(name, "client", user, "*"), self._on_client, history=True
+                ),
+                self._network.declare_queryable(key(name, "stop", user), self._on_stop),
+            ]
+
+    def run(self, is_ended: Callable[[], object]) -> Closed:
+        """Serve until `is_ended`; then stop the motors, close the line, and return how it ended.
+
+        A line that is lost is opened again.
+        """
+        said = ""
+        while not is_ended():
+            self._closed.clear()
+            session = TrexSession(
+                self._settings, self._inbox, self._report, self._computer.open_transport
+            )
+            self._is_open = True
+            join = self._computer.start_thread(session.run)
+            while not self._closed.is_set():
+                self._closed.wait(self.server.step())
+                if is_ended() and not self._is_ending:
+                    self._is_ending = True
+                    self._inbox.put(Close())
+            join()
+            self._is_open = False
+            last = self._last
+            self.server.end(last.error, may_move=last.may_move)
+            text = "" if last.error is None else str(last.error)
+            if text and text != said:
+                self._say(text)
+            said = text
+            self._wait(is_ended)
+        for outbox in list(self._outboxes.values()):
+            outbox.close(_LEAVING)
+        self._network.close()  # type: ignore[no-untyped-call]
+        return self._last
+
+    def _wait(self, is_ended: Callable[[], object]) -> None:
+        end = self._computer.clock() + _RETRY_S
+        while not is_ended() and self._computer.clock() < end:
+            self._closed.clear()
+            self._closed.wait(self.server.step())
+
+    # --- The session --------------------------------------------------------------------
+
+    _last = Closed(None)
+    _is_open = False
+
+    def _put(self, request: object) -> None:
+        self._inbox.put(request)
+
+    def _report(self, report: Report) -> None:
+        """Take a report of the session, in its thread."""
+        for _ in self._board.take(report, self._computer.clock(), utc_now()):
+            pass
+        if isinstance(report, Closed):
+            self._last = report
+            self._closed.set()
+        else:
+            self.server.report(report)
+
+    # --- The network, in threads of the engine ------------------------------------------
+
+    def _party(self, expression: object) -> Party | None:
+        """Return whose keys these are: `…/USER/CLIENT`."""
+        user, client = str(expression).split("/")[-2:]
+        role = self._roles.get(user)
+        return None if role is None else Party(client, user, role)
+
+    def _on_request(self, sample: "zenoh.Sample") -> None:
+        if party := self._party(sample.key_expr):
+            self.server.take(party, bytes(sample.payload))
+
+    def _on_client(self, sample: "zenoh.Sample") -> None:
+        """Take that a client has come, or that its connection ended."""
+        import zenoh  # noqa: PLC0415 - an extra
+
+        party = self._party(sample.key_expr)
+        if party is not None and sample.kind is zenoh.SampleKind.DELETE:
+            self.server.remove(party.id)
+            if outbox := self._outboxes.pop(party, None):
+                outbox.put(None)
+
+    def _send(self, party: Party, message: bytes) -> None:
+        outbox = self._outboxes.get(party)
+        if outbox is None:
+            name = key(self.name, "to", party.user, party.id)
+            outbox = _Outbox(self._network, name, lambda: self._drop(party))
+            self._outboxes[party] = outbox
+        outbox.put(message)
+
+    def _drop(self, party: Party) -> None:
+        log.warning("%s takes its messages too slowly", party.user)
+        threading.Thread(target=self.server.remove, args=(party.id,), daemon=True).start()
+
+    def _on_query(self, query: "zenoh.Query") -> None:
+        query.reply(key(self.name, "info"), json.dumps(self.info()))
+
+    def _on_stop(self, query: "zenoh.Query") -> None:
+        """Stop the motors for a user, and reply once that is confirmed or not."""
+
+        def reply(outcome: Outcome) -> None:
+            text = "" if outcome.error is None else str(outcome.error)
+            query.reply(query.key_expr, json.dumps({"name": self.name, "error": text}))
+            query.drop()  # type: ignore[no-untyped-call]
+
+        if self._is_open:
+            self.server.stop(reply)
+        else:
+            text = str(self._last.error or "The board is not connected.")
+            reply(Outcome(0, error=StudioError(text)))
+
+    def info(self) -> dict[str, Any]:
+        """Return what a list of robots shows, with the keys of `trexcmd robots --json`."""
+        board, lease = self._board, self.server.lease
+        state = board.state
+        problems = [one.name for one in board.errors.entries if one.count]
+        return {
+            "name": self.name,
+            "board": str(state.signature) if state else None,
+            "device_number": state.parameters.get("device_number") if state else None,
+            "responds": board.is_responding,
+            "driver": lease.holder.user if lease.holder else None,
+            "clients": len(self.server.users),
+            "problems": problems,
+        }

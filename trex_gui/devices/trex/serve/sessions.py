@@ -1,0 +1,48 @@
+"""The session of a board, at a line of this computer or served by another one."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Protocol
+
+from trex_gui.core.errors import PortUnavailable
+from trex_gui.core.session import Closed, Inbox
+from trex_gui.core.transport.serial_port import Transport
+from trex_gui.core.transport.urls import is_served
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.session.messages import Report, Request
+from trex_gui.devices.trex.session.session import TrexSession
+
+NEEDS_EXTRA = "Boards of the network need the extra `remote`: pip install 'trex-gui[remote]'."
+
+
+class Session(Protocol):
+    def run(self) -> None: ...
+
+
+@dataclass(frozen=True, slots=True)
+class _Unavailable:
+    _emit: Callable[[Report], None]
+
+    def run(self) -> None:
+        self._emit(Closed(PortUnavailable(NEEDS_EXTRA)))
+
+
+def session_at(
+    settings: ConnectionSettings,
+    inbox: Inbox[Request],
+    emit: Callable[[Report], None],
+    open_transport: Callable[[ConnectionSettings], Transport],
+    clock: Callable[[], float],
+    *,
+    may_move: bool = False,
+) -> Session:
+    """Return the session of the board at these settings; see `TrexSession` for the arguments."""
+    if not is_served(settings.url):
+        return TrexSession(settings, inbox, emit, open_transport, may_move=may_move)
+    try:
+        from trex_gui.devices.trex.serve.remote_session import (  # noqa: PLC0415 - an extra
+            RemoteSession,
+        )
+    except ImportError:
+        return _Unavailable(emit)
+    return RemoteSession(settings, inbox, emit, clock, may_move=may_move)
