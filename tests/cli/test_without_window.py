@@ -51,6 +51,8 @@ _LINES = [
     "restore-defaults",
     "motor 1 20 --seconds 0.1",
     "stop",
+    "serve --install",
+    "robots --help",  # asks the network
     "raw 81 --traffic traffic.txt",
     "decode 81",
     "report -",

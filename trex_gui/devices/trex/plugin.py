@@ -48,6 +48,8 @@ TREX = DevicePlugin(
         ),
         "motor": _command("motor:motor", "Run a motor until Ctrl-C or for a time, then stop it."),
         "stop": _command("motor:stop", "Stop all motors and wait for confirmation."),
+        "serve": _command("serve:serve", "Serve the board to other computers over the network."),
+        "robots": _command("serve:robots", "List the boards that are served on the network."),
         "raw": _command("packets:raw", "Send bytes and show the reply."),
         "decode": _command("packets:decode", "Decode packets without a board."),
         "report": _command("report:report", "Save a zip for support, without personal data."),

@@ -25,6 +25,7 @@ from trex_gui.core.host import host
 from trex_gui.core.plugin import Lazy, PortAnswer, PortReports
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.serial_port import Transport
+from trex_gui.core.transport.urls import is_served
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import agreed, is_several, read_signature
 from trex_gui.devices.trex.diagnosis import diagnose
@@ -173,10 +174,20 @@ def rounded(source: InputSource, count: int | None) -> float | None:
 # --- The line ---------------------------------------------------------------------------
 
 
+def open_port(settings: ConnectionSettings) -> tuple[Transport, ConnectionSettings]:
+    """Open a port, or connect to a server; also return how the board is addressed there."""
+    if not is_served(settings.url):
+        return host().open_transport(settings), settings
+    from trex_gui.devices.trex.serve.remote_transport import RemoteTransport  # noqa: PLC0415 - rare
+
+    remote = RemoteTransport(settings, host())
+    return remote, remote.settings
+
+
 @contextlib.contextmanager
 def open_line(settings: ConnectionSettings) -> Iterator[TrexClient]:
     """Open the line; any error on it ends the program with its message."""
-    with refusals(), _begun(host().open_transport(settings), settings) as client:
+    with refusals(), _begun(*open_port(settings)) as client:
         yield client
 
 
@@ -186,7 +197,7 @@ def open_line_to_change(
 ) -> Iterator[tuple[TrexClient, frozenset[int] | None]]:
     """Open the line; also yield the baud rates that the port supports, `None` if unknown."""
     with refusals():
-        transport = host().open_transport(settings)
+        transport, settings = open_port(settings)
         rates = transport.rates(baud_rates())  # nothing may have been sent yet
         with _begun(transport, settings) as client:
             yield client, rates
@@ -250,7 +261,7 @@ def _only_board(client: TrexClient) -> Signature:
 def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
     """Look at the line settings of the options only; `trexcmd find` tries the others."""
     settings = link_settings(options, url)
-    client = TrexClient(host().open_transport(settings), settings)
+    client = TrexClient(*open_port(settings))
     try:
         client.detect_echo()
         signature = agreed(client.request, GetSignature(), has_crc=client.has_crc)

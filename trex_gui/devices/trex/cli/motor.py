@@ -1,8 +1,9 @@
 """The commands motor and stop."""
 
 import math
+import time
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -22,7 +23,7 @@ from trex_gui.core.session import Close, Closed, Outcome
 from trex_gui.core.texts import hex_text
 from trex_gui.core.transport.adapters import adapter_key
 from trex_gui.core.transport.linux_ports import holder_of
-from trex_gui.core.transport.serial_port import Transport
+from trex_gui.core.transport.urls import is_served
 from trex_gui.devices.trex.board.keeper import Keeper
 from trex_gui.devices.trex.board.mirror import BoardMirror
 from trex_gui.devices.trex.cli.changes import say_warning
@@ -48,6 +49,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
+from trex_gui.devices.trex.serve.sessions import session_at
 from trex_gui.devices.trex.session.messages import (
     Connected,
     GuardianChanged,
@@ -57,7 +59,6 @@ from trex_gui.devices.trex.session.messages import (
     Request,
     SendPacket,
 )
-from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.settings.board_records import BoardRecord, utc_now
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 
@@ -91,16 +92,21 @@ def run_motors(
     Raises:
         CommandFailed: it ended otherwise than intended; the motors were stopped if possible.
     """
-    with refusals():  # Ctrl-C ends what may take long, as with a port of another computer
-        transport = host().open_transport(settings)
+    clock, open_port = host().clock, host().open_transport
+    wait: Callable[[float], None] = time.sleep
+    if not is_served(settings.url):
+        with refusals():  # Ctrl-C ends what may take long, as with a port of another computer
+            transport = host().open_transport(settings)
+        clock, wait, open_port = transport.clock, transport.wait, lambda _settings: transport
     with Interruption(precious=True) as interrupted:
-        run = _Run(orders, math.inf if seconds is None else seconds, interrupted, transport)
+        end = math.inf if seconds is None else seconds
+        run = _Run(orders, end, interrupted, clock, wait)
         run.board.adapter = adapter_key(settings.url)
-        TrexSession(settings, run, run.take, lambda _settings: transport).run()
+        session_at(settings, run, run.take, open_port, clock).run()
     run.conclude()
 
 
-STOP_ID = 0  # number of the stop at the end; orders have others
+STOP_ID = -1  # number of the stop at the end; orders have others
 
 _CAUSES = {
     TimeoutStop.OFF: "Serial Timeout is off",
@@ -113,8 +119,17 @@ _UNCONFIRMED = "The stop is not confirmed. If a motor still turns, cut its power
 
 @click.command()
 @link_options
-def stop(**options: Any) -> None:
+@click.option(
+    "--robots",
+    multiple=True,
+    metavar="NAME",
+    help="Stop this served board, or all of them; may be repeated.",
+)
+def stop(robots: tuple[str, ...], **options: Any) -> None:
     """Brake both motors and switch the auxiliary motor off; repeat until confirmed."""
+    if robots or is_served(options["port"] or ""):
+        _stop_served(robots or [options["port"]])
+        return
     settings = link_settings(options)
     try:
         _stop_at(settings)
@@ -127,6 +142,17 @@ def stop(**options: Any) -> None:
             "closing it."
         ) from refusal
     say("Stopped.")
+
+
+def _stop_served(names: Sequence[str]) -> None:
+    from trex_gui.devices.trex.cli.serve import stop_robots  # noqa: PLC0415 - an extra
+
+    with refusals():
+        results = stop_robots(names)
+    for url, error in results.items():
+        say(f"{url}: {error or 'stopped.'}")
+    if not results or any(results.values()):
+        raise CommandFailed(_UNCONFIRMED)
 
 
 def _stop_at(settings: ConnectionSettings) -> None:
@@ -180,7 +206,8 @@ class _Run:
     _orders: Sequence[Setpoint | SendPacket]
     _seconds: float
     _interrupted: Interruption
-    _transport: Transport
+    _clock: Callable[[], float]
+    _wait: Callable[[float], None]
     _requests: deque[Request] = field(default_factory=deque)
     _keeper: Keeper = field(default_factory=lambda: _Reader(say, say_warning))
     board: BoardMirror = field(init=False)
@@ -202,8 +229,8 @@ class _Run:
 
     def get(self, seconds: float) -> Request | None:
         if not self._requests and seconds > 0:
-            self._transport.wait(min(seconds, _SLICE))
-        now = self._now = self._transport.clock()
+            self._wait(min(seconds, _SLICE))
+        now = self._now = self._clock()
         if self._interrupted or now >= self._end:
             self._finish()
         if self._requests:
