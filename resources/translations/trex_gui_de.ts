@@ -151,10 +151,6 @@
         <translation>{0} Baud, {1}, {2}</translation></message>
     <message><source>{0} at {1}</source>
         <translation>{0} bei {1}</translation></message>
-    <message><source>{0}: there is no kind of port {1!r}; try socket:// or rfc2217://.</source>
-        <translation>{0}: Eine Portart {1!r} gibt es nicht; versuchen Sie socket:// oder rfc2217://.</translation></message>
-    <message><source>{0} is not {1}://host:port, such as {1}://192.168.1.20:2217.</source>
-        <translation>{0} hat nicht die Form {1}://host:port, zum Beispiel {1}://192.168.1.20:2217.</translation></message>
     <message><source>{0} baud</source>
         <translation>{0} Baud</translation></message>
     <message><source>Opened {0}.</source>
@@ -165,6 +161,14 @@
         <translation>dies ist keine Zeile eines Datenverkehrsprotokolls</translation></message>
     <message><source>{0} cannot be written: {1}.</source>
         <translation>{0} kann nicht geschrieben werden: {1}.</translation></message>
+    <message><source>{0} is not trex://host/name, such as trex://robot.local/arm.</source>
+        <translation>{0} ist nicht trex://Rechner/Name, etwa trex://robot.local/arm.</translation></message>
+    <message><source>{0}: there is no kind of port {1!r}; try socket:// or rfc2217://.</source>
+        <translation>{0}: Eine Portart {1!r} gibt es nicht; versuchen Sie socket:// oder rfc2217://.</translation></message>
+    <message><source>{0} is not {1}://host:port, such as {1}://192.168.1.20:2217.</source>
+        <translation>{0} hat nicht die Form {1}://host:port, zum Beispiel {1}://192.168.1.20:2217.</translation></message>
+    <message><source>{0} is not a host, such as robot.local.</source>
+        <translation>{0} ist kein Rechner, etwa robot.local.</translation></message>
     <message><source>Opening this port has reset the board: it responds about a second later.</source>
         <translation>Das Öffnen dieses Ports hat das Board zurückgesetzt: Es antwortet etwa eine Sekunde später.</translation></message>
     <message><source>Aracna {0}</source>
@@ -1023,8 +1027,14 @@
         <translation>Das Board antwortet nicht mehr.</translation></message>
     <message><source>Bytes were corrupted: motor commands are repeated until the line is quiet</source>
         <translation>Bytes wurden verfälscht: Motorbefehle werden wiederholt, bis die Leitung ruhig ist</translation></message>
+    <message><source>this program</source>
+        <translation>dieses Programm</translation></message>
     <message><source>Disconnected before a stop was confirmed: motors may still turn</source>
         <translation>Getrennt, bevor ein Stopp bestätigt war: Die Motoren können sich noch drehen</translation></message>
+    <message><source>The network to the robot is silent.</source>
+        <translation>Das Netz zum Roboter ist still.</translation></message>
+    <message><source>Driver: {0}</source>
+        <translation>Fahrer: {0}</translation></message>
     <message><source>The line is noisy: {0:.1f} % lost</source>
         <translation>Die Leitung ist gestört: {0:.1f} % verloren</translation></message>
     <message><source>The line is good again</source>
@@ -1097,6 +1107,8 @@
         <translation>Trennen Sie die Motorversorgung.</translation></message>
     <message><source>The board does not respond.</source>
         <translation>Das Board antwortet nicht.</translation></message>
+    <message><source>Its server stops the motors half a second after the last heartbeat.</source>
+        <translation>Sein Server stoppt die Motoren eine halbe Sekunde nach dem letzten Lebenszeichen.</translation></message>
     <message><source>Channel {0} is required but has no signal.</source>
         <translation>Kanal {0} ist erforderlich, hat aber kein Signal.</translation></message>
     <message><source>Safe-start keeps the motors off: switch the transmitter on and release its sticks.</source>
@@ -1135,6 +1147,10 @@
         <translation>Gestoppt. Die Motoren sind für {0} s gesperrt.</translation></message>
     <message><source>Then arm them again.</source>
         <translation>Geben Sie sie danach wieder frei.</translation></message>
+    <message><source>{0} drives this robot. You can watch it, and stop it.</source>
+        <translation>{0} fährt diesen Roboter. Sie können zusehen und ihn stoppen.</translation></message>
+    <message><source>Arm motors asks {0} to hand it over.</source>
+        <translation>„Motoren freigeben“ bittet {0}, ihn zu übergeben.</translation></message>
     <message><source>No board is connected.</source>
         <translation>Es ist kein Board verbunden.</translation></message>
     <message><source>Choose a port above and press Connect.</source>
@@ -1421,6 +1437,8 @@
         <translation>Störungen auf der Leitung können einen Motor für einen Augenblick in die andere Richtung drehen.</translation></message>
     <message><source>Nothing was written: other settings were read from the board.</source>
         <translation>Es wurde nichts geschrieben: Vom Board wurden andere Einstellungen gelesen.</translation></message>
+    <message><source>The network is silent; the server of the robot stops the motors.</source>
+        <translation>Das Netz ist still; der Server des Roboters stoppt die Motoren.</translation></message>
     <message><source>{0}, device {1}</source>
         <translation>{0}, Gerät {1}</translation></message>
     <message><source>Reading again failed. {0}</source>
@@ -1439,12 +1457,12 @@
         <translation>Der Wächterprozess sendet ihn jetzt.</translation></message>
     <message><source>The guardian process stopped the motors, and the board confirmed it.</source>
         <translation>Der Wächterprozess hat die Motoren gestoppt, und das Board hat das bestätigt.</translation></message>
-    <message><source>{0} The motors were stopped. Arm the motors again to go on.</source>
-        <translation>{0} Die Motoren wurden gestoppt. Geben Sie sie wieder frei, um fortzufahren.</translation></message>
     <message><source>The board that disconnected while driving is back.</source>
         <translation>Das Board, dessen Verbindung beim Fahren abbrach, ist wieder da.</translation></message>
     <message><source>This may be another board: {0}, at {1}, does not store the settings of the one that was driven.</source>
         <translation>Das ist vielleicht ein anderes Board: {0}, an {1}, speichert nicht die Einstellungen des Boards, das angesteuert wurde.</translation></message>
+    <message><source>{0} The motors were stopped. Arm the motors again to go on.</source>
+        <translation>{0} Die Motoren wurden gestoppt. Geben Sie sie wieder frei, um fortzufahren.</translation></message>
     <message><source>A setting of the board changed, so the motors were stopped.</source>
         <translation>Eine Einstellung des Boards hat sich geändert, daher wurden die Motoren gestoppt.</translation></message>
     <message><source>The board was restarted, so the motors were stopped.</source>
@@ -2133,6 +2151,12 @@
         <translation>Board {0} wurde nicht ausgewählt, da es nicht antwortet. Prüfen Sie, ob es Strom hat. Das vorher ausgewählte Board bleibt ausgewählt.</translation></message>
     <message><source>Another board on this line has the device number {0}. Choose a number that is free.</source>
         <translation>Ein anderes Board an dieser Leitung hat die Gerätenummer {0}. Wählen Sie eine freie Nummer.</translation></message>
+    <message><source>Another user drives this board. Ask to have it handed over.</source>
+        <translation>Ein anderer Benutzer fährt dieses Board. Bitten Sie darum, es zu übergeben.</translation></message>
+    <message><source>You may watch this board and stop it, but not drive or change it.</source>
+        <translation>Sie dürfen diesem Board zusehen und es stoppen, aber es nicht fahren oder ändern.</translation></message>
+    <message><source>Driving was handed over, or its heartbeat did not reach the robot.</source>
+        <translation>Das Fahren wurde übergeben, oder das Lebenszeichen erreichte den Roboter nicht.</translation></message>
     <message><source>{0}: the board does not know this parameter (code 1); its firmware may be too old for it</source>
         <translation>{0}: Das Board kennt diesen Parameter nicht (Code 1); vielleicht ist seine Firmware zu alt dafür</translation></message>
     <message><source>{0}: the board rejects this value (code 2)</source>
@@ -2307,6 +2331,16 @@
         <translation>{0} gespeicherte Werte</translation></message>
     <message><source>{0}; the simulated board has its default.</source>
         <translation>{0}; das simulierte Board hat seinen Standardwert.</translation></message>
+    <message><source>No board is served at {0}:{1}, or not to this user. Check that trexcmd serve runs there, the user in the address (trex://USER@…), and its secret (TREX_SECRET).</source>
+        <translation>Bei {0}:{1} wird kein Board bereitgestellt, oder nicht für diesen Benutzer. Prüfen Sie, ob dort trexcmd serve läuft, den Benutzer in der Adresse (trex://USER@…) und sein Geheimnis (TREX_SECRET).</translation></message>
+    <message><source>{0} cannot be listened at: {1}</source>
+        <translation>An {0} kann nicht gelauscht werden: {1}</translation></message>
+    <message><source>{0} serves no board named {1} to this user.</source>
+        <translation>{0} stellt diesem Benutzer kein Board namens {1} bereit.</translation></message>
+    <message><source>It did not answer.</source>
+        <translation>Er hat nicht geantwortet.</translation></message>
+    <message><source>Boards of the network need more packages: install trex-gui[remote] with pip or pipx.</source>
+        <translation>Boards im Netz brauchen weitere Pakete: Installieren Sie trex-gui[remote] mit pip oder pipx.</translation></message>
     <message><source>unsolicited bytes</source>
         <translation>unaufgeforderte Bytes</translation></message>
     <message><source>unsolicited bytes; perhaps a late reply</source>
@@ -2743,6 +2777,8 @@
         <translation>diese Firmware läuft mit der halben Baudrate</translation></message>
     <message><source>None since {0}.</source>
         <translation>Keine seit {0}.</translation></message>
+    <message><source>network {0:.0f} ms</source>
+        <translation>Netz {0:.0f} ms</translation></message>
     <message><source>not known</source>
         <translation>nicht bekannt</translation></message>
     <message><source>works with motor 1</source>
@@ -3425,6 +3461,16 @@ was {1}</source>
 bisher {1}</translation></message>
     <message><source>{0} of channel {1}</source>
         <translation>{0} von Kanal {1}</translation></message>
+    <message><source>You may drive now: arm the motors.</source>
+        <translation>Sie dürfen jetzt fahren: Geben Sie die Motoren frei.</translation></message>
+    <message><source>{0} asks to drive. Handing over stops the motors.</source>
+        <translation>{0} möchte fahren. Die Übergabe stoppt die Motoren.</translation></message>
+    <message><source>Hand over</source>
+        <translation>Übergeben</translation></message>
+    <message><source>{0} drives. Taking over stops the motors.</source>
+        <translation>{0} fährt. Die Übernahme stoppt die Motoren.</translation></message>
+    <message><source>Take over</source>
+        <translation>Übernehmen</translation></message>
     <message><source>These must be the settings that the board has now. A new board talks at 19200 baud, without error detection, with one stop bit. Changing them here changes nothing in the board.</source>
         <translation>Dies müssen die Einstellungen sein, die das Board jetzt hat. Ein neues Board kommuniziert mit 19200 Baud, ohne Fehlererkennung, mit einem Stoppbit. Änderungen hier ändern nichts im Board.</translation></message>
     <message><source>&amp;Address one board of several by its number (Pololu protocol)</source>
@@ -4077,6 +4123,38 @@ bisher {1}</translation></message>
         <translation>Rechtes Rad, rückwärts</translation></message>
     <message><source>Nothing</source>
         <translation>Nichts</translation></message>
+    <message><source>Served with trexcmd serve: by this computer, and by others on the local network.</source>
+        <translation>Mit trexcmd serve bereitgestellt: von diesem Rechner und von anderen im lokalen Netz.</translation></message>
+    <message numerus="yes"><source>%n robot(s) stopped.</source>
+        <translation><numerusform>%n Roboter gestoppt.</numerusform><numerusform>%n Roboter gestoppt.</numerusform></translation></message>
+    <message><source>Robot</source>
+        <translation>Roboter</translation></message>
+    <message><source>Driver</source>
+        <translation>Steuerung</translation></message>
+    <message><source>Problems</source>
+        <translation>Probleme</translation></message>
+    <message><source>Robots</source>
+        <translation>Roboter</translation></message>
+    <message><source>Stop &amp;all robots</source>
+        <translation>&amp;Alle Roboter stoppen</translation></message>
+    <message><source>&amp;Search again</source>
+        <translation>Erneut s&amp;uchen</translation></message>
+    <message><source>&amp;Connect</source>
+        <translation>&amp;Verbinden</translation></message>
+    <message><source>Searching …</source>
+        <translation>Suche läuft …</translation></message>
+    <message><source>Stopping …</source>
+        <translation>Wird gestoppt …</translation></message>
+    <message><source>Robots on the net&amp;work…</source>
+        <translation>Roboter im Net&amp;z…</translation></message>
+    <message><source>No robot answers.</source>
+        <translation>Kein Roboter antwortet.</translation></message>
+    <message><source>no board</source>
+        <translation>kein Board</translation></message>
+    <message><source>Not confirmed: {0}</source>
+        <translation>Nicht bestätigt: {0}</translation></message>
+    <message><source>{0}, does not respond</source>
+        <translation>{0}, antwortet nicht</translation></message>
     <message><source>Read the settings from the board and discard the edits made here?</source>
         <translation>Die Einstellungen vom Board lesen und die hier gemachten Änderungen verwerfen?</translation></message>
     <message><source>{0} is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use it, too.</source>
@@ -4279,8 +4357,6 @@ bisher {1}</translation></message>
         <translation>Motor &amp;{0}</translation></message>
     <message numerus="yes"><source>Next adds %n change(s). Nothing is written before you apply them.</source>
         <translation><numerusform>„Weiter“ fügt %n Änderung hinzu. Geschrieben wird erst, wenn Sie sie anwenden.</numerusform><numerusform>„Weiter“ fügt %n Änderungen hinzu. Geschrieben wird erst, wenn Sie sie anwenden.</numerusform></translation></message>
-    <message><source>Driver</source>
-        <translation>Steuerung</translation></message>
     <message><source>&amp;Jumpers</source>
         <translation>&amp;Jumper</translation></message>
     <message><source>&amp;Sticks</source>
@@ -4691,8 +4767,6 @@ bisher {1}</translation></message>
         <translation>Fortschritt</translation></message>
     <message><source>A device such as /dev/ttyUSB0 or COM3, or a network port such as socket://host:port or rfc2217://host:port:</source>
         <translation>Ein Gerät wie /dev/ttyUSB0 oder COM3, oder ein Netzwerkport wie socket://host:port oder rfc2217://host:port:</translation></message>
-    <message><source>&amp;Connect</source>
-        <translation>&amp;Verbinden</translation></message>
     <message><source>Dis&amp;connect</source>
         <translation>&amp;Trennen</translation></message>
     <message><source>&amp;Port:</source>

@@ -151,10 +151,6 @@
         <translation>{0} bauds, {1}, {2}</translation></message>
     <message><source>{0} at {1}</source>
         <translation>{0} à {1}</translation></message>
-    <message><source>{0}: there is no kind of port {1!r}; try socket:// or rfc2217://.</source>
-        <translation>{0} : ce type de port n'existe pas ({1!r}) ; essayez socket:// ou rfc2217://.</translation></message>
-    <message><source>{0} is not {1}://host:port, such as {1}://192.168.1.20:2217.</source>
-        <translation>{0} n'est pas de la forme {1}://hôte:port, par exemple {1}://192.168.1.20:2217.</translation></message>
     <message><source>{0} baud</source>
         <translation>{0} bauds</translation></message>
     <message><source>Opened {0}.</source>
@@ -165,6 +161,14 @@
         <translation>ce n'est pas une ligne d'un journal de trafic</translation></message>
     <message><source>{0} cannot be written: {1}.</source>
         <translation>{0} ne peut pas être écrit : {1}.</translation></message>
+    <message><source>{0} is not trex://host/name, such as trex://robot.local/arm.</source>
+        <translation>{0} n'est pas trex://hôte/nom, par exemple trex://robot.local/arm.</translation></message>
+    <message><source>{0}: there is no kind of port {1!r}; try socket:// or rfc2217://.</source>
+        <translation>{0} : ce type de port n'existe pas ({1!r}) ; essayez socket:// ou rfc2217://.</translation></message>
+    <message><source>{0} is not {1}://host:port, such as {1}://192.168.1.20:2217.</source>
+        <translation>{0} n'est pas de la forme {1}://hôte:port, par exemple {1}://192.168.1.20:2217.</translation></message>
+    <message><source>{0} is not a host, such as robot.local.</source>
+        <translation>{0} n'est pas un hôte, par exemple robot.local.</translation></message>
     <message><source>Opening this port has reset the board: it responds about a second later.</source>
         <translation>L'ouverture de ce port a réinitialisé la carte : elle répond environ une seconde plus tard.</translation></message>
     <message><source>Aracna {0}</source>
@@ -1023,8 +1027,14 @@
         <translation>La carte a cessé de répondre.</translation></message>
     <message><source>Bytes were corrupted: motor commands are repeated until the line is quiet</source>
         <translation>Des octets ont été altérés : les commandes des moteurs sont répétées jusqu'à ce que la ligne soit calme</translation></message>
+    <message><source>this program</source>
+        <translation>ce programme</translation></message>
     <message><source>Disconnected before a stop was confirmed: motors may still turn</source>
         <translation>Déconnecté avant la confirmation d'un arrêt : les moteurs peuvent encore tourner</translation></message>
+    <message><source>The network to the robot is silent.</source>
+        <translation>Le réseau vers le robot est muet.</translation></message>
+    <message><source>Driver: {0}</source>
+        <translation>Pilote : {0}</translation></message>
     <message><source>The line is noisy: {0:.1f} % lost</source>
         <translation>La liaison est bruitée : {0:.1f} % de pertes</translation></message>
     <message><source>The line is good again</source>
@@ -1097,6 +1107,8 @@
         <translation>Coupez l'alimentation.</translation></message>
     <message><source>The board does not respond.</source>
         <translation>La carte ne répond pas.</translation></message>
+    <message><source>Its server stops the motors half a second after the last heartbeat.</source>
+        <translation>Son serveur arrête les moteurs une demi-seconde après le dernier signe de vie.</translation></message>
     <message><source>Channel {0} is required but has no signal.</source>
         <translation>La voie {0} est requise, mais n'a pas de signal.</translation></message>
     <message><source>Safe-start keeps the motors off: switch the transmitter on and release its sticks.</source>
@@ -1135,6 +1147,10 @@
         <translation>Arrêt effectué. Les moteurs sont verrouillés pendant {0} s.</translation></message>
     <message><source>Then arm them again.</source>
         <translation>Réactivez-les ensuite.</translation></message>
+    <message><source>{0} drives this robot. You can watch it, and stop it.</source>
+        <translation>{0} pilote ce robot. Vous pouvez l'observer et l'arrêter.</translation></message>
+    <message><source>Arm motors asks {0} to hand it over.</source>
+        <translation>« Activer les moteurs » demande à {0} de le céder.</translation></message>
     <message><source>No board is connected.</source>
         <translation>Aucune carte n'est connectée.</translation></message>
     <message><source>Choose a port above and press Connect.</source>
@@ -1421,6 +1437,8 @@
         <translation>Du bruit sur la liaison peut faire tourner un moteur un instant dans un autre sens.</translation></message>
     <message><source>Nothing was written: other settings were read from the board.</source>
         <translation>Rien n'a été écrit : d'autres réglages ont été lus dans la carte.</translation></message>
+    <message><source>The network is silent; the server of the robot stops the motors.</source>
+        <translation>Le réseau est muet ; le serveur du robot arrête les moteurs.</translation></message>
     <message><source>{0}, device {1}</source>
         <translation>{0}, appareil {1}</translation></message>
     <message><source>Reading again failed. {0}</source>
@@ -1439,12 +1457,12 @@
         <translation>Le processus gardien l'envoie maintenant.</translation></message>
     <message><source>The guardian process stopped the motors, and the board confirmed it.</source>
         <translation>Le processus gardien a arrêté les moteurs et la carte l'a confirmé.</translation></message>
-    <message><source>{0} The motors were stopped. Arm the motors again to go on.</source>
-        <translation>{0} Les moteurs ont été arrêtés. Réactivez-les pour continuer.</translation></message>
     <message><source>The board that disconnected while driving is back.</source>
         <translation>La carte qui s'était déconnectée pendant la conduite est de retour.</translation></message>
     <message><source>This may be another board: {0}, at {1}, does not store the settings of the one that was driven.</source>
         <translation>C'est peut-être une autre carte : {0}, sur {1}, ne contient pas les réglages de celle qui était pilotée.</translation></message>
+    <message><source>{0} The motors were stopped. Arm the motors again to go on.</source>
+        <translation>{0} Les moteurs ont été arrêtés. Réactivez-les pour continuer.</translation></message>
     <message><source>A setting of the board changed, so the motors were stopped.</source>
         <translation>Un réglage de la carte a changé ; les moteurs ont donc été arrêtés.</translation></message>
     <message><source>The board was restarted, so the motors were stopped.</source>
@@ -2133,6 +2151,12 @@
         <translation>La carte {0} n'a pas été sélectionnée, car elle ne répond pas. Vérifiez qu'elle est alimentée. La carte sélectionnée auparavant le reste.</translation></message>
     <message><source>Another board on this line has the device number {0}. Choose a number that is free.</source>
         <translation>Une autre carte de cette liaison a le numéro d'appareil {0}. Choisissez un numéro libre.</translation></message>
+    <message><source>Another user drives this board. Ask to have it handed over.</source>
+        <translation>Un autre utilisateur pilote cette carte. Demandez qu'il la cède.</translation></message>
+    <message><source>You may watch this board and stop it, but not drive or change it.</source>
+        <translation>Vous pouvez observer cette carte et l'arrêter, mais ni la piloter ni la modifier.</translation></message>
+    <message><source>Driving was handed over, or its heartbeat did not reach the robot.</source>
+        <translation>Le pilotage a été cédé, ou le signe de vie n'a pas atteint le robot.</translation></message>
     <message><source>{0}: the board does not know this parameter (code 1); its firmware may be too old for it</source>
         <translation>{0} : la carte ne connaît pas ce paramètre (code 1) ; son firmware est peut-être trop ancien</translation></message>
     <message><source>{0}: the board rejects this value (code 2)</source>
@@ -2307,6 +2331,16 @@
         <translation>{0} valeurs enregistrées</translation></message>
     <message><source>{0}; the simulated board has its default.</source>
         <translation>{0} ; la carte simulée a sa valeur par défaut.</translation></message>
+    <message><source>No board is served at {0}:{1}, or not to this user. Check that trexcmd serve runs there, the user in the address (trex://USER@…), and its secret (TREX_SECRET).</source>
+        <translation>Aucune carte n'est servie à {0}:{1}, ou pas à cet utilisateur. Vérifiez que trexcmd serve y fonctionne, l'utilisateur dans l'adresse (trex://USER@…) et son secret (TREX_SECRET).</translation></message>
+    <message><source>{0} cannot be listened at: {1}</source>
+        <translation>Impossible d'écouter à {0} : {1}</translation></message>
+    <message><source>{0} serves no board named {1} to this user.</source>
+        <translation>{0} ne sert aucune carte nommée {1} à cet utilisateur.</translation></message>
+    <message><source>It did not answer.</source>
+        <translation>Il n'a pas répondu.</translation></message>
+    <message><source>Boards of the network need more packages: install trex-gui[remote] with pip or pipx.</source>
+        <translation>Les cartes du réseau demandent d'autres paquets : installez trex-gui[remote] avec pip ou pipx.</translation></message>
     <message><source>unsolicited bytes</source>
         <translation>octets non sollicités</translation></message>
     <message><source>unsolicited bytes; perhaps a late reply</source>
@@ -2743,6 +2777,8 @@
         <translation>ce micrologiciel fonctionne à la moitié de ce débit</translation></message>
     <message><source>None since {0}.</source>
         <translation>Aucun depuis {0}.</translation></message>
+    <message><source>network {0:.0f} ms</source>
+        <translation>réseau {0:.0f} ms</translation></message>
     <message><source>not known</source>
         <translation>inconnu</translation></message>
     <message><source>works with motor 1</source>
@@ -3425,6 +3461,16 @@ was {1}</source>
 avant {1}</translation></message>
     <message><source>{0} of channel {1}</source>
         <translation>{0} de la voie {1}</translation></message>
+    <message><source>You may drive now: arm the motors.</source>
+        <translation>Vous pouvez piloter maintenant : activez les moteurs.</translation></message>
+    <message><source>{0} asks to drive. Handing over stops the motors.</source>
+        <translation>{0} demande à piloter. Céder arrête les moteurs.</translation></message>
+    <message><source>Hand over</source>
+        <translation>Céder</translation></message>
+    <message><source>{0} drives. Taking over stops the motors.</source>
+        <translation>{0} pilote. La reprise arrête les moteurs.</translation></message>
+    <message><source>Take over</source>
+        <translation>Reprendre</translation></message>
     <message><source>These must be the settings that the board has now. A new board talks at 19200 baud, without error detection, with one stop bit. Changing them here changes nothing in the board.</source>
         <translation>Ce doivent être les réglages que la carte a actuellement. Une carte neuve communique à 19200 bauds, sans détection d'erreurs, avec un bit d'arrêt. Les modifier ici ne change rien dans la carte.</translation></message>
     <message><source>&amp;Address one board of several by its number (Pololu protocol)</source>
@@ -4077,6 +4123,38 @@ avant {1}</translation></message>
         <translation>Roue droite, vers l'arrière</translation></message>
     <message><source>Nothing</source>
         <translation>Rien</translation></message>
+    <message><source>Served with trexcmd serve: by this computer, and by others on the local network.</source>
+        <translation>Servis avec trexcmd serve : par cet ordinateur, et par d'autres du réseau local.</translation></message>
+    <message numerus="yes"><source>%n robot(s) stopped.</source>
+        <translation><numerusform>%n robot arrêté.</numerusform><numerusform>%n robots arrêtés.</numerusform></translation></message>
+    <message><source>Robot</source>
+        <translation>Robot</translation></message>
+    <message><source>Driver</source>
+        <translation>Pilotage</translation></message>
+    <message><source>Problems</source>
+        <translation>Problèmes</translation></message>
+    <message><source>Robots</source>
+        <translation>Robots</translation></message>
+    <message><source>Stop &amp;all robots</source>
+        <translation>Arrêter &amp;tous les robots</translation></message>
+    <message><source>&amp;Search again</source>
+        <translation>Cherc&amp;her encore</translation></message>
+    <message><source>&amp;Connect</source>
+        <translation>Connec&amp;ter</translation></message>
+    <message><source>Searching …</source>
+        <translation>Recherche …</translation></message>
+    <message><source>Stopping …</source>
+        <translation>Arrêt …</translation></message>
+    <message><source>Robots on the net&amp;work…</source>
+        <translation>Robots v&amp;isibles sur le réseau…</translation></message>
+    <message><source>No robot answers.</source>
+        <translation>Aucun robot ne répond.</translation></message>
+    <message><source>no board</source>
+        <translation>aucune carte</translation></message>
+    <message><source>Not confirmed: {0}</source>
+        <translation>Non confirmé : {0}</translation></message>
+    <message><source>{0}, does not respond</source>
+        <translation>{0}, ne répond pas</translation></message>
     <message><source>Read the settings from the board and discard the edits made here?</source>
         <translation>Lire les réglages de la carte et abandonner les modifications faites ici ?</translation></message>
     <message><source>{0} is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use it, too.</source>
@@ -4279,8 +4357,6 @@ avant {1}</translation></message>
         <translation>Moteur &amp;{0}</translation></message>
     <message numerus="yes"><source>Next adds %n change(s). Nothing is written before you apply them.</source>
         <translation><numerusform>« Suivant » ajoute %n modification. Rien n'est écrit avant que vous ne l'appliquiez.</numerusform><numerusform>« Suivant » ajoute %n modifications. Rien n'est écrit avant que vous ne les appliquiez.</numerusform></translation></message>
-    <message><source>Driver</source>
-        <translation>Pilotage</translation></message>
     <message><source>&amp;Jumpers</source>
         <translation>&amp;Cavaliers</translation></message>
     <message><source>&amp;Sticks</source>
@@ -4691,8 +4767,6 @@ avant {1}</translation></message>
         <translation>Progression</translation></message>
     <message><source>A device such as /dev/ttyUSB0 or COM3, or a network port such as socket://host:port or rfc2217://host:port:</source>
         <translation>Un périphérique comme /dev/ttyUSB0 ou COM3, ou un port réseau comme socket://hôte:port ou rfc2217://hôte:port :</translation></message>
-    <message><source>&amp;Connect</source>
-        <translation>Connec&amp;ter</translation></message>
     <message><source>Dis&amp;connect</source>
         <translation>Déconnec&amp;ter</translation></message>
     <message><source>&amp;Port:</source>

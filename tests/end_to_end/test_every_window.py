@@ -83,6 +83,7 @@ FOCUSED = {
     "newSettingsDialog": "beginningsList",
     "numberDialog": "newNumberField",
     "provisionDialog": "provisionProfile",
+    "robotsDialog": "robotsTable",
     "applyToBoardsDialog": "closeBoardsButton",  # nothing can be written in this test
     # The first control: the primary button is disabled at the board of this test.
     "checkDialog": "checkNextButton",

@@ -16,6 +16,7 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.bench.files import to_csv
 from trex_gui.devices.trex.bench.run import End
 from trex_gui.devices.trex.protocol.flags import CHANNELS
+from trex_gui.devices.trex.views import robots
 from trex_gui.devices.trex.views.bench.dialog import BenchDialog
 from trex_gui.devices.trex.views.motor_controls import ArmDialog
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
@@ -25,10 +26,14 @@ from trex_gui.ui.runtime import runtime
 
 DIALOGS = (
     "test_sticks", "find", "check_board", "preferences", "report", "new", "power",
-    "number", "to_boards", "defaults",
+    "number", "to_boards", "defaults", "robots",
 )  # fmt: skip
 """Menu entries that open a dialog."""
 
+ROBOT = {
+    "name": "7", "url": "10.0.0.7", "board": "TReX 1.2", "responds": False, "driver": None,
+    "problems": ["UART error"],
+}  # fmt: skip
 BAD_SETTINGS = (
     "product: TReX\nfirmware: 1.2\nserial_timeot: 5\nmotor_mode: joint\nserial_timeout: 500\n"
     "motor1_acceleration: 127\nrc_channel_1: [1]\nmotor_mode: 1"
@@ -87,6 +92,7 @@ def _trex_windows(
     yield from _setup(window)
     yield from _bench(window, folder)
     yield from _provision(window, folder)
+    monkeypatch.setattr(robots, "find_robots", lambda _: [ROBOT])
     for key in DIALOGS:
         window.action(key).setEnabled(True)  # whatever the board would need it for
         window.trigger(key)

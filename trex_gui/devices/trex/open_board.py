@@ -15,7 +15,6 @@ from trex_gui.devices.trex.board.keeper import Keeper
 from trex_gui.devices.trex.board.mirror import BoardMirror
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import LatchedStatus, Sample
-from trex_gui.devices.trex.driving.blockers import DriveBlocker
 from trex_gui.devices.trex.driving.requests import (
     HEARTBEAT_INTERVAL,
     Heartbeat,
@@ -165,10 +164,11 @@ class OpenBoard:
     def drive_inputs(self) -> DriveInputs:
         return DriveInputs(
             board=self.mirror.inputs(self.clock()),
-            link=None if self.mirror.is_responding else DriveBlocker.SILENT,
+            link=None if self.mirror.is_responding else self.mirror.silence,
             may_move=bool(self.driven),
             driven=frozenset(self.driven),
             silence_remedy=self.mirror.silence_remedy,
+            other_driver=self.mirror.other_driver,
             armed=self.is_armed,
         )
 

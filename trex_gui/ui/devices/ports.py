@@ -76,6 +76,7 @@ class Ports(QObject):
         kinds = {plugin.key for plugin in self.plugins}
         # As they were when they were used or chosen, the newest last.
         self._known = [port for port in lines if port is not None and port.device in kinds]
+        self._served: dict[str, str] = {}  # labels of boards on the network, by URL
         self.entries: tuple[Port, ...] = ()
         self._timer = new_timer(self, _INTERVAL_MS, self.refresh)
         self.refresh()
@@ -125,6 +126,12 @@ class Ports(QObject):
         entries += [
             self._entry(PortKind.TYPED, url, url) for url in self._typed if url not in present
         ]
+        present |= {port.url for port in entries}
+        entries += [
+            self._entry(PortKind.TYPED, url, label)
+            for url, label in self._served.items()
+            if url not in present
+        ]
         for plugin in self.plugins:
             label = tr("Demo {0} (no hardware)").format(plugin.name)
             entries.append(Port(PortKind.DEMO, "", label, plugin.key))
@@ -146,6 +153,11 @@ class Ports(QObject):
             self._store.set(_REMEMBERED, "\n".join(self._typed))
             self.refresh()
         return self.find(url) or self._entry(PortKind.TYPED, url, url)
+
+    def set_served(self, labels: dict[str, str]) -> None:
+        """List boards that other computers serve: labels by URL."""
+        self._served = labels
+        self.refresh()
 
     def lead_to(self, port: Port, device: str, settings: str = "") -> Port:
         """Remember which kind of device a port leads to; return its entry.

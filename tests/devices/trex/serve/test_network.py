@@ -15,10 +15,10 @@ from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui import Trex
 from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable, StudioError
 from trex_gui.core.transport.urls import Address
-from trex_gui.devices.trex.cli.serve import find_robots, stop_robots
+from trex_gui.devices.trex.cli.users import add_user
 from trex_gui.devices.trex.open_board import MotorsStoppedError
 from trex_gui.devices.trex.serve.network import key, open_client
-from trex_gui.devices.trex.serve.users import add_user
+from trex_gui.devices.trex.serve.robots import find_robots, stop_robots
 
 pytestmark = pytest.mark.realtime
 
@@ -131,9 +131,9 @@ def test_second_driver_is_refused_and_watches(server: ServerDriver) -> None:
         first.drive(40)
         first.wait(0.2)
         second.drive(-40)
-        with pytest.raises(MotorsStoppedError, match="Somebody else drives"):
+        with pytest.raises(MotorsStoppedError, match="Another user drives"):
             second.wait(1)
-        with pytest.raises(BadRequest, match="Somebody else drives"):
+        with pytest.raises(BadRequest, match="Another user drives"):
             second.set_parameters(serial_timeout=5)
         assert second.status().serial_controls
         first.wait(0.1)
@@ -270,7 +270,7 @@ def test_user_cannot_speak_as_another_one(start_simulator: StartSimulator, secre
 
 
 def test_file_of_users_that_others_read_is_refused(tmp_path: Path, secrets: Path) -> None:
-    from trex_gui.devices.trex.serve.users import read_users
+    from trex_gui.devices.trex.cli.users import read_users
 
     assert [user.name for user in read_users(secrets)] == ["alice", "bob", "wanda"]
     secrets.chmod(0o644)

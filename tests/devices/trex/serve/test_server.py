@@ -3,6 +3,7 @@
 import heapq
 import random
 from collections.abc import Callable
+from dataclasses import replace
 from itertools import count
 from typing import Any
 
@@ -60,6 +61,7 @@ from trex_gui.devices.trex.session.messages import (
     SetWatched,
     TakeLease,
     Write,
+    Written,
 )
 
 STATE = DeviceState(Signature(device_table().models[0], "1.2"), Mode.SERIAL_RC, True, {}, {}, 0)
@@ -160,6 +162,17 @@ def test_outcome_goes_to_the_client_that_waits(served: ServedDriver) -> None:
     served.server.report(Outcome(second))
     assert served.outcome("bob").id == 7
     assert not any(isinstance(one, Outcome) for one in served.received["alice"])
+
+
+def test_others_learn_what_one_has_written(served: ServedDriver) -> None:
+    served.send("alice", AskLease(), Write(7, (("serial_timeout", 5),)))
+    state = replace(STATE, parameters={"serial_timeout": 5})
+    served.server.report(Outcome(served.session[-1].id, Written((), state, CONNECTED.settings)))
+    assert served.received["bob"][-1].state == state
+    assert served.received["bob"][-1].occasion is ReadReason.RELOADED
+    assert isinstance(served.received["alice"][-1], Outcome)
+    served.join("late")
+    assert served.received["late"][-1].state == state
 
 
 def test_rate_is_full_while_somebody_watches(served: ServedDriver) -> None:

@@ -26,6 +26,7 @@ class DriveInputs:
     # A warning about a board that may still be driven, with another one at the line
     lost_board: str = ""
     silence_remedy: str = ""  # what to do if the board is lost while it is driven
+    other_driver: str = ""  # the user who drives a served board in place of this program
     reaches_several: bool = False  # whether a command would reach several boards
     locked_for: float = 0.0  # seconds
     is_available: bool = True
@@ -119,6 +120,8 @@ def _own_reasons(now: DriveInputs, *, by_serial: bool) -> Iterator[Reason]:
         return
     elif now.locked_for:
         yield Reason(DriveBlocker.LOCKED, (ceil(now.locked_for),))
+    elif now.other_driver:
+        yield Reason(DriveBlocker.OTHER_DRIVES, (now.other_driver,))
     elif now.reaches_several:
         yield Reason(DriveBlocker.SEVERAL_BOARDS)
     elif not now.is_available:

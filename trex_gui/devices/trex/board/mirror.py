@@ -25,7 +25,7 @@ from trex_gui.devices.trex.client.telemetry import (
     Remapped,
     Sample,
 )
-from trex_gui.devices.trex.driving.blockers import Reason
+from trex_gui.devices.trex.driving.blockers import DriveBlocker, Reason
 from trex_gui.devices.trex.driving.board_reasons import (
     NOISE_COUNTS,
     BoardInputs,
@@ -48,6 +48,8 @@ from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterK
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,
+    LeaseChanged,
+    NetworkDelay,
     NotResponding,
     ReadReason,
     Report,
@@ -156,6 +158,9 @@ class BoardMirror:
         self.connected_utc: datetime | None = None  # the same, as `utc`
         self.restarts = 0  # how often the board was seen to have restarted since then
         self.returns = 0  # how often it responded again after it was silent
+        self.lease: LeaseChanged | None = None  # of a board that is served to several
+        self.is_network_silent = False  # the server of the board does not respond
+        self.network_delay: float | None = None  # seconds to its server and back
         self.last: DeviceState | None = None  # what was read last, also after the line was closed
         self._safe_start = SafeStart()
         self._events = StatusEvents()
@@ -182,6 +187,16 @@ class BoardMirror:
         if self.state is None or self.serial_controls is None:
             return ""
         return who_controls(self.state.mode, self.serial_controls, joint=self.is_joint)
+
+    @property
+    def silence(self) -> DriveBlocker:
+        """Why nothing is known of a board that does not respond."""
+        return DriveBlocker.NETWORK_SILENT if self.is_network_silent else DriveBlocker.SILENT
+
+    @property
+    def other_driver(self) -> str:
+        """The user who drives this served board in place of this program; empty: none does."""
+        return "" if self.lease is None or self.lease.is_mine else self.lease.driver
 
     @property
     def so_ground(self) -> bool | None:
@@ -266,24 +281,38 @@ class BoardMirror:
                 yield from self._take_board(report, now, utc)
             case Outcome(value=Written() as written):
                 self.note_written(written)
-            case NotResponding(counters=counters):
+            case NotResponding(counters=counters, is_network=is_network):
                 self.counters = counters
-                self.is_responding = False
+                self.is_responding, self.is_network_silent = False, is_network
                 yield from self._forget()
                 text = tr("The board stopped responding.")
+                if is_network:
+                    text = tr("The network to the robot is silent.")
                 yield Event(now, EventKind.LINK, text, is_problem=True)
             case CommandsRepeated():
                 text = tr(
                     "Bytes were corrupted: motor commands are repeated until the line is quiet"
                 )
                 yield Event(now, EventKind.LINK, text)
+            case LeaseChanged():
+                yield from self._take_lease(report, now)
+            case NetworkDelay(seconds=seconds):
+                self.network_delay = seconds
             case Closed(may_move=may_move):
                 yield from self.close(now, may_move=may_move)
+
+    def _take_lease(self, lease: LeaseChanged, now: float) -> Iterator[BoardEvent]:
+        before, self.lease = self.lease, lease
+        if (before.driver, before.is_mine) != (lease.driver, lease.is_mine) if before else True:
+            driver = tr("this program") if lease.is_mine else lease.driver
+            text = tr("Driver: {0}").format(driver or "–")
+            yield Event(now, EventKind.LINK, text)
 
     def close(self, now: float, *, may_move: bool) -> Iterator[BoardEvent]:
         """Take that the line was closed; `may_move`: no stop was confirmed."""
         was_read, self._was_read = self._was_read, False
         self.is_responding, self.connected_at, self.connected_utc = False, None, None
+        self.lease = self.network_delay = None
         self.memory.leave_board()
         yield from self._forget()
         if was_read:

@@ -178,7 +178,7 @@ def open_port(settings: ConnectionSettings) -> tuple[Transport, ConnectionSettin
     """Open a port, or connect to a server; also return how the board is addressed there."""
     if not is_served(settings.url):
         return host().open_transport(settings), settings
-    from trex_gui.devices.trex.serve.remote_transport import RemoteTransport  # noqa: PLC0415 - rare
+    from trex_gui.devices.trex.cli.remote_transport import RemoteTransport  # noqa: PLC0415 - rare
 
     remote = RemoteTransport(settings, host())
     return remote, remote.settings

@@ -145,7 +145,7 @@ def stop(robots: tuple[str, ...], **options: Any) -> None:
 
 
 def _stop_served(names: Sequence[str]) -> None:
-    from trex_gui.devices.trex.cli.serve import stop_robots  # noqa: PLC0415 - an extra
+    from trex_gui.devices.trex.serve.robots import stop_robots  # noqa: PLC0415 - an extra
 
     with refusals():
         results = stop_robots(names)

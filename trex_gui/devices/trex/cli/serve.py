@@ -1,10 +1,7 @@
 """serve and robots: boards that other computers use over the network."""
 
-import json
 import socket
 import sys
-from collections.abc import Iterable, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -12,23 +9,17 @@ import click
 
 from trex_gui.core.cli import CommandFailed, Interruption, json_option, print_json, refusals, say
 from trex_gui.core.command_io import FileName
-from trex_gui.core.errors import PortUnavailable, StudioError
 from trex_gui.core.host import host
 from trex_gui.core.transport.urls import (
-    LOCAL_USER,
     PORT,
     Address,
     is_name,
-    known_hosts,
 )
 from trex_gui.devices.trex.cli.common import link_options, link_settings
-from trex_gui.devices.trex.serve.sessions import NEEDS_EXTRA
-from trex_gui.devices.trex.serve.users import ROLES, add_user, read_users
+from trex_gui.devices.trex.cli.users import ROLES, add_user, read_users
+from trex_gui.devices.trex.serve.robots import find_robots, require_network
 
 _EVERYWHERE = "0.0.0.0"  # noqa: S104 - users are checked
-_SCOUTING_S = 0.7
-_ANSWER_S = 2.0
-_STOP_S = 10.0  # a stop is repeated for so long on a line that corrupts bytes
 
 
 @click.command()
@@ -89,7 +80,7 @@ def serve(
         address = Address.of_host(listen or (_EVERYWHERE if users else "127.0.0.1"))
         if not users and not _is_local(address.host):
             raise click.UsageError("Without --users only this computer can be listened at.")
-        _network()  # raises without the extra
+        require_network()
         from trex_gui.devices.trex.serve.served_board import ServedBoard  # noqa: PLC0415 - an extra
 
         endpoint = f"{'tls' if tls else 'tcp'}/{address.host}:{address.port}"
@@ -179,108 +170,8 @@ def robots(hosts: tuple[str, ...], *, as_json: bool) -> None:
     for row in found:
         board = row["board"] or "no board"
         state = "responds" if row["responds"] else "does not respond"
-        driver = f"{row['driver']} drives" if row["driver"] else "nobody drives"
+        driver = f"{row['driver']} drives" if row["driver"] else "no driver"
         problems = f"; {', '.join(row['problems'])}" if row["problems"] else ""
         click.echo(f"{row['url']}  {board}, {state}, {driver}{problems}")
     if not found:
         raise CommandFailed("No board is served to this user there.")
-
-
-def find_robots(hosts: Iterable[str]) -> list[dict[str, Any]]:
-    """Return what each served board says of itself, with its `url`, by name.
-
-    Raises:
-        StudioError: no host can be asked at all.
-    """
-    addresses = _addresses(hosts)
-    with ThreadPoolExecutor(16) as pool:
-        answers = pool.map(_robots_at, addresses)
-        rows = {row["url"]: row for some in answers for row in some}
-    return sorted(rows.values(), key=lambda row: (row["name"], row["url"]))
-
-
-def _addresses(hosts: Iterable[str]) -> list[Address]:
-    given = [Address.of_host(text) for text in hosts]
-    if given:
-        return given
-    network = _network()
-    known = known_hosts()
-    names = {one.host for one in known}
-    scouted = [one for one in network.scout(_SCOUTING_S) if one.host not in names]
-    return [Address("127.0.0.1"), *known, *scouted]
-
-
-def _robots_at(address: Address) -> list[dict[str, Any]]:
-    network = _network()
-    try:
-        session = network.open_client(address)
-    except StudioError:
-        return []
-    with session:
-        replies = session.get(network.key("*", "info"), timeout=_ANSWER_S)
-        rows = [json.loads(reply.ok.payload.to_bytes()) for reply in replies if reply.ok]
-    for row in rows:
-        row["url"] = Address(address.host, row["name"], address.user, address.port).url
-    return rows
-
-
-def stop_robots(names: Iterable[str]) -> dict[str, str]:
-    """Stop these served boards, or all, at once.
-
-    Names are those of the list of robots, or URLs. Return why each is not confirmed, empty if it
-    is, by URL.
-    """
-    wanted = list(names)
-    addresses = [Address.of(one) for one in wanted if "://" in one]
-    if others := {one for one in wanted if "://" not in one}:
-        rows = [row for row in find_robots(()) if "all" in others or row["name"] in others]
-        addresses += [Address.of(row["url"]) for row in rows]
-    with ThreadPoolExecutor(16) as pool:
-        results = list(pool.map(_stop, _batches(addresses)))
-    return {url: error for some in results for url, error in some.items()}
-
-
-def _batches(addresses: Iterable[Address]) -> list[list[Address]]:
-    """Return the boards in groups: of one user each, and without two of the same name."""
-    batches: list[list[Address]] = []
-    for one in dict.fromkeys(addresses):
-        who = one.user, one.secret
-        for batch in batches:
-            names = {other.name for other in batch}
-            if (batch[0].user, batch[0].secret) == who and one.name not in names:
-                batch.append(one)
-                break
-        else:
-            batches.append([one])
-    return batches
-
-
-def _stop(boards: Sequence[Address]) -> dict[str, str]:
-    network = _network()
-    results = {one.url: "It did not answer." for one in boards}
-    try:
-        session = network.open_client(*boards)
-    except StudioError as error:
-        return dict.fromkeys(results, str(error))
-    with session:
-        queries = {
-            one.url: session.get(
-                network.key(one.name, "stop", one.user or LOCAL_USER), timeout=_STOP_S
-            )
-            for one in boards
-        }
-        for url, replies in queries.items():
-            for reply in replies:
-                if reply.ok:
-                    results[url] = json.loads(reply.ok.payload.to_bytes())["error"]
-    return results
-
-
-def _network() -> Any:
-    try:
-        import zenoh  # noqa: F401, PLC0415 - an extra
-
-        from trex_gui.devices.trex.serve import network  # noqa: PLC0415
-    except ImportError as error:
-        raise PortUnavailable(NEEDS_EXTRA) from error
-    return network

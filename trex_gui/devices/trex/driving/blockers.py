@@ -33,6 +33,11 @@ class DriveBlocker(Enum):
         tr_noop("The board does not respond."),
         tr_noop("Check its power and the cable."),
     )
+    NETWORK_SILENT = (
+        Effect.BLOCKS,
+        tr_noop("The network to the robot is silent."),
+        tr_noop("Its server stops the motors half a second after the last heartbeat."),
+    )
     CHANNEL_SILENT = (
         Effect.STOPS,
         tr_noop("Channel {0} is required but has no signal."),
@@ -88,6 +93,11 @@ class DriveBlocker(Enum):
         Effect.STOPS,
         tr_noop("Stopped. The motors are locked for {0} s."),
         tr_noop("Then arm them again."),
+    )
+    OTHER_DRIVES = (
+        Effect.BLOCKS,
+        tr_noop("{0} drives this robot. You can watch it, and stop it."),
+        tr_noop("Arm motors asks {0} to hand it over."),
     )
     NO_BOARD = (
         Effect.BLOCKS,

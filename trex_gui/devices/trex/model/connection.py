@@ -27,6 +27,8 @@ from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,
     GuardianChanged,
+    LeaseChanged,
+    NetworkDelay,
     NotResponding,
     ProbeProgress,
     SelectBoard,
@@ -54,6 +56,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
     motors_stopped = Signal(object)  # a `MotorsStopped`: the session stopped them by itself
     commands_repeated = Signal(object)  # a `CommandsRepeated`
     sampled = Signal(object)  # a `Batch`
+    served = Signal(object)  # of a served board: a `LeaseChanged` or a `NetworkDelay`
     progressed = Signal(int, int, str)  # steps done, steps in all, the next step
 
     def __init__(self, parent: QObject | None = None) -> None:
@@ -136,6 +139,8 @@ class Connection(DeviceConnection[ConnectionSettings]):
             case GuardianChanged(is_ready=is_ready):
                 self.is_guarded = is_ready
                 self.guardian_changed.emit()
+            case LeaseChanged() | NetworkDelay():
+                self.served.emit(report)
             case StopSent():
                 self.stop_sent.emit()
             case MotorsStopped():

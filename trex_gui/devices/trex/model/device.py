@@ -29,6 +29,8 @@ from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterK
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,
+    LeaseChanged,
+    NetworkDelay,
     NotResponding,
     ReadReason,
     Reload,
@@ -51,6 +53,7 @@ class Device(QObject):
     state_changed = Signal()  # `state` was read again, or forgotten
     request_failed = Signal(str)  # why a request or a connection failed; the notifier has it, too
     errors_changed = Signal()  # a bit was reported, or the errors were cleared or reset
+    lease_changed = Signal()  # who drives a served board, or waits for that
     applied = Signal(object)  # the `WriteResult` of everything that Apply tried
     sampled = Signal(object)  # a `Batch`, after the models have taken it
     stop_wanted = Signal()  # Stop was pressed while motors may turn behind a closed line
@@ -83,6 +86,7 @@ class Device(QObject):
         self.connection.not_responding.connect(self._on_not_responding)
         self.connection.line_closed.connect(self._on_closed)
         self.connection.sampled.connect(self._on_sampled)
+        self.connection.served.connect(self._on_served)
         self.motors.arming_changed.connect(self._recommend_crc)
         self.connection.failed.connect(self._on_connection_failed)
         self.connection.interfered.connect(self.notifier.report)
@@ -331,7 +335,9 @@ class Device(QObject):
         self._take(report)
         self.telemetry.forget()
         self.writer.give_up(tr("Nothing was written: the board does not respond."))
-        if self.may_move:
+        if self.may_move and report.is_network:
+            self.warn(tr("The network is silent; the server of the robot stops the motors."))
+        elif self.may_move:
             self.warn(tr("The board does not respond; the stop is being repeated."))
 
     @Slot(object)
@@ -357,6 +363,13 @@ class Device(QObject):
         self.telemetry.finish()
         self.driving.follow_control()
         self.sampled.emit(batch)
+
+    @Slot(object)
+    def _on_served(self, report: LeaseChanged | NetworkDelay) -> None:
+        self._take(report)
+        if isinstance(report, LeaseChanged):
+            self.lease_changed.emit()
+        self.link_changed.emit()
 
     @Slot()
     def _recommend_crc(self) -> None:

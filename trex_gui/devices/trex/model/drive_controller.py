@@ -45,6 +45,9 @@ AfterStop = Callable[[StudioError | None], None]
 """Gets `None` if a stop is confirmed, else why it is not."""
 
 
+_REFUSALS = {ErrorCode.OTHER_DRIVES, ErrorCode.MAY_NOT_DRIVE}  # to arm a served board
+
+
 class DriveController(QObject):
     """Connects the motors' setpoints to the connection with the board.
 
@@ -230,8 +233,10 @@ class DriveController(QObject):
     @Slot(object)
     def _on_motors_stopped(self, report: MotorsStopped) -> None:
         if report.reason is not None:
-            reason = describe(report.reason)
-            if report.confirmed:
+            reason = describe(report.reason, translate=tr)
+            if report.reason in _REFUSALS:
+                text = "{0}"
+            elif report.confirmed:
                 text = tr("{0} The motors were stopped. Arm the motors again to go on.")
             else:
                 text = tr("{0} A stop was sent but is not confirmed yet.")

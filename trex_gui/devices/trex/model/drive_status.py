@@ -24,14 +24,15 @@ _LINKS = {
 
 
 def drive_inputs(device: Device) -> DriveInputs:
-    motors = device.motors
+    motors, link = device.motors, _LINKS[device.link]
     return DriveInputs(
         board=device.board.inputs(now()),
-        link=_LINKS[device.link],
+        link=device.board.silence if link is DriveBlocker.SILENT else link,
         may_move=device.may_move,
         driven=frozenset(device.driving.driven),
         lost_board=device.driving.lost_board,
         silence_remedy=device.board.silence_remedy,
+        other_driver=device.board.other_driver,
         reaches_several=device.driving.reaches_several,
         locked_for=motors.locked_for,
         is_available=motors.is_available,

@@ -113,7 +113,7 @@ class ErrorCode(Enum):
         "Another board on this line has the device number {0}. Choose a number that is free."
     )
     # Boards that are served to several clients
-    OTHER_DRIVES = tr_noop("Somebody else drives this board. Ask to have it handed over.")
+    OTHER_DRIVES = tr_noop("Another user drives this board. Ask to have it handed over.")
     MAY_NOT_DRIVE = tr_noop("You may watch this board and stop it, but not drive or change it.")
     LEASE_LOST = tr_noop("Driving was handed over, or its heartbeat did not reach the robot.")
     # Writes

@@ -118,7 +118,7 @@ def _decode(data: bytes, head: int, union: Any) -> tuple[tuple[float, ...], Any]
 
 def _numbers(found: list[Any], count: int) -> tuple[float, ...]:
     if len(found) != count or not all(type(one) in {int, float} for one in found):
-        raise BadRequest(f"{count} numbers and a message were expected")
+        raise ValueError(f"{count} numbers and a message were expected")
     return tuple(found)
 
 
@@ -161,7 +161,7 @@ def _strict(kind: type) -> Callable[[Any, Any], Any]:
     def check(value: Any, _kind: Any) -> Any:
         if type(value) is kind or (kind is float and type(value) is int):
             return value
-        raise BadRequest(f"{kind.__name__} expected, not {value!r:.40}")
+        raise ValueError(f"{kind.__name__} expected, not {value!r:.40}")
 
     return check
 
@@ -219,7 +219,7 @@ def _error_of(form: Any, codec: cattrs.Converter) -> StudioError | None:
             return kind(ErrorCode[code], *(_field_of(field, codec) for field in fields))
         case [str(name), str(text)]:
             return next(one for one in _ERRORS if one.__name__ == name)(text)
-    raise BadRequest("no error")
+    raise ValueError("no error")
 
 
 def _field_of(form: Any, codec: cattrs.Converter) -> object:
@@ -230,7 +230,7 @@ def _field_of(form: Any, codec: cattrs.Converter) -> object:
             return _error_of(form[0], codec)
         case [*parts]:
             return tuple(_field_of(part, codec) for part in parts)
-    raise BadRequest("no field of an error")
+    raise ValueError("no field of an error")
 
 
 def _outcome_form(outcome: Outcome, codec: cattrs.Converter) -> Any:
@@ -245,5 +245,5 @@ def _outcome_of(form: Any, codec: cattrs.Converter) -> Outcome:
     if isinstance(value, dict):
         value = codec.structure(value, _VALUES)
     elif not (value is None or isinstance(value, bytes)):
-        raise BadRequest("no value of an outcome")
+        raise ValueError("no value of an outcome")
     return Outcome(_strict(int)(number, int), value, _error_of(error, codec))

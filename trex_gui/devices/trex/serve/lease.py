@@ -20,6 +20,15 @@ class Role(IntEnum):
 
 
 @dataclass(frozen=True, slots=True)
+class User:
+    """Somebody who may connect, known by a secret."""
+
+    name: str
+    role: Role
+    secret: str
+
+
+@dataclass(frozen=True, slots=True)
 class Party:
     """One client of the server."""
 

@@ -12,8 +12,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from trex_gui.core.errors import PortUnavailable
+from trex_gui.core.translation import tr
 from trex_gui.core.transport.urls import LOCAL_USER, Address
-from trex_gui.devices.trex.serve.users import User
+from trex_gui.devices.trex.serve.lease import User
 
 if TYPE_CHECKING:
     from types import ModuleType
@@ -52,12 +53,11 @@ def open_client(*addresses: Address) -> "zenoh.Session":
     try:
         session: zenoh.Session = engine.open(_config(config))
     except engine.ZError as error:
-        who = f"{first.user} with this secret" if first.user else "a client without a user"
-        text = (
-            f"No board is served at {first.host}:{first.port}, or not to {who}. Check that "
-            "`trexcmd serve` runs there, the user in the address, and TREX_SECRET."
+        text = tr(
+            "No board is served at {0}:{1}, or not to this user. Check that trexcmd serve runs "
+            "there, the user in the address (trex://USER@…), and its secret (TREX_SECRET)."
         )
-        raise PortUnavailable(text) from error
+        raise PortUnavailable(text.format(first.host, first.port)) from error
     return session
 
 
@@ -158,7 +158,8 @@ def open_server(
     try:
         session: zenoh.Session = engine.open(_config(config))
     except engine.ZError as error:
-        raise PortUnavailable(f"Cannot listen at {', '.join(listen)}: {error}") from error
+        text = tr("{0} cannot be listened at: {1}")
+        raise PortUnavailable(text.format(", ".join(listen), error)) from error
     return session
 
 

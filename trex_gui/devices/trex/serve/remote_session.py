@@ -9,8 +9,10 @@ from itertools import count
 
 from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable, StudioError
 from trex_gui.core.session import Close, Closed, Closing, Inbox, Outcome, run_until_closed
+from trex_gui.core.translation import tr
 from trex_gui.core.transport.urls import Address
 from trex_gui.devices.trex.client.client import Counters
+from trex_gui.devices.trex.driving.blockers import DriveBlocker, Reason
 from trex_gui.devices.trex.driving.requests import (
     Arm,
     Heartbeat,
@@ -52,6 +54,7 @@ from trex_gui.devices.trex.session.messages import (
     SendPacket,
     SetWatched,
     Write,
+    Written,
 )
 from trex_gui.version import __version__
 
@@ -142,9 +145,8 @@ class RemoteSession:
         while self._welcome is None:
             now = self._clock()
             if now >= end:
-                who = address.user or "a client without a user"
-                text = f"{address.host} does not serve a board named {address.name} to {who}."
-                raise PortUnavailable(text)
+                text = tr("{0} serves no board named {1} to this user.")
+                raise PortUnavailable(text.format(address.host, address.name))
             if now >= hello_at:
                 hello_at = now + 0.5
                 self._send(Hello(VERSION, f"TReX Studio {__version__}"))
@@ -190,12 +192,12 @@ class RemoteSession:
             raise NoReply(self._lost_text)
         if silence >= _SILENCE and not self._is_silent and self._board is not None:
             self._is_silent = True
-            self._emit(NotResponding(self._lost_text, self._counters))
+            self._emit(NotResponding(self._lost_text, self._counters, is_network=True))
 
-    _lost_text = (
-        "The network to the robot is silent. There the motors are stopped half a second after the "
-        "last heartbeat."
-    )
+    @property
+    def _lost_text(self) -> str:
+        silence = Reason(DriveBlocker.NETWORK_SILENT)
+        return f"{silence.text()} {silence.remedy()}"
 
     # --- Requests -----------------------------------------------------------------------
 
@@ -310,12 +312,17 @@ class RemoteSession:
                 if number in self._stops and report.error is None:
                     self._may_move = False
                 self._stops.discard(number)
+                if isinstance(written := report.value, Written):
+                    written = replace(written, settings=self._as_here(written.settings))
+                    report = replace(report, value=written)
+                    if self._board is not None:
+                        self._board = replace(
+                            self._board, state=written.state, settings=written.settings
+                        )
                 if number != _LAST_STOP:
                     self._emit(report)
             case Connected():
-                url = self._settings.url
-                settings = replace(report.settings, url=url, name=self._settings.name)
-                self._board = replace(report, settings=settings)
+                self._board = replace(report, settings=self._as_here(report.settings))
                 self._may_move = report.may_move
                 self._emit(self._board)
             case Batch():
@@ -333,6 +340,10 @@ class RemoteSession:
                 pass
             case _:
                 self._emit(report)
+
+    def _as_here(self, settings: ConnectionSettings) -> ConnectionSettings:
+        """Return settings of the server's line with the URL by which it is reached from here."""
+        return replace(settings, url=self._settings.url, name=self._settings.name)
 
     def _take_lease(self, report: LeaseChanged) -> None:
         self._lease = report

@@ -9,17 +9,16 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from trex_gui.core.errors import StudioError
 from trex_gui.core.host import Host
 from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
 from trex_gui.core.transport.urls import LOCAL_USER
 from trex_gui.devices.trex.board.keeper import Keeper
 from trex_gui.devices.trex.board.mirror import BoardMirror
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.serve.lease import Party, Role
+from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexNoReplyError
+from trex_gui.devices.trex.serve.lease import Party, Role, User
 from trex_gui.devices.trex.serve.network import declare_publisher, key, open_server
 from trex_gui.devices.trex.serve.server import BoardServer
-from trex_gui.devices.trex.serve.users import User
 from trex_gui.devices.trex.session.messages import Report
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.settings.board_records import utc_now
@@ -227,8 +226,8 @@ class ServedBoard:
         if self._is_open:
             self.server.stop(reply)
         else:
-            text = str(self._last.error or "The board is not connected.")
-            reply(Outcome(0, error=StudioError(text)))
+            error = self._last.error or TrexNoReplyError(ErrorCode.CLOSED)
+            reply(Outcome(0, error=error))
 
     def info(self) -> dict[str, Any]:
         """Return what a list of robots shows, with the keys of `trexcmd robots --json`."""

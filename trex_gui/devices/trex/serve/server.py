@@ -59,6 +59,7 @@ from trex_gui.devices.trex.session.messages import (
     SendPacket,
     SetWatched,
     TakeLease,
+    Written,
 )
 
 log = logging.getLogger(__name__)
@@ -334,10 +335,12 @@ class BoardServer:
                 case Outcome(id=own) if own in self._watched_stops:
                     self._watched_stops.pop(own)(report)
                     return
-                case Outcome(id=own):
+                case Outcome(id=own, value=value):
                     client_id, number = self._outcomes.pop(own, ("", 0))
                     if client := self._clients.get(client_id):
                         self._post(client, encode_report(_numbered(report, number)), now)
+                    if isinstance(value, Written):
+                        self._report_written(value, client_id, now)
                     return
                 case Connected():
                     self.polynomial = report.settings.framing.polynomial
@@ -354,6 +357,18 @@ class BoardServer:
             for client in list(self._clients.values()):
                 if not isinstance(report, Batch) or client.watches:
                     self._post(client, form, now)
+
+    def _report_written(self, written: Written, writer: str, now: float) -> None:
+        """Let everybody but its writer know what the board stores now."""
+        connected = self._newest.get(Connected)
+        if not isinstance(connected, Connected):
+            return
+        connected = replace(connected, state=written.state, settings=written.settings)
+        self._newest[Connected] = connected
+        form = encode_report(replace(connected, occasion=ReadReason.RELOADED))
+        for client in self._clients.values():
+            if client.party.id != writer:
+                self._post(client, form, now)
 
     def end(self, error: StudioError | None, *, may_move: bool) -> None:
         """Tell every client that the line was closed."""

@@ -6,13 +6,16 @@ from typing import Protocol
 
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.session import Closed, Inbox
+from trex_gui.core.translation import tr, tr_noop
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.urls import is_served
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import Report, Request
 from trex_gui.devices.trex.session.session import TrexSession
 
-NEEDS_EXTRA = "Boards of the network need the extra `remote`: pip install 'trex-gui[remote]'."
+NEEDS_EXTRA = tr_noop(
+    "Boards of the network need more packages: install trex-gui[remote] with pip or pipx."
+)
 
 
 class Session(Protocol):
@@ -24,7 +27,7 @@ class _Unavailable:
     _emit: Callable[[Report], None]
 
     def run(self) -> None:
-        self._emit(Closed(PortUnavailable(NEEDS_EXTRA)))
+        self._emit(Closed(PortUnavailable(tr(NEEDS_EXTRA))))
 
 
 def session_at(

@@ -194,10 +194,14 @@ class ProbeProgress(Progress):
 
 @dataclass(frozen=True, slots=True)
 class NotResponding:
-    """The board has stopped responding; the session goes on trying."""
+    """The board has stopped responding; the session goes on trying.
+
+    `is_network`: nothing is known of the board, since its server does not respond.
+    """
 
     reason: str
     counters: Counters
+    is_network: bool = False
 
 
 @dataclass(frozen=True, slots=True)

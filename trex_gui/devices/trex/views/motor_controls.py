@@ -27,6 +27,9 @@ _ARROWS = {Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Up, Qt.Key.Key_Down}
 def arm(device: Device, window: QWidget) -> None:
     """Arm the motors. On a real board without a serial timeout that should stop them, ask first."""
     motors, warning = device.motors, timeout_warning(device)
+    if device.board.other_driver:
+        motors.arm()  # only asks to drive
+        return
     is_real = device.settings is not None and not device.settings.name
     lacks_stop = device.board.timeout_stop.may_be_mended
     can_offer = is_real and lacks_stop and motors.can_arm and not device.writer.is_rejected

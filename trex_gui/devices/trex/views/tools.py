@@ -14,6 +14,7 @@ from trex_gui.devices.trex.views.check_board import CheckBoardFlow
 from trex_gui.devices.trex.views.history_dialog import HistoryDialog
 from trex_gui.devices.trex.views.learning.flow import LearnFlow
 from trex_gui.devices.trex.views.provision import ProvisionFlow
+from trex_gui.devices.trex.views.robots import RobotsDialog
 from trex_gui.devices.trex.views.setup.flow import SetupFlow
 from trex_gui.devices.trex.views.steps import Steps
 from trex_gui.ui.frame.main_window import MainWindow
@@ -61,6 +62,15 @@ class Tools:
         flow = ProvisionFlow(self.device)
         Steps(self.device, flow, self.frame)
         return flow
+
+    @cached_property
+    def robots(self) -> RobotsDialog:
+        ports = self.frame.ports
+
+        def connect(url: str) -> None:
+            self.frame.connection.connect_to(ports.add_typed(url))
+
+        return RobotsDialog(self.device, connect, ports.set_served, self.frame)
 
     @cached_property
     def apply_to_boards(self) -> ApplyToSeveral:

@@ -21,6 +21,7 @@ from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.views.board.page import BoardPage
 from trex_gui.devices.trex.views.boards import BoardPanel
 from trex_gui.devices.trex.views.help import GUIDE, TOPICS, message_help
+from trex_gui.devices.trex.views.lease_prompt import LeasePrompt
 from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
 from trex_gui.devices.trex.views.motor_controls import ControlBar, arm
 from trex_gui.devices.trex.views.pages.currents import CurrentsPage
@@ -107,6 +108,7 @@ class TrexWorkspace(Workspace):
         self._settings = settings = SettingsCommands(device, self._linter, boards, frame)
         self._close_prompt = ClosePrompt(device, files, settings.review, frame)
         RestorePrompt(device, files, frame.question)
+        LeasePrompt(device, frame.question, self)
         self._plot: PlotWindow | None = None
 
         frame.seen_changed.connect(device.set_seen)
@@ -208,6 +210,9 @@ class TrexWorkspace(Workspace):
     def _set_up(self) -> None:
         self._tools.setup.open()
 
+    def _open_robots(self) -> None:
+        self._tools.robots.open_list()
+
     def _provision(self) -> None:
         self._tools.provision.open()
 
@@ -283,6 +288,7 @@ class TrexWorkspace(Workspace):
                 Entry("boards", tr("Find &other boards on this line"), self._boards.scan),
                 Entry("number", tr("Change device nu&mber…"), self._panel.change_number),
                 Entry("to_boards", tr("A&pply a file to several boards…"), self._apply_to_boards),
+                Entry("robots", tr("Robots on the net&work…"), self._open_robots),
                 SEPARATOR,
                 Entry("setup", tr("Set &up my robot…"), self._set_up, "", "settings"),
                 Entry("provision", tr("Set up one board after anot&her…"), self._provision),

@@ -7,7 +7,7 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.texts import title_of
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.board.drive_status import DriveInputs, DriveStatus, drive_statuses
 from trex_gui.devices.trex.board.mirror import SetUp
 from trex_gui.devices.trex.client.reading import DeviceState
@@ -130,6 +130,8 @@ class BoardPage(QWidget):
         ]
         if number is not None:
             facts.append(tr("device number {0}").format(number))
+        if (delay := self._device.board.network_delay) is not None:
+            facts.append(tr("network {0:.0f} ms").format(Number(1000 * delay)))
         if self._device.board.is_joint:
             facts.append(tr("joint: one motor"))
         if self._device.board.echo:

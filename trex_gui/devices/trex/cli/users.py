@@ -3,22 +3,14 @@
 import secrets
 import stat
 import sys
-from dataclasses import dataclass
 from pathlib import Path
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import load, save
-from trex_gui.devices.trex.serve.lease import Role
+from trex_gui.devices.trex.serve.lease import Role, User
 
 ROLES = {"watch": Role.WATCH, "drive": Role.DRIVE, "own": Role.OWN}
 _SECRET_BYTES = 24
-
-
-@dataclass(frozen=True, slots=True)
-class User:
-    name: str
-    role: Role
-    secret: str
 
 
 def read_users(path: Path) -> tuple[User, ...]:
