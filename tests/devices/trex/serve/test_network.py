@@ -1,5 +1,6 @@
 """Boards over the network, in real time: Zenoh on the loopback, a simulated board behind it."""
 
+import json
 import os
 import signal
 import subprocess
@@ -10,10 +11,12 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+import zenoh
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui import Trex
 from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable, StudioError
+from trex_gui.core.resource_files import resource
 from trex_gui.core.transport.urls import Address
 from trex_gui.devices.trex.cli.users import add_user
 from trex_gui.devices.trex.open_board import MotorsStoppedError
@@ -192,6 +195,18 @@ def test_end_of_the_server_stops_the_motors(server: ServerDriver) -> None:
 
     with pytest.raises(StudioError, match="closed"):
         drive()
+
+
+def test_script_subscribes_without_our_library(server: ServerDriver) -> None:
+    script = str(resource("examples") / "subscribe.py")
+    words = [sys.executable, "-S", script, f"127.0.0.1:{server.address.port}", "arm", "1"]
+    site = str(Path(zenoh.__file__).parents[1])
+    done = subprocess.run(
+        words, env={"PYTHONPATH": site}, capture_output=True, text=True, check=True
+    )
+    rows = [json.loads(line) for line in done.stdout.splitlines()]
+    assert len(rows) > 10
+    assert rows[0]["channel_1_us"] == 1500.0
 
 
 def test_board_that_returns_is_served_again(server: ServerDriver) -> None:

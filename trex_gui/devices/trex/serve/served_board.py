@@ -14,12 +14,14 @@ from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
 from trex_gui.core.transport.urls import LOCAL_USER
 from trex_gui.devices.trex.board.keeper import Keeper
 from trex_gui.devices.trex.board.mirror import BoardMirror
+from trex_gui.devices.trex.client.telemetry import Sample
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexNoReplyError
+from trex_gui.devices.trex.recording import MeasurementTable
 from trex_gui.devices.trex.serve.lease import Party, Role, User
 from trex_gui.devices.trex.serve.network import declare_publisher, key, open_server
 from trex_gui.devices.trex.serve.server import BoardServer
-from trex_gui.devices.trex.session.messages import Report
+from trex_gui.devices.trex.session.messages import Connected, Report
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.settings.board_records import utc_now
 
@@ -109,6 +111,8 @@ class ServedBoard:
         self._closed = threading.Event()
         with tempfile.TemporaryDirectory(prefix="trex-serve-") as folder:
             self._network = open_server(name, listen, users, Path(folder), tls=tls)
+        self._measurements = self._network.declare_publisher(key(name, "data", "measurements"))
+        self._table: MeasurementTable | None = None
         # By user: the engine tells a client only of expressions that it may use.
         self._kept: list[object] = [
             self._network.declare_queryable(key(name, "info"), self._on_query)
@@ -170,13 +174,25 @@ class ServedBoard:
 
     def _report(self, report: Report) -> None:
         """Take a report of the session, in its thread."""
-        for _ in self._board.take(report, self._computer.clock(), utc_now()):
-            pass
+        for event in self._board.take(report, self._computer.clock(), utc_now()):
+            if isinstance(event, Sample):
+                self._publish(event)
+        if isinstance(report, Connected):
+            unit = report.state.signature.model.current_unit
+            self._table = MeasurementTable(report.state.mode, unit)
         if isinstance(report, Closed):
             self._last = report
             self._closed.set()
         else:
             self.server.report(report)
+
+    def _publish(self, sample: Sample) -> None:
+        """Publish measurements as JSON while a program subscribes to them."""
+        if self._table is None or not self._table.take(sample):
+            return
+        row = self._table.finish(sample.time)
+        if self._measurements.matching_status.matching:  # type: ignore[attr-defined]
+            self._measurements.put(json.dumps(row), encoding="application/json")
 
     # --- The network, in threads of the engine ------------------------------------------
 

@@ -48,6 +48,8 @@ TOPICS = {  # by object names
     "plotWindow": "currents.md",
     "powerCycleDialog": "settings.md#edit-review-apply",
     "printPreviewDialog": "settings.md#settings-files",
+    "robotsDialog": "remote.md#many-robots",
+    "provisionDialog": "command_line.md#boards-in-turn",
     "reviewDialog": "settings.md#edit-review-apply",
     "settingsEditor": "settings.md#settings-files",
     "setupDialog": "first_steps.md#set-up-the-robot",
