@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -282,6 +283,25 @@ def test_user_cannot_speak_as_another_one(start_simulator: StartSimulator, secre
             time.sleep(0.5)
         assert find_robots([address.url])[0]["driver"] is None
         assert server.simulator.show()["motors"][0]["target_speed"] == 0
+
+
+@pytest.mark.skipif(not shutil.which("openssl"), reason="needs openssl")
+def test_encrypted_board_needs_the_certificate(
+    start_simulator: StartSimulator, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    page = (resource("help") / "remote.md").read_text("utf-8")
+    commands = [line for line in page.splitlines() if line.startswith(("openssl", "printf"))]
+    assert len(commands) == 4
+    text = "\n".join(commands).replace("DNS:robot.local", "IP:127.0.0.1")
+    subprocess.run(["sh", "-ec", text], cwd=tmp_path, check=True, capture_output=True)
+    files = str(tmp_path / "robot.pem"), str(tmp_path / "robot.key")
+    with served(start_simulator(), "--tls", *files) as server:
+        with pytest.raises(PortUnavailable), Trex(server.url()):
+            pass
+        monkeypatch.setenv("TREX_TLS_CA", str(tmp_path / "ca.pem"))
+        server.wait_for_board()
+        with Trex(server.url()) as trex:
+            assert trex.status().product == "TReX"
 
 
 def test_file_of_users_that_others_read_is_refused(tmp_path: Path, secrets: Path) -> None:

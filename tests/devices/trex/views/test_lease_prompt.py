@@ -1,0 +1,157 @@
+"""Who drives a served board: what the pages say, and the questions of driver and owner."""
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from PySide6.QtWidgets import QLabel, QPushButton, QTableWidget
+
+from tests.support.window import WindowDriver
+from trex_gui.devices.trex.client.client import Counters
+from trex_gui.devices.trex.driving.requests import MotorsStopped
+from trex_gui.devices.trex.protocol.errors import ErrorCode
+from trex_gui.devices.trex.session.messages import (
+    HandOver,
+    LeaseChanged,
+    NetworkDelay,
+    NotResponding,
+    TakeLease,
+)
+from trex_gui.devices.trex.views import robots
+
+MINE = LeaseChanged("me", "me", is_mine=True)
+OTHERS = LeaseChanged("me", "alice")
+REFUSED = MotorsStopped(ErrorCode.OTHER_DRIVES, confirmed=True)
+
+
+class ServedWindow:
+    """A window at a board that counts as served, and what it requests about the lease."""
+
+    def __init__(self, window: WindowDriver, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.window = window
+        self.connection = window.device.connection
+        self.requested: list[Any] = []
+        submit = self.connection.submit
+
+        def record(request: object) -> bool:
+            if isinstance(request, HandOver | TakeLease):
+                self.requested.append(request)
+                return True
+            return submit(request)
+
+        monkeypatch.setattr(self.connection, "submit", record)
+
+    def report(self, report: object) -> None:
+        self.connection.take(report)
+
+    @property
+    def question(self) -> str:
+        return self.window.window.question.text
+
+    def press(self, name: str) -> None:
+        self.window.find(QPushButton, name).click()
+
+
+@pytest.fixture
+def served(connected_window: WindowDriver, monkeypatch: pytest.MonkeyPatch) -> ServedWindow:
+    return ServedWindow(connected_window, monkeypatch)
+
+
+def texts(served: ServedWindow) -> list[str]:
+    page = served.window.open_page("boardPage").root
+    return [label.text() for label in page.findChildren(QLabel)]
+
+
+def test_pages_say_who_drives_and_how_long_the_network_takes(served: ServedWindow) -> None:
+    served.report(OTHERS)
+    served.report(NetworkDelay(0.0123))
+    assert any("alice drives this robot" in text for text in texts(served))
+    assert any("network 12 ms" in text for text in texts(served))
+    served.report(MINE)
+    assert not any("drives this robot" in text for text in texts(served))
+
+
+def test_driver_hands_over_to_who_asks(served: ServedWindow) -> None:
+    served.report(MINE)
+    assert not served.question
+    served.report(LeaseChanged("me", "me", is_mine=True, waiting=("bob",)))
+    assert "bob asks to drive" in served.question
+    served.press("handOver")
+    assert served.requested == [HandOver("bob")]
+
+
+def test_question_ends_when_nobody_waits_any_more(served: ServedWindow) -> None:
+    served.report(LeaseChanged("me", "me", is_mine=True, waiting=("bob",)))
+    served.report(MINE)
+    assert not served.question
+
+
+@pytest.mark.parametrize("may_take", [True, False])
+def test_owner_may_take_over(served: ServedWindow, may_take: bool) -> None:
+    served.report(LeaseChanged("me", "alice", may_take=may_take))
+    served.report(REFUSED)
+    assert ("alice drives" in served.question) is may_take
+    if may_take:
+        served.press("takeOver")
+        assert served.requested == [TakeLease()]
+
+
+def test_user_is_told_when_driving_was_handed_over(served: ServedWindow) -> None:
+    served.report(OTHERS)
+    served.report(REFUSED)
+    assert "Another user drives" in served.window.device.notifier.shown
+    served.report(MINE)
+    assert "You may drive now" in served.window.device.notifier.shown
+
+
+def test_silent_network_is_not_called_a_silent_board(served: ServedWindow) -> None:
+    served.report(NotResponding("silent", Counters(), is_network=True))
+    assert any("network to the robot is silent" in text for text in texts(served))
+    served.report(NotResponding("silent", Counters()))
+    assert any("board does not respond" in text for text in texts(served))
+
+
+# --- Robots on the network ----------------------------------------------------------------
+
+ROW = {"name": "arm", "board": "TReX 1.2", "responds": True, "driver": "alice", "problems": []}
+
+
+@pytest.fixture
+def found(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
+    rows = [{**ROW, "url": f"trex://10.0.0.{number}/arm"} for number in (1, 2)]
+    monkeypatch.setattr(robots, "find_robots", lambda _: rows)
+    return rows
+
+
+def test_robots_are_listed_and_offered_as_ports(
+    window: WindowDriver, found: list[dict[str, Any]]
+) -> None:
+    window.trigger("robots")
+    window.wait_for_files()
+    table = window.find(QTableWidget, "robotsTable")
+    cells = [[table.item(row, column).text() for column in range(3)] for row in range(2)]  # type: ignore[union-attr]
+    assert cells == [[row["url"], "TReX 1.2", "alice"] for row in found]
+    assert {row["url"] for row in found} <= {port.url for port in window.program.ports.entries}
+    assert window.find(QPushButton, "connectRobot").isEnabled()
+
+
+@pytest.mark.parametrize(
+    ("outcome", "text"),
+    [
+        (lambda urls: dict.fromkeys(urls, ""), "2 robots stopped"),
+        (lambda urls: dict.fromkeys(urls, "The stop was sent"), "Not confirmed: trex://10.0.0.1"),
+    ],
+)
+def test_all_robots_are_stopped_and_named_if_not_confirmed(
+    window: WindowDriver,
+    found: list[dict[str, Any]],
+    monkeypatch: pytest.MonkeyPatch,
+    outcome: Callable[[list[str]], dict[str, str]],
+    text: str,
+) -> None:
+    monkeypatch.setattr(robots, "stop_robots", outcome)
+    window.trigger("robots")
+    window.wait_for_files()
+    window.find(QPushButton, "stopAllRobots").pressed.emit()
+    window.wait_for_files()
+    assert text in window.text("robotsNote")
