@@ -198,6 +198,12 @@ def test_message_of_another_form_is_refused(body: object) -> None:
         decode_request(msgpack.encode([1, 2.0, 3.0, body]), 3)
 
 
+@pytest.mark.parametrize("head", [[1, 2.0], [1, 2.0, float("nan")], [1, 2.0, "3"], [1, 2.0, True]])
+def test_head_is_of_finite_numbers(head: list[object]) -> None:
+    with pytest.raises(BadRequest):
+        decode_request(msgpack.encode([*head, {"_type": "Arm", "selection": 0}]), 3)
+
+
 def test_no_bytes_raise_another_error() -> None:
     chance = random.Random(1)
     for _ in range(3000):

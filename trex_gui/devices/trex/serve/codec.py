@@ -4,10 +4,11 @@ A message is its type by name and its fields, in MessagePack. Decoding checks ea
 type, and knows no other types than those of the tables here.
 """
 
-from collections.abc import Callable, Iterable
+import math
+from collections.abc import Callable
 from enum import Enum
 from functools import cache
-from typing import Any, TypeVar, get_args
+from typing import Any, get_args
 
 import cattrs
 from cattrs.preconf.msgspec import make_converter
@@ -30,7 +31,6 @@ from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.device_table import Model, device_table
 from trex_gui.devices.trex.protocol.errors import (
-    BoardElsewhere,
     ErrorCode,
     OtherBoard,
     Rejected,
@@ -62,26 +62,26 @@ _REPORTS: Any = Report | ProbeProgress
 _VALUES: Any = Written | Signature
 """Types that the value of an `Outcome` may have, beside bytes and none."""
 
-_ERRORS: tuple[type[StudioError], ...] = (
-    BadReply,
-    BadRequest,
-    InternalError,
-    NoReply,
-    PortShared,
-    PortUnavailable,
-    StudioError,
-)
-_CODED: tuple[type[TrexError], ...] = (
-    OtherBoard,
-    Skipped,
-    TrexBadReplyError,
-    TrexError,
-    TrexInternalError,
-    TrexNoReplyError,
-    TrexRequestError,
-)
-
-MessageT = TypeVar("MessageT")
+_ERRORS: dict[str, type[Any]] = {
+    kind.__name__: kind
+    for kind in (
+        StudioError,
+        BadReply,
+        BadRequest,
+        InternalError,
+        NoReply,
+        PortShared,
+        PortUnavailable,
+        OtherBoard,
+        Rejected,
+        Skipped,
+        TrexBadReplyError,
+        TrexError,
+        TrexInternalError,
+        TrexNoReplyError,
+        TrexRequestError,
+    )
+}
 
 
 def encode_request(request: Request, *head: float) -> bytes:
@@ -117,7 +117,8 @@ def _decode(data: bytes, head: int, union: Any) -> tuple[tuple[float, ...], Any]
 
 
 def _numbers(found: list[Any], count: int) -> tuple[float, ...]:
-    if len(found) != count or not all(type(one) in {int, float} for one in found):
+    is_number = [type(one) in {int, float} and math.isfinite(one) for one in found]
+    if len(found) != count or not all(is_number):
         raise ValueError(f"{count} numbers and a message were expected")
     return tuple(found)
 
@@ -145,8 +146,8 @@ def _codec() -> cattrs.Converter:
         RawPacket, lambda raw, _: RawPacket(Malformed(_strict(bytes)(raw, bytes), ""))
     )
     for error in (StudioError, StudioError | None):
-        codec.register_unstructure_hook(error, lambda one: _error_form(one, codec))
-        codec.register_structure_hook(error, lambda form, _: _error_of(form, codec))
+        codec.register_unstructure_hook(error, _error_form)
+        codec.register_structure_hook(error, lambda form, _: _error_of(form))
     codec.register_unstructure_hook(Outcome, lambda one: _outcome_form(one, codec))
     codec.register_structure_hook(Outcome, lambda form, _: _outcome_of(form, codec))
     include_subclasses(Sample, codec, union_strategy=configure_tagged_union)
@@ -178,66 +179,44 @@ def _model(key: object) -> Model:
     return next(model for model in device_table().models if model.key == key)
 
 
-def _error_form(error: StudioError | None, codec: cattrs.Converter) -> Any:
+def _error_form(error: StudioError | None) -> Any:
     if error is None:
         return None
-    if isinstance(error, Rejected):
-        return ["Rejected", error.fields[0], error.result.name]
-    if isinstance(error, BoardElsewhere):
-        return ["BoardElsewhere", error.code.name, [str(field) for field in error.fields[:-1]]]
-    if isinstance(error, CodedError):
-        known = next((kind for kind in _CODED if type(error) is kind), TrexError)
-        return [known.__name__, error.code.name, _field_forms(error.fields, codec)]
-    named = next((kind for kind in _ERRORS if isinstance(error, kind)), StudioError)
-    return [named.__name__, str(error)]
+    kind = next(one.__name__ for one in type(error).__mro__ if one.__name__ in _ERRORS)
+    if not isinstance(error, CodedError):
+        return [kind, "", str(error)]
+    code = error.result.name if isinstance(error, Rejected) else error.code.name
+    return [kind, code, *map(_field_form, error.fields)]
 
 
-def _field_forms(fields: Iterable[object], codec: cattrs.Converter) -> list[Any]:
-    def form(field: object) -> Any:
-        match field:
-            case CodedError():
-                return [_error_form(field, codec)]
-            case tuple():
-                return [form(part) for part in field]
-            case int() | float():
-                return field
-        return str(field)
-
-    return [form(field) for field in fields]
+def _field_form(field: object) -> str | int | float:
+    if isinstance(field, int | float):
+        return field
+    return " ".join(map(str, field)) if isinstance(field, tuple) else str(field)
 
 
-def _error_of(form: Any, codec: cattrs.Converter) -> StudioError | None:
+def _error_of(form: Any) -> StudioError | None:
     match form:
         case None:
             return None
-        case ["Rejected", str(what), str(result)]:
+        case ["Rejected", str(result), str(what)]:
             return Rejected(what, ResultCode[result])
-        case ["BoardElsewhere", str(code), [*fields]]:
-            return TrexNoReplyError(ErrorCode[code], *map(str, fields))
-        case [str(name), str(code), [*fields]]:
-            kind = next(one for one in _CODED if one.__name__ == name)
-            return kind(ErrorCode[code], *(_field_of(field, codec) for field in fields))
-        case [str(name), str(text)]:
-            return next(one for one in _ERRORS if one.__name__ == name)(text)
+        case [str(kind), str(code), *fields] if all(map(_is_field, fields)):
+            arguments = [ErrorCode[code], *fields] if code else fields
+            error: StudioError = _ERRORS[kind](*arguments)
+            return error
     raise ValueError("no error")
 
 
-def _field_of(form: Any, codec: cattrs.Converter) -> object:
-    match form:
-        case str() | int() | float():
-            return form
-        case [[str(_), *_]]:
-            return _error_of(form[0], codec)
-        case [*parts]:
-            return tuple(_field_of(part, codec) for part in parts)
-    raise ValueError("no field of an error")
+def _is_field(value: object) -> bool:
+    return isinstance(value, str | int | float)
 
 
 def _outcome_form(outcome: Outcome, codec: cattrs.Converter) -> Any:
     value: Any = outcome.value
     if isinstance(value, get_args(_VALUES)):
         value = codec.unstructure(value, _VALUES)
-    return {"id": outcome.id, "value": value, "error": _error_form(outcome.error, codec)}
+    return {"id": outcome.id, "value": value, "error": _error_form(outcome.error)}
 
 
 def _outcome_of(form: Any, codec: cattrs.Converter) -> Outcome:
@@ -246,4 +225,4 @@ def _outcome_of(form: Any, codec: cattrs.Converter) -> Outcome:
         value = codec.structure(value, _VALUES)
     elif not (value is None or isinstance(value, bytes)):
         raise ValueError("no value of an outcome")
-    return Outcome(_strict(int)(number, int), value, _error_of(error, codec))
+    return Outcome(_strict(int)(number, int), value, _error_of(error))

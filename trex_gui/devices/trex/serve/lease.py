@@ -1,6 +1,5 @@
 """Who drives: one client at a time, as long as its heartbeats arrive."""
 
-from collections.abc import Iterable
 from dataclasses import dataclass, field
 from enum import IntEnum
 
@@ -91,11 +90,6 @@ class Lease:
         if self.holder is None:
             return float("inf")
         return self._alive_at + LEASE_TIMEOUT - now
-
-    def keep(self, parties: Iterable[Party]) -> None:
-        """Let only these parties wait."""
-        present = set(parties)
-        self.waiting = [one for one in self.waiting if one in present]
 
     def _grant(self, party: Party, now: float) -> None:
         if party != self.holder:

@@ -1,0 +1,56 @@
+"""Relay of a TCP connection that delays it, and tells when a stop of a TReX passes.
+
+    python -m tests.benchmarks.relay LISTEN_PORT TARGET_PORT DELAY_S LOSS
+
+A lost packet of TCP is one that arrives a retransmission timeout later, and all behind it.
+"""
+
+import asyncio
+import random
+import sys
+import time
+
+from trex_gui.devices.trex.protocol.commands import STOP
+
+_RETRANSMISSION = 0.2  # seconds; the least of Linux
+_STOP = STOP[0].opcode
+
+
+async def _pump(
+    reader: asyncio.StreamReader, writer: asyncio.StreamWriter, delay: float, loss: float
+) -> None:
+    queue: asyncio.Queue[tuple[float, bytes]] = asyncio.Queue()
+    loop = asyncio.get_running_loop()
+
+    async def send() -> None:
+        while True:
+            due, data = await queue.get()
+            await asyncio.sleep(max(0.0, due - loop.time()))
+            writer.write(data)
+            await writer.drain()
+
+    sender = asyncio.create_task(send())
+    last = 0.0
+    while data := await reader.read(65536):
+        if not delay and data[0] == _STOP:
+            print(f"stop {time.monotonic():.6f}", flush=True)
+        late = _RETRANSMISSION if random.random() < loss else 0.0
+        last = max(last, loop.time() + delay + late)
+        queue.put_nowait((last, data))
+    sender.cancel()
+    writer.close()
+
+
+async def _serve(listen: int, target: int, delay: float, loss: float) -> None:
+    async def relay(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        there, back = await asyncio.open_connection("127.0.0.1", target)
+        await asyncio.gather(_pump(reader, back, delay, loss), _pump(there, writer, delay, loss))
+
+    server = await asyncio.start_server(relay, "127.0.0.1", listen)
+    print("ready", flush=True)
+    async with server:
+        await server.serve_forever()
+
+
+if __name__ == "__main__":
+    asyncio.run(_serve(int(sys.argv[1]), int(sys.argv[2]), *map(float, sys.argv[3:])))
