@@ -50,7 +50,7 @@ WINE_PREFIX = BUILD / "wine"
 PROGRAMS = ("trex-gui", "trexcmd", "trex-sim")
 CHECKSUMS = "SHA256SUMS"
 METADATA = "local.trexstudio.TReXStudio.metainfo.xml"
-EXTRAS = "[gui,gamepad,mcap]"
+EXTRAS = "[gui,gamepad,mcap,remote]"
 MOST_MB, MOST_PACKAGES = 15, 6  # of an installation without the window
 EXAMPLES = {
     "drive": ("40",),
@@ -450,6 +450,11 @@ def lay_out(tree: Path) -> None:
     icon = (ROOT / "resources/icons/trex-studio.svg").read_bytes()
     write(share / "icons/hicolor/scalable/apps/trex-studio.svg", icon)
     write(tree / "lib/udev/rules.d/60-trex-studio.rules", linux_file("60-trex-studio.rules"))
+    unit = (ROOT / "resources/serve/trex-serve.service").read_text(encoding="utf-8")
+    unit = unit.replace("@COMMAND@", "/usr/bin/trexcmd")
+    write(tree / "usr/lib/systemd/system/trex-serve.service", unit)
+    rule = (ROOT / "resources/serve/60-trex-serve.rules").read_bytes()
+    write(tree / "lib/udev/rules.d/60-trex-serve.rules", rule)
     write(share / "lintian/overrides/trex-studio", linux_file("lintian-overrides"))
     documents = share / "doc/trex-studio"
     write(documents / "copyright", linux_file("copyright"))

@@ -209,7 +209,7 @@ class Wine(Windows):
             *system,
             *only,
             *target,
-            f"{wheel}[gui,gamepad,mcap]",
+            f"{wheel}[gui,gamepad,mcap,remote]",
             *PACKAGES,
         ]
         subprocess.run(install, check=True, env={**os.environ, "PIP_USER": "0"})

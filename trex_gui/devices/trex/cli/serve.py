@@ -10,6 +10,7 @@ import click
 from trex_gui.core.cli import CommandFailed, Interruption, json_option, print_json, refusals, say
 from trex_gui.core.command_io import FileName
 from trex_gui.core.host import host
+from trex_gui.core.resource_files import resource
 from trex_gui.core.transport.urls import (
     PORT,
     Address,
@@ -19,6 +20,21 @@ from trex_gui.devices.trex.cli.common import link_options, link_settings
 from trex_gui.devices.trex.cli.users import ROLES, add_user, read_users
 from trex_gui.devices.trex.serve.robots import find_robots, require_network
 
+_SERVICE_FILES = (
+    ("/etc/udev/rules.d/", "60-trex-serve.rules"),
+    ("/etc/systemd/system/", "trex-serve.service"),
+)
+_INSTALL = """\
+Save these two files (the Debian package has them), then, as root:
+
+  useradd --system trex
+  install -d -o trex -m 700 /etc/trex
+  sudo -u trex {1} serve --users /etc/trex/users --add-user YOU --role own
+  udevadm control --reload
+  systemctl enable trex-serve
+  udevadm trigger
+
+{0}"""
 _EVERYWHERE = "0.0.0.0"  # noqa: S104 - users are checked
 
 
@@ -121,33 +137,11 @@ def _add_user(file: str | None, name: str, role: str) -> None:
 
 def _install_text() -> str:
     command = Path(sys.argv[0]).absolute()
-    return f"""\
-# /etc/udev/rules.d/60-trex.rules: a name for the adapter, whatever is plugged in beside it
-SUBSYSTEM=="tty", ENV{{ID_BUS}}=="usb", SYMLINK+="trex", GROUP="dialout", TAG+="systemd"
-
-# /etc/systemd/system/trex-serve.service
-[Unit]
-Description=TReX motor controller for the network
-BindsTo=dev-trex.device
-After=dev-trex.device network-online.target
-Wants=network-online.target
-
-[Service]
-ExecStart={command} serve --port /dev/trex --name robot --users /etc/trex/users
-User=trex
-SupplementaryGroups=dialout
-Restart=always
-RestartSec=1
-KillSignal=SIGINT
-TimeoutStopSec=10
-
-[Install]
-WantedBy=dev-trex.device
-
-# Then, as root:
-#   useradd --system trex; install -d -o trex -m 700 /etc/trex
-#   sudo -u trex {command} serve --users /etc/trex/users --add-user YOU --role own
-#   udevadm control --reload; systemctl enable trex-serve; udevadm trigger"""
+    texts = [
+        f"# --- {place}{name}\n{(resource('serve') / name).read_text('utf-8')}"
+        for place, name in _SERVICE_FILES
+    ]
+    return _INSTALL.format("\n".join(texts), command).replace("@COMMAND@", str(command))
 
 
 # --- Robots -----------------------------------------------------------------------------
