@@ -6,6 +6,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 
 import click
@@ -13,6 +14,8 @@ from genson import SchemaBuilder
 
 from trex_gui.cli import main as trexcmd
 from trex_gui.testing import SimulatedTrex
+
+_SERVED = "127.0.0.1:7499"
 
 # Words after each command, several sets where it prints several shapes. Files are in one folder.
 WORDS: Mapping[str, tuple[str, ...]] = {
@@ -28,6 +31,7 @@ WORDS: Mapping[str, tuple[str, ...]] = {
     "history diff": ("1",),
     "history show": ("1",),
     "list": ("",),
+    "robots": (_SERVED,),
     "status": ("",),
     "stream": ("--limit 3",),
 }
@@ -45,6 +49,19 @@ def commands_with_json(
         for name in command.list_commands(context):
             if (inner := command.get_command(context, name)) is not None:
                 yield from commands_with_json(inner, (*words, name))
+
+
+@contextmanager
+def served(port: str, environment: Mapping[str, str]) -> Iterator[None]:
+    """Serve a board for the commands that ask the network."""
+    command = [sys.executable, "-m", "trex_gui.cli", "serve", "--port", port, "--listen", _SERVED]
+    with subprocess.Popen(command, env=environment, stderr=subprocess.PIPE) as server:
+        try:
+            assert server.stderr is not None
+            server.stderr.readline()
+            yield
+        finally:
+            server.kill()
 
 
 def schemas() -> Iterator[tuple[str, str]]:
@@ -68,7 +85,12 @@ def schemas() -> Iterator[tuple[str, str]]:
             )
             return done.stdout
 
-        with SimulatedTrex() as board, SimulatedTrex("--aracna") as robot:
+        with (
+            SimulatedTrex() as board,
+            SimulatedTrex("--aracna") as robot,
+            SimulatedTrex() as far,
+            served(far.url, environment),
+        ):
             run(board.url, "get-settings", "new.txt")
             text = (Path(folder) / "new.txt").read_text("utf-8")
             changed = text.replace("serial_timeout: 0", "serial_timeout: 5")
