@@ -8,6 +8,7 @@ from msgspec import msgpack
 
 from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable, StudioError
 from trex_gui.core.session import Closed, Outcome, Progress
+from trex_gui.core.transport.traffic import TrafficDirection, TrafficEvent
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import (
@@ -75,6 +76,7 @@ from trex_gui.devices.trex.session.messages import (
     SetReconnectCandidates,
     SetWatched,
     TakeLease,
+    Traffic,
     Write,
     Written,
 )
@@ -119,6 +121,7 @@ REPORTS: tuple[Any, ...] = (
     ProbeProgress(1, 2, "x"),
     LeaseChanged("bob", "alice", False, ("bob",), may_take=True),
     NetworkDelay(0.01),
+    Traffic((TrafficEvent(1.5, TrafficDirection.SENT, b"\x81"),)),
     Welcome("arm"),
     Tick(),
     Refused("another version"),
@@ -139,6 +142,7 @@ REQUESTS: tuple[Any, ...] = (
     Heartbeat(),
     SetReconnectCandidates((SETTINGS,)),
     SetWatched(False),
+    SetWatched(True, traffic=True),
     AskLease(),
     HandOver("bob"),
     TakeLease(),

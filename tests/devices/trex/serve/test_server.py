@@ -60,6 +60,7 @@ from trex_gui.devices.trex.session.messages import (
     SendPacket,
     SetWatched,
     TakeLease,
+    Traffic,
     Write,
     Written,
 )
@@ -179,12 +180,18 @@ def test_rate_is_full_while_somebody_watches(served: ServedDriver) -> None:
     for user in served.parties:
         served.send(user, SetWatched(False))
     assert served.session[-1] == SetWatched(False)
-    served.send("bob", Alive(watches=True))
+    served.send("bob", SetWatched(True))
     assert served.session[-1] == SetWatched(True)
     before = len(served.received["alice"])
     served.server.report(Batch((), Counters()))
-    assert isinstance(served.received["bob"][-1], Batch)
+    assert type(served.received["bob"][-1]) is Batch
     assert len(served.received["alice"]) == before, "samples are for who watches"
+    served.server.report(Traffic(()))
+    kinds = [type(one) for one in served.received["bob"]]
+    assert kinds[-1] is Batch, "and bytes for who wants them"
+    served.send("bob", SetWatched(True, traffic=True))
+    served.server.report(Traffic(()))
+    assert served.received["bob"][-1] == Traffic(())
 
 
 def test_silent_client_is_removed(served: ServedDriver) -> None:

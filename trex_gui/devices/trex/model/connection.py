@@ -35,6 +35,7 @@ from trex_gui.devices.trex.session.messages import (
     SendPacket,
     SetReconnectCandidates,
     SetWatched,
+    Traffic,
     Write,
 )
 from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
@@ -77,7 +78,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
 
     @Slot()
     def _submit_watched(self) -> None:
-        self.submit(SetWatched(bool(self._watchers)))
+        self.submit(SetWatched(bool(self._watchers), traffic=bool(self._watchers)))
 
     def expect(self, settings: tuple[ConnectionSettings, ...]) -> None:
         """Set where to look for the board if it stops responding."""
@@ -139,8 +140,8 @@ class Connection(DeviceConnection[ConnectionSettings]):
             case GuardianChanged(is_ready=is_ready):
                 self.is_guarded = is_ready
                 self.guardian_changed.emit()
-            case LeaseChanged() | NetworkDelay():
-                self.served.emit(report)
+            case LeaseChanged() | NetworkDelay() | Traffic():
+                self._take_served(report)
             case StopSent():
                 self.stop_sent.emit()
             case MotorsStopped():
@@ -163,6 +164,14 @@ class Connection(DeviceConnection[ConnectionSettings]):
                 self.not_responding.emit(report)
                 text = tr("The board has stopped responding. Is its power on? Waiting for it …")
                 self._set_state(ConnectionState.NOT_RESPONDING, text)
+
+    def _take_served(self, report: LeaseChanged | NetworkDelay | Traffic) -> None:
+        """Take what only the server of a board reports."""
+        if isinstance(report, Traffic):
+            for event in report.events:
+                self.log.note(event)
+        else:
+            self.served.emit(report)
 
     def _take_state(self, report: Connected) -> None:
         self.settings = report.settings

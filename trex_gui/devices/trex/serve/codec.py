@@ -26,6 +26,7 @@ from trex_gui.core.errors import (
     StudioError,
 )
 from trex_gui.core.session import Outcome
+from trex_gui.core.transport.traffic import TrafficDirection, TrafficEvent
 from trex_gui.devices.trex.client.telemetry import Sample
 from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -141,6 +142,10 @@ def _codec() -> cattrs.Converter:
         ConnectionSettings,
         lambda parts, _: ConnectionSettings(parts[0], name=parts[1]).unpacked(parts[2]),
     )
+    codec.register_unstructure_hook(
+        TrafficEvent, lambda one: [one.time, one.direction.name, one.data, one.text]
+    )
+    codec.register_structure_hook(TrafficEvent, lambda parts, _: _traffic_event(*parts))
     codec.register_unstructure_hook(RawPacket, lambda raw: raw.packet.raw)
     codec.register_structure_hook(
         RawPacket, lambda raw, _: RawPacket(Malformed(_strict(bytes)(raw, bytes), ""))
@@ -173,6 +178,10 @@ def _is_code(kind: Any) -> bool:
 
 
 _BY_NAME = {"ErrorCode", "ReadReason", "Mode"}
+
+
+def _traffic_event(time: float, direction: str, data: bytes, text: str) -> TrafficEvent:
+    return TrafficEvent(float(time), TrafficDirection[direction], bytes(data), str(text))
 
 
 def _model(key: object) -> Model:

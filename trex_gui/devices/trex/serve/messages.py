@@ -15,9 +15,7 @@ class Hello:
 
 @dataclass(frozen=True, slots=True)
 class Alive:
-    """Request: the client still runs. `watches`: it shows or records samples."""
-
-    watches: bool = True
+    """Request: the client still runs."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -53,6 +53,7 @@ from trex_gui.devices.trex.session.messages import (
     SelectBoard,
     SendPacket,
     SetWatched,
+    Traffic,
     Write,
     Written,
 )
@@ -109,7 +110,7 @@ class RemoteSession:
         self._offset = math.inf  # of its clock from ours, at most
         self._heard_at = 0.0
         self._beat_at = 0.0
-        self._watches = True
+        self._watched = SetWatched(True)
         self._welcome: Welcome | None = None
         self._lease = LeaseChanged()
         self._waiting: _Waiting | None = None
@@ -179,7 +180,7 @@ class RemoteSession:
         now = self._clock()
         if now >= self._beat_at:
             self._beat_at = now + _HEARTBEAT
-            self._send(Alive(self._watches))
+            self._send(Alive())
         self._take_requests(min(_SLICE, max(0.0, self._beat_at - now)))
         self._take_reports()
         self._judge_silence()
@@ -211,8 +212,10 @@ class RemoteSession:
         match request:
             case Close():
                 raise Closing
-            case SetWatched(watched=watched):
-                self._watches = watched
+            case SetWatched():
+                self._watched = request
+                if self._welcome is not None:
+                    self._send(request)
             case Stop():
                 self._waiting = None
                 self._pass_on(request)
@@ -292,6 +295,7 @@ class RemoteSession:
         match report:
             case Welcome():
                 self._welcome = report
+                self._send(self._watched)
             case Refused(reason=reason):
                 raise PortUnavailable(reason)
             case Tick():
@@ -331,6 +335,9 @@ class RemoteSession:
                     replace(one, time=one.time + self._offset) for one in report.samples
                 )
                 self._emit(replace(report, samples=samples))
+            case Traffic(events=events):
+                moved = (replace(one, time=one.time + self._offset) for one in events)
+                self._emit(Traffic(tuple(moved)))
             case MotorsStopped(reason=reason, confirmed=confirmed):
                 self._may_move = self._may_move and not confirmed
                 if self._has_armed or reason is None:  # else those of another client

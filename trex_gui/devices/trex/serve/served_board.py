@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from trex_gui.core.host import Host
 from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
+from trex_gui.core.transport.traffic import TrafficEvent, logged
 from trex_gui.core.transport.urls import LOCAL_USER
 from trex_gui.devices.trex.board.keeper import Keeper
 from trex_gui.devices.trex.board.mirror import BoardMirror
@@ -21,7 +22,7 @@ from trex_gui.devices.trex.recording import MeasurementTable
 from trex_gui.devices.trex.serve.lease import Party, Role, User
 from trex_gui.devices.trex.serve.network import declare_publisher, key, open_server
 from trex_gui.devices.trex.serve.server import BoardServer
-from trex_gui.devices.trex.session.messages import Connected, Report
+from trex_gui.devices.trex.session.messages import Batch, Connected, Report, Traffic
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.settings.board_records import utc_now
 
@@ -32,6 +33,7 @@ log = logging.getLogger(__name__)
 
 _RETRY_S = 1.0  # between two attempts to open the line
 _LEAVING = 0.5  # seconds for the last messages to a client
+_MOST_EVENTS = 1000  # of the line in a batch
 _MOST_WAITING = 300  # messages for a client that does not take them: some five seconds
 
 
@@ -106,6 +108,7 @@ class ServedBoard:
         self._inbox = RequestQueue(computer.condition())
         self.server = BoardServer(name, self._put, self._send, computer.clock)
         self._board = BoardMirror(Keeper(log.info, log.warning).memory)
+        self._traffic: list[TrafficEvent] = []  # since the last batch of samples
         self._outboxes: dict[Party, _Outbox] = {}
         self._is_ending = False
         self._closed = threading.Event()
@@ -134,9 +137,10 @@ class ServedBoard:
         said = ""
         while not is_ended():
             self._closed.clear()
-            session = TrexSession(
-                self._settings, self._inbox, self._report, self._computer.open_transport
+            open_transport = logged(
+                self._note_traffic, self._computer.open_transport, self._computer.clock
             )
+            session = TrexSession(self._settings, self._inbox, self._report, open_transport)
             self._is_open = True
             join = self._computer.start_thread(session.run)
             while not self._closed.is_set():
@@ -180,11 +184,18 @@ class ServedBoard:
         if isinstance(report, Connected):
             unit = report.state.signature.model.current_unit
             self._table = MeasurementTable(report.state.mode, unit)
+        if self._traffic and isinstance(report, Batch):
+            events, self._traffic = tuple(self._traffic), []
+            self.server.report(Traffic(events))
         if isinstance(report, Closed):
             self._last = report
             self._closed.set()
         else:
             self.server.report(report)
+
+    def _note_traffic(self, event: TrafficEvent) -> None:
+        if self.server.shows_traffic and len(self._traffic) < _MOST_EVENTS:
+            self._traffic.append(event)
 
     def _publish(self, sample: Sample) -> None:
         """Publish measurements as JSON while a program subscribes to them."""

@@ -59,6 +59,7 @@ from trex_gui.devices.trex.session.messages import (
     SendPacket,
     SetWatched,
     TakeLease,
+    Traffic,
     Written,
 )
 
@@ -76,6 +77,9 @@ _STALE = SetMotor | SetMotors | SetAuxiliary | Arm
 """Requests that have no effect once they are older than a lease lives without a heartbeat."""
 
 
+_WATCHES = SetWatched(True)  # what a client does that has not said otherwise
+
+
 @dataclass(slots=True, eq=False)
 class _Client:
     party: Party
@@ -84,7 +88,7 @@ class _Client:
     echo: float = 0.0  # its clock at its last request, on that of the server
     sent: int = 0
     sent_at: float = 0.0
-    watches: bool = True
+    watched: SetWatched = _WATCHES
     second: int = 0  # in which `in_second` requests came
     in_second: int = 0
 
@@ -179,6 +183,11 @@ class BoardServer:
             self._request(Stop(own))
 
     @property
+    def shows_traffic(self) -> bool:
+        """Whether a client wants the bytes on the line."""
+        return any(client.watched.traffic for client in list(self._clients.values()))
+
+    @property
     def users(self) -> tuple[str, ...]:
         """The users of the clients."""
         return tuple(client.party.user for client in list(self._clients.values()))
@@ -232,12 +241,12 @@ class BoardServer:
         """Serve what concerns client and lease; the rest is for the board."""
         lease, party, now = self.lease, client.party, client.heard_at
         match request:
-            case Alive(watches=watches):
+            case Alive():
                 if age <= LEASE_TIMEOUT:
                     lease.record_heartbeat(party, now)
-                self._set_watching(client, watches)
-            case SetWatched(watched=watched):
-                self._set_watching(client, watched)
+            case SetWatched():
+                client.watched = request
+                self._update_watched()
             case AskLease():
                 lease.ask(party, now)
                 self._report_lease()
@@ -315,13 +324,8 @@ class BoardServer:
         cut = packets_of(packet.packet.raw, self.polynomial)
         return cut[0] if len(cut) == 1 else packet
 
-    def _set_watching(self, client: _Client, watches: bool) -> None:
-        if watches != client.watches:
-            client.watches = watches
-            self._update_watched()
-
     def _update_watched(self) -> None:
-        self._request(SetWatched(any(client.watches for client in self._clients.values())))
+        self._request(SetWatched(any(client.watched.watched for client in self._clients.values())))
 
     # --- Reports ------------------------------------------------------------------------
 
@@ -355,7 +359,7 @@ class BoardServer:
                     self._newest = {Closed: report}
             form = encode_report(report)
             for client in list(self._clients.values()):
-                if not isinstance(report, Batch) or client.watches:
+                if _is_for(report, client.watched):
                     self._post(client, form, now)
 
     def _report_written(self, written: Written, writer: str, now: float) -> None:
@@ -398,6 +402,13 @@ class BoardServer:
     def _post(self, client: _Client, form: object, now: float) -> None:
         client.sent, client.sent_at = client.sent + 1, now
         self._send(client.party, with_head(form, client.sent, now, client.echo + now))
+
+
+def _is_for(report: Report, watched: SetWatched) -> bool:
+    """Return whether a client that watches like this gets a report."""
+    if isinstance(report, Traffic):
+        return watched.traffic
+    return watched.watched or not isinstance(report, Batch)
 
 
 def _numbered(message: NumberedT, number: int) -> NumberedT:

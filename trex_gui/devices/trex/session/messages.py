@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from enum import Enum, auto
 
 from trex_gui.core.session import Close, Closed, Outcome, Progress
+from trex_gui.core.transport.traffic import TrafficEvent
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import Sample
@@ -95,10 +96,12 @@ class SetReconnectCandidates:
 class SetWatched:
     """Poll at full rate, or slowly since nothing shows or records samples; has no outcome.
 
-    While motors may be moving the rate is full in either case.
+    While motors may be moving the rate is full in either case. `traffic`: a server also sends the
+    bytes on its line; those of a line of this computer are logged where it is opened.
     """
 
     watched: bool
+    traffic: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -231,6 +234,13 @@ class NetworkDelay:
     seconds: float
 
 
+@dataclass(frozen=True, slots=True)
+class Traffic:
+    """Bytes on the line of a server, on the clock of this computer."""
+
+    events: tuple[TrafficEvent, ...]
+
+
 Report = (
     Progress
     | Connected
@@ -240,6 +250,7 @@ Report = (
     | Batch
     | LeaseChanged
     | NetworkDelay
+    | Traffic
     | Outcome
     | Closed
 )
