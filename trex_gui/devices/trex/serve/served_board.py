@@ -6,6 +6,7 @@ import tempfile
 import threading
 from collections import deque
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -22,7 +23,13 @@ from trex_gui.devices.trex.recording import MeasurementTable
 from trex_gui.devices.trex.serve.lease import Party, Role, User
 from trex_gui.devices.trex.serve.network import declare_publisher, key, open_server
 from trex_gui.devices.trex.serve.server import BoardServer
-from trex_gui.devices.trex.session.messages import Batch, Connected, Report, Traffic
+from trex_gui.devices.trex.session.messages import (
+    Batch,
+    Connected,
+    Report,
+    SetReconnectCandidates,
+    Traffic,
+)
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.settings.board_records import utc_now
 
@@ -174,6 +181,10 @@ class ServedBoard:
     _is_open = False
 
     def _put(self, request: object) -> None:
+        if isinstance(request, SetReconnectCandidates):  # clients have another address of the line
+            here = self._settings
+            places = (replace(one, url=here.url, name=here.name) for one in request.settings)
+            request = SetReconnectCandidates(tuple(places))
         self._inbox.put(request)
 
     def _report(self, report: Report) -> None:
