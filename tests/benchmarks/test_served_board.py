@@ -25,6 +25,7 @@ from trex_gui.devices.trex.driving.requests import Arm, Stop
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.serve.remote_session import RemoteSession
+from trex_gui.devices.trex.serve.robots import find_robots, stop_robots
 from trex_gui.devices.trex.session.messages import Batch, Connected
 from trex_gui.devices.trex.session.session import TrexSession
 
@@ -209,3 +210,50 @@ def test_samples_of_four_clients(stack: ExitStack, tmp_path: Path, figure: Repor
         at_cable = cable.samples - start
     figure("samples of the slowest of four clients", 100 * min(seen) / at_cable, "%", at_least=99)
     figure("processor of the server with four clients", 100 * share, "%", at_most=15)
+
+
+_MANY = 100
+
+
+@pytest.mark.timeout(600)
+def test_many_robots(stack: ExitStack, figure: ReportFigure) -> None:
+    """List and stop served boards, each with a simulator and a server of its own."""
+    ports = [free_port() for _ in range(2 * _MANY)]
+    hosts = []
+    for wire, port in zip(ports[:_MANY], ports[_MANY:], strict=True):
+        _start(stack, "trex_gui.cli.simulator", "--tcp", f"127.0.0.1:{wire}", "--unpaced")
+        words = ["--port", f"socket://127.0.0.1:{wire}", "--name", f"robot{port}"]
+        _start(stack, "trex_gui.cli", "serve", *words, "--listen", f"127.0.0.1:{port}")
+        hosts.append(f"127.0.0.1:{port}")
+    end = time.monotonic() + 300
+    rows: list[dict[str, Any]] = []
+    while time.monotonic() < end:
+        begun = time.monotonic()
+        rows = find_robots(hosts)
+        took = time.monotonic() - begun
+        if len(rows) == _MANY and all(row["responds"] for row in rows):
+            break
+        time.sleep(1.0)
+    assert len(rows) == _MANY
+    figure(f"list of {_MANY} served boards", took, "s", at_most=3.0)
+    urls = [row["url"] for row in rows]
+    begun = time.monotonic()
+    results = stop_robots(urls)
+    took = time.monotonic() - begun
+    assert not any(results.values()), results
+    figure(f"stop of {_MANY} served boards, all confirmed", 1000 * took, "ms")
+
+
+def _start(stack: ExitStack, module: str, *words: str) -> None:
+    process = subprocess.Popen(
+        [sys.executable, "-m", module, *words],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
+
+    def end() -> None:
+        process.kill()
+        process.communicate()
+
+    stack.callback(end)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from trex_gui.core.host import Host
 from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
-from trex_gui.core.transport.traffic import TrafficEvent, logged
+from trex_gui.core.transport.traffic import TrafficDirection, TrafficEvent, logged
 from trex_gui.core.transport.urls import LOCAL_USER
 from trex_gui.devices.trex.board.keeper import Keeper
 from trex_gui.devices.trex.board.mirror import BoardMirror
@@ -116,6 +116,7 @@ class ServedBoard:
         self.server = BoardServer(name, self._put, self._send, computer.clock)
         self._board = BoardMirror(Keeper(log.info, log.warning).memory)
         self._traffic: list[TrafficEvent] = []  # since the last batch of samples
+        self._logs = False  # whether `_traffic` is filled
         self._outboxes: dict[Party, _Outbox] = {}
         self._is_ending = False
         self._closed = threading.Event()
@@ -205,7 +206,10 @@ class ServedBoard:
             self.server.report(report)
 
     def _note_traffic(self, event: TrafficEvent) -> None:
-        if self.server.shows_traffic and len(self._traffic) < _MOST_EVENTS:
+        """Keep what is on the line for clients that show it, from a whole request on."""
+        begins = event.direction is not TrafficDirection.RECEIVED
+        self._logs = self.server.shows_traffic and (self._logs or begins)
+        if self._logs and len(self._traffic) < _MOST_EVENTS:
             self._traffic.append(event)
 
     def _publish(self, sample: Sample) -> None:
