@@ -124,9 +124,12 @@ class ServedBoard:
             self._network = open_server(name, listen, users, Path(folder), tls=tls)
         self._measurements = self._network.declare_publisher(key(name, "data", "measurements"))
         self._table: MeasurementTable | None = None
+        self._is_subscribed = False  # to the measurements
+        listener = self._measurements.declare_matching_listener(self._on_matching)
         # By user: the engine tells a client only of expressions that it may use.
         self._kept: list[object] = [
-            self._network.declare_queryable(key(name, "info"), self._on_query)
+            listener,
+            self._network.declare_queryable(key(name, "info"), self._on_query),
         ]
         for user in self._roles:
             self._kept += [
@@ -214,10 +217,8 @@ class ServedBoard:
 
     def _publish(self, sample: Sample) -> None:
         """Publish measurements as JSON while a program subscribes to them."""
-        if self._table is None or not self._table.take(sample):
-            return
-        row = self._table.finish(sample.time)
-        if self._measurements.matching_status.matching:  # type: ignore[attr-defined]
+        if self._is_subscribed and self._table is not None and self._table.take(sample):
+            row = self._table.finish(sample.time)
             self._measurements.put(json.dumps(row), encoding="application/json")
 
     # --- The network, in threads of the engine ------------------------------------------
@@ -270,6 +271,9 @@ class ServedBoard:
         else:
             error = self._last.error or TrexNoReplyError(ErrorCode.CLOSED)
             reply(Outcome(0, error=error))
+
+    def _on_matching(self, status: "zenoh.MatchingStatus") -> None:
+        self._is_subscribed = status.matching
 
     def info(self) -> dict[str, Any]:
         """Return what a list of robots shows, with the keys of `trexcmd robots --json`."""
