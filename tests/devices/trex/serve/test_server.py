@@ -281,6 +281,18 @@ def test_message_counts_once_and_in_order(served: ServedDriver) -> None:
     assert served.server.refused == {"replayed": 2}
 
 
+def test_stop_overtakes_motor_commands_and_nothing_else(served: ServedDriver) -> None:
+    served.send("alice", AskLease())
+    late = [served.message("alice", one) for one in (Arm(), SetAuxiliary(1), Reload(3))]
+    stop = served.message("alice", Stop(1))
+    for data in (stop, *late, stop):
+        served.server.take(served.parties["alice"], data)
+    assert served.kinds() == [Stop, Reload]
+    assert served.server.refused == {"overtaken by a stop": 2, "replayed": 1}
+    served.send("alice", Arm())
+    assert served.kinds() == [Stop, Reload, Arm]
+
+
 def test_strangers_and_large_messages_are_refused(served: ServedDriver) -> None:
     stranger = Party("id-alice", "mallory", Role.OWN)
     served.server.take(stranger, served.message("alice", Stop(1)))

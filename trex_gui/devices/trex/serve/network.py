@@ -84,7 +84,9 @@ def scout(seconds: float) -> tuple[Address, ...]:
 
 
 class ClientLink:
-    """The connection of one client to a server.
+    """The connections of one client to a server: one for all messages, one for stops.
+
+    A packet that the network loses delays what follows in its connection. A stop goes both ways.
 
     Args:
         address: of the board.
@@ -93,6 +95,7 @@ class ClientLink:
 
     def __init__(self, address: Address, receive: Callable[[bytes], None]) -> None:
         self._session = open_client(address)
+        self._standby = open_client(address)
         user, client = address.user or LOCAL_USER, os.urandom(8).hex()
 
         def name(part: str) -> str:
@@ -105,12 +108,16 @@ class ClientLink:
             self._session.liveliness().declare_token(name("client")),
         )
         self._publisher = declare_publisher(self._session, name("from"))
+        self._stops = declare_publisher(self._standby, name("from"))
 
-    def send(self, message: bytes) -> None:
+    def send(self, message: bytes, *, is_stop: bool = False) -> None:
+        if is_stop:
+            self._stops.put(message)
         self._publisher.put(message)
 
     def close(self) -> None:
-        self._session.close()  # type: ignore[no-untyped-call]
+        for session in (self._standby, self._session):
+            session.close()  # type: ignore[no-untyped-call]
 
 
 def open_server(

@@ -263,7 +263,8 @@ class RemoteSession:
     def _send(self, request: Request | ClientRequest) -> None:
         if self._link is not None:
             head = next(self._counter), self._seen, self._clock()
-            self._link.send(encode_request(request, *head))
+            data = encode_request(request, *head)
+            self._link.send(data, is_stop=isinstance(request, Stop))
 
     # --- Reports ------------------------------------------------------------------------
 

@@ -84,6 +84,7 @@ _WATCHES = SetWatched(True)  # what a client does that has not said otherwise
 class _Client:
     party: Party
     counter: float  # of its last request
+    stopped: float  # the same of its last stop, which may overtake the others
     heard_at: float
     echo: float = 0.0  # its clock at its last request, on that of the server
     sent: int = 0
@@ -160,13 +161,18 @@ class BoardServer:
             client = self._clients.get(party.id)
             if client is None or client.party != party:
                 self._refuse("unknown client")
-            elif counter <= client.counter:
+            elif counter <= (client.stopped if isinstance(request, Stop) else client.counter):
                 self._refuse("replayed")
             elif self._floods(client, now) and not isinstance(request, Stop | Alive):
                 self._refuse("too many")
+            elif counter < client.stopped and isinstance(request, _STALE | Heartbeat):
+                self._refuse("overtaken by a stop")
             else:
-                client.counter, client.heard_at = counter, now
-                client.echo = sent - now
+                client.heard_at, client.echo = now, sent - now
+                if isinstance(request, Stop):
+                    client.stopped = counter
+                else:
+                    client.counter = counter
                 self._serve(client, request, age=now - seen)
 
     def remove(self, client_id: str) -> None:
@@ -203,7 +209,7 @@ class BoardServer:
             self.refused[why] += 1
 
     def _welcome(self, party: Party, hello: Hello, counter: float, sent: float, now: float) -> None:
-        client = _Client(party, counter, now, sent - now)
+        client = _Client(party, counter, counter, now, sent - now)
         if hello.version != VERSION:
             self._refuse("another version")
             text = f"{self.name} speaks version {VERSION} of the messages, not {hello.version}."
