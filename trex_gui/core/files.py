@@ -166,7 +166,8 @@ def atomic_file(path: Path, *, overwrite: bool = True) -> Iterator[BinaryIO]:
     remove_abandoned(target.parent)
     draft = target.with_name(f".{target.name[:100]}.{os.urandom(4).hex()}.trexdraft")
     try:
-        with draft.open("xb") as file:
+        mode = 0o600 if target.exists() else 0o666  # nobody reads it before it has its own
+        with open(draft, "xb", opener=lambda name, flags: os.open(name, flags, mode)) as file:
             yield file
         with draft.open("rb+") as written:
             os.fsync(written.fileno())

@@ -1,6 +1,8 @@
 """URLs of ports, and of boards that another computer serves, with the secrets of their users."""
 
 import os
+import stat
+import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib.util import find_spec
@@ -86,7 +88,12 @@ def known_hosts() -> tuple[Address, ...]:
 
 def _secrets() -> Iterator[tuple[str, str]]:
     path = data_folder() / _SECRETS
-    lines = path.read_text("utf-8", errors="replace").splitlines() if path.exists() else []
+    if not path.exists():
+        return
+    if sys.platform != "win32" and path.stat().st_mode & (stat.S_IRWXG | stat.S_IRWXO):
+        text = tr("Other users of this computer can read the secrets: chmod 600 “{0}”.")
+        raise BadRequest(text.format(path))
+    lines = path.read_text("utf-8", errors="replace").splitlines()
     for words in (line.split(maxsplit=1) for line in lines):
         if len(words) == 2 and not words[0].startswith("#"):
             yield words[0], words[1].strip()

@@ -22,7 +22,7 @@ from trex_gui.core.transport.urls import Address
 from trex_gui.devices.trex.cli.users import add_user
 from trex_gui.devices.trex.open_board import MotorsStoppedError
 from trex_gui.devices.trex.serve.network import key, open_client
-from trex_gui.devices.trex.serve.robots import find_robots, stop_robots
+from trex_gui.devices.trex.serve.robots import _row_of, find_robots, stop_robots
 
 pytestmark = pytest.mark.realtime
 
@@ -107,10 +107,11 @@ def secrets(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     file, roles = tmp_path / "users", {"alice": "drive", "bob": "drive", "wanda": "watch"}
     for user, role in roles.items():
         secret = add_user(file, user, role)
-        data = Path(os.environ["TREX_STUDIO_DATA"])
-        data.mkdir(exist_ok=True, parents=True)
-        with (data / "secrets").open("a", encoding="utf-8") as known:
-            known.write(f"{user}@127.0.0.1 {secret}\n")
+        known = Path(os.environ["TREX_STUDIO_DATA"]) / "secrets"
+        known.parent.mkdir(exist_ok=True, parents=True)
+        known.touch(mode=0o600)
+        with known.open("a", encoding="utf-8") as lines:
+            lines.write(f"{user}@127.0.0.1 {secret}\n")
     return file
 
 
@@ -302,6 +303,39 @@ def test_encrypted_board_needs_the_certificate(
         server.wait_for_board()
         with Trex(server.url()) as trex:
             assert trex.status().product == "TReX"
+
+
+def test_every_user_stops_by_name(start_simulator: StartSimulator, secrets: Path) -> None:
+    with served(start_simulator(), "--users", str(secrets)) as server:
+        server.wait_for_board("wanda")
+        with Trex(server.url("alice")) as trex:
+            trex.drive(40)
+            trex.wait(0.3)
+            url = server.url("wanda")
+            assert stop_robots([url]) == {url: ""}
+            assert motor(server.simulator) == STOPPED
+
+
+def test_user_cannot_answer_for_the_server(start_simulator: StartSimulator, secrets: Path) -> None:
+    with served(start_simulator(), "--users", str(secrets)) as server:
+        server.wait_for_board("alice")
+        with open_client(Address.of(server.url("wanda"))) as session:
+            false = json.dumps({"name": "fake", "board": None, "driver": None, "problems": []})
+            name = key("arm", "info")
+            kept = session.declare_queryable(
+                name, lambda query: query.reply(name, false), complete=True
+            )
+            time.sleep(0.3)
+            (row,) = find_robots([server.url("alice")])
+            assert row["name"] == "arm"
+            del kept
+
+
+@pytest.mark.parametrize(
+    "row", [b"[1]", b"{}", b"\xff", b'{"name": "a\\u001b", "board": null, "driver": null}']
+)
+def test_answer_that_is_none_is_no_robot(row: bytes) -> None:
+    assert _row_of(row) is None
 
 
 def test_file_of_users_that_others_read_is_refused(tmp_path: Path, secrets: Path) -> None:

@@ -46,7 +46,7 @@ from trex_gui.devices.trex.serve.messages import (
     Tick,
     Welcome,
 )
-from trex_gui.devices.trex.serve.server import MOST_REQUESTS, BoardServer
+from trex_gui.devices.trex.serve.server import MOST_JOBS, MOST_REQUESTS, BoardServer
 from trex_gui.devices.trex.session.messages import (
     AskLease,
     Batch,
@@ -54,6 +54,7 @@ from trex_gui.devices.trex.session.messages import (
     HandOver,
     LeaseChanged,
     NotResponding,
+    ProbeNumber,
     ReadReason,
     Reload,
     ReturnLease,
@@ -156,12 +157,12 @@ def test_client_learns_that_the_board_is_not_connected(served: ServedDriver) -> 
 
 
 def test_outcome_goes_to_the_client_that_waits(served: ServedDriver) -> None:
-    served.send("alice", Stop(7))
-    served.send("bob", Stop(7))
-    first, second = (one.id for one in served.session if isinstance(one, Stop))
+    served.send("alice", packet(GetSignature()))
+    served.send("bob", packet(GetSignature()))
+    first, second = (one.id for one in served.session if isinstance(one, SendPacket))
     assert first != second
     served.server.report(Outcome(second))
-    assert served.outcome("bob").id == 7
+    assert served.outcome("bob").id == 5
     assert not any(isinstance(one, Outcome) for one in served.received["alice"])
 
 
@@ -302,17 +303,78 @@ def test_strangers_and_large_messages_are_refused(served: ServedDriver) -> None:
     assert served.server.refused == {"unknown client": 1, "too large": 1, "malformed": 1}
 
 
-def test_flood_delays_no_stop(served: ServedDriver) -> None:
+def test_flood_of_one_user_costs_the_others_nothing(served: ServedDriver) -> None:
     served.send("alice", AskLease())
     for speed in range(2 * MOST_REQUESTS):
         served.send("bob", SetAuxiliary(speed % 100))
-    for speed in range(2 * MOST_REQUESTS):
-        served.send("alice", SetAuxiliary(speed % 100))
-    assert len(served.kinds()) < MOST_REQUESTS
-    assert served.server.refused["too many"] > MOST_REQUESTS
+    assert served.kinds() == []
+    assert served.server.refused["too many"] > MOST_REQUESTS / 2
     served.send("alice", Stop(1))
-    served.send("bob", Stop(1))
-    assert served.kinds()[-2:] == [Stop, Stop]
+    served.send("watcher", Stop(1))
+    assert Stop in served.kinds()
+    served.now += 1.0
+    served.send("bob", packet(GetSignature()))
+    assert served.kinds()[-1] is SendPacket
+
+
+def test_pending_stop_serves_who_stops_meanwhile(served: ServedDriver) -> None:
+    for number in range(1, 6):
+        served.send("watcher", Stop(number))
+    served.send("bob", Stop(9))
+    assert served.kinds() == [Stop]
+    served.server.report(Outcome(served.session[-1].id))
+    ids = [one.id for one in served.received["watcher"] if isinstance(one, Outcome)]
+    assert ids == [1, 2, 3, 4, 5]
+    assert served.outcome("bob").id == 9
+
+
+def test_stop_behind_a_setpoint_is_sent_again(served: ServedDriver) -> None:
+    served.send("alice", AskLease(), Stop(1), Arm(), SetAuxiliary(5), Stop(2))
+    assert served.kinds() == [Stop, Arm, SetAuxiliary, Stop]
+
+
+def test_client_has_one_request_in_flight(served: ServedDriver) -> None:
+    served.send("alice", AskLease(), *(Reload(number) for number in range(1, 15)))
+    assert served.kinds() == [Reload]
+    rejected = [one for one in served.received["alice"] if isinstance(one, Outcome)]
+    assert len(rejected) == 14 - MOST_JOBS - 1
+    served.server.report(Outcome(served.session[-1].id))
+    assert served.kinds() == [Reload, Reload]
+
+
+def test_requests_of_a_former_driver_end_with_its_lease(served: ServedDriver) -> None:
+    writes = [Write(number, (("serial_timeout", number),)) for number in (1, 2, 3)]
+    served.send("alice", AskLease(), *writes)
+    served.send("owner", TakeLease())
+    (write,) = (one for one in served.session if isinstance(one, Write))
+    served.server.report(Outcome(write.id))
+    assert served.kinds() == [Write, Stop], "what was in flight is written to its end"
+    errors = [one.error for one in served.received["alice"] if isinstance(one, Outcome)]
+    assert [getattr(one, "code", None) for one in errors] == [ErrorCode.OTHER_DRIVES] * 2 + [None]
+
+
+@pytest.mark.parametrize(
+    "request_",
+    [
+        ProbeNumber(1, 9, attempts=10**9),
+        ProbeNumber(1, 9, attempts=-1),
+        SendPacket(1, RawPacket(Malformed(b"\x84" * 200, ""))),
+    ],
+    ids=["endless", "negative", "long"],
+)
+def test_request_that_would_hold_up_a_stop_is_refused(
+    served: ServedDriver, request_: object
+) -> None:
+    served.send("alice", AskLease(), request_)
+    assert served.kinds() == []
+
+
+def test_hello_is_not_replayed(served: ServedDriver) -> None:
+    hello = served.message("alice", Hello(VERSION, "test"))
+    served.send("alice", AskLease())
+    served.server.take(served.parties["alice"], hello)
+    assert served.lease_of("alice").is_mine
+    assert served.server.refused == {"replayed": 1}
 
 
 # --- The lease ----------------------------------------------------------------------------
@@ -357,9 +419,9 @@ def test_driver_that_leaves_is_stopped_at_once(served: ServedDriver, end: object
 
 def test_connection_that_ends_stops_its_driver(served: ServedDriver) -> None:
     served.send("alice", AskLease(), Arm())
-    served.server.remove("id-bob")
+    served.server.remove(served.parties["bob"])
     assert served.kinds() == [Arm]
-    served.server.remove("id-alice")
+    served.server.remove(served.parties["alice"])
     assert served.kinds() == [Arm, Stop]
 
 

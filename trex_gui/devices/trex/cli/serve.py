@@ -1,5 +1,6 @@
 """serve and robots: boards that other computers use over the network."""
 
+import ipaddress
 import socket
 import sys
 from pathlib import Path
@@ -109,7 +110,7 @@ def serve(
             say=say,
             tls=(Path(tls[0]), Path(tls[1])) if tls else None,
         )
-        here = socket.gethostname() if users else "127.0.0.1"
+        here = socket.gethostname() if users else address.host
         shown = Address(here, name, "USER" if users else "", address.port).url
         say(f"Serving {settings.label} as {shown}. Ctrl-C stops the motors and ends.")
         if not users:
@@ -123,7 +124,12 @@ def serve(
 
 
 def _is_local(name: str) -> bool:
-    return name in {"localhost", "::1"} or name.startswith("127.")
+    if name == "localhost":
+        return True
+    try:
+        return ipaddress.ip_address(name).is_loopback
+    except ValueError:
+        return False
 
 
 def _add_user(file: str | None, name: str, role: str) -> None:

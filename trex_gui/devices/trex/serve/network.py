@@ -7,11 +7,12 @@ Every user has key expressions of its own, and the engine lets nobody else use t
 import json
 import os
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from trex_gui.core.errors import PortUnavailable
+from trex_gui.core.errors import BadRequest, PortUnavailable
 from trex_gui.core.translation import tr
 from trex_gui.core.transport.urls import LOCAL_USER, Address
 from trex_gui.devices.trex.serve.lease import User
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 
     import zenoh
 
+_MOST_SCOUTED = 32
 _ROOT = "trex/v1"
 
 
@@ -76,8 +78,9 @@ def scout(seconds: float) -> tuple[Address, ...]:
                 continue
             for locator in hello.locators:
                 kind, _, where = str(locator).partition("/")
-                if kind in {"tcp", "tls"}:
-                    found[Address.of_host(where.split("?")[0])] = None
+                with suppress(BadRequest):  # whoever is on the network may have sent it
+                    if kind in {"tcp", "tls"} and len(found) < _MOST_SCOUTED:
+                        found[Address.of_host(where.split("?")[0])] = None
     finally:
         scouting.stop()
     return tuple(found)
@@ -144,6 +147,9 @@ def open_server(
         "scouting/multicast/enabled": is_public,
         "scouting/multicast/autoconnect": [],
         "scouting/gossip/enabled": False,
+        # A stranger that only connects keeps nobody out for long.
+        "transport/unicast/accept_pending": 1000,
+        "transport/unicast/accept_timeout": 3000,
         "transport/link/rx/max_message_size": 65536,
     }
     if tls is not None:
@@ -180,30 +186,54 @@ def declare_publisher(session: "zenoh.Session", name: str) -> "zenoh.Publisher":
     return publisher
 
 
+_MESSAGES = {
+    "send": (["put"], ["declare_subscriber"]),
+    "data": (["declare_subscriber"], ["put"]),
+    "query": (["query"], ["reply", "declare_queryable"]),
+    "token": (["liveliness_token"], ["liveliness_query", "declare_liveliness_subscriber"]),
+}
+"""Kinds of keys: messages of the engine that a client may send, and those that it may get."""
+
+
 def _access(name: str, users: Sequence[User]) -> dict[str, Any]:
     """Return the rules of the engine: a user reaches its own keys, and what all may read."""
-    messages = ["put", "query", "reply", "declare_subscriber", "declare_queryable"]
-    messages += ["liveliness_token", "liveliness_query", "declare_liveliness_subscriber"]
 
-    def rule(number: str, *keys: str) -> dict[str, Any]:
-        return {
-            "id": number,
-            "permission": "allow",
-            "flows": ["ingress", "egress"],
-            "messages": messages,
-            "key_exprs": list(keys),
-        }
+    def rules(number: str, keys: Mapping[str, str]) -> list[dict[str, Any]]:
+        """Return two rules for each kind of key: what comes in, and what goes out."""
+        return [
+            {
+                "id": f"{number}-{kind}-{flow}",
+                "permission": "allow",
+                "flows": [flow],
+                "messages": list(messages),
+                "key_exprs": [expression],
+            }
+            for kind, expression in keys.items()
+            for flow, messages in zip(("ingress", "egress"), _MESSAGES[kind], strict=True)
+        ]
 
-    own = [
-        rule(one.name, *(key(name, part, one.name, "**") for part in ("from", "to", "client")))
+    everybody = rules("-", {"query": key("*", "info"), "data": key(name, "data", "**")})
+    own = {
+        one.name: rules(
+            one.name,
+            {
+                "send": key(name, "from", one.name, "*"),
+                "data": key(name, "to", one.name, "*"),
+                "token": key(name, "client", one.name, "*"),
+                "query": key(name, "stop", one.name),
+            },
+        )
         for one in users
-    ]
+    }
     return {
         "enabled": True,
         "default_permission": "deny",
-        "rules": [rule("-all", key("*", "info"), key(name, "data", "**")), *own],
-        "subjects": [{"id": one.name, "usernames": [one.name]} for one in users],
-        "policies": [{"rules": ["-all", one.name], "subjects": [one.name]} for one in users],
+        "rules": [*everybody, *(one for some in own.values() for one in some)],
+        "subjects": [{"id": user, "usernames": [user]} for user in own],
+        "policies": [
+            {"rules": [one["id"] for one in (*everybody, *some)], "subjects": [user]}
+            for user, some in own.items()
+        ],
     }
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from trex_gui.core.errors import PortUnavailable, StudioError
 from trex_gui.core.translation import tr
-from trex_gui.core.transport.urls import LOCAL_USER, Address, known_hosts
+from trex_gui.core.transport.urls import LOCAL_USER, Address, is_name, known_hosts
 from trex_gui.devices.trex.serve.sessions import NEEDS_EXTRA
 
 _SCOUTING_S = 0.7
@@ -48,10 +48,22 @@ def _robots_at(address: Address) -> list[dict[str, Any]]:
         return []
     with session:
         replies = session.get(network.key("*", "info"), timeout=_ANSWER_S)
-        rows = [json.loads(reply.ok.payload.to_bytes()) for reply in replies if reply.ok]
+        found = [_row_of(reply.ok.payload.to_bytes()) for reply in replies if reply.ok]
+    rows = [row for row in found if row is not None]
     for row in rows:
         row["url"] = Address(address.host, row["name"], address.user, address.port).url
     return rows
+
+
+def _row_of(data: bytes) -> dict[str, Any] | None:
+    """Return what a server says of itself; `None` if that cannot be."""
+    try:
+        row = json.loads(data)
+        texts = row["name"], row["board"] or "", row["driver"] or "", *row["problems"]
+        is_sound = is_name(row["name"]) and all(map(str.isprintable, texts))
+    except (ValueError, LookupError, TypeError):
+        return None
+    return row if is_sound and isinstance(row, dict) else None
 
 
 def stop_robots(names: Iterable[str]) -> dict[str, str]:

@@ -40,6 +40,7 @@ log = logging.getLogger(__name__)
 
 _RETRY_S = 1.0  # between two attempts to open the line
 _LEAVING = 0.5  # seconds for the last messages to a client
+_MOST_CLIENTS = 8  # of one user
 _MOST_EVENTS = 1000  # of the line in a batch
 _MOST_WAITING = 300  # messages for a client that does not take them: some five seconds
 
@@ -117,6 +118,7 @@ class ServedBoard:
         self._board = BoardMirror(Keeper(log.info, log.warning).memory)
         self._traffic: list[TrafficEvent] = []  # since the last batch of samples
         self._logs = False  # whether `_traffic` is filled
+        self._present: set[Party] = set()  # clients whose connection is there
         self._outboxes: dict[Party, _Outbox] = {}
         self._is_ending = False
         self._closed = threading.Event()
@@ -230,7 +232,8 @@ class ServedBoard:
         return None if role is None else Party(client, user, role)
 
     def _on_request(self, sample: "zenoh.Sample") -> None:
-        if party := self._party(sample.key_expr):
+        party = self._party(sample.key_expr)
+        if party in self._present:
             self.server.take(party, bytes(sample.payload))
 
     def _on_client(self, sample: "zenoh.Sample") -> None:
@@ -238,10 +241,17 @@ class ServedBoard:
         import zenoh  # noqa: PLC0415 - an extra
 
         party = self._party(sample.key_expr)
-        if party is not None and sample.kind is zenoh.SampleKind.DELETE:
-            self.server.remove(party.id)
+        if party is None:
+            return
+        if sample.kind is zenoh.SampleKind.DELETE:
+            self._present.discard(party)
+            self.server.remove(party)
             if outbox := self._outboxes.pop(party, None):
                 outbox.put(None)
+        elif sum(one.user == party.user for one in self._present) < _MOST_CLIENTS:
+            self._present.add(party)
+        else:
+            log.warning("%s has too many clients", party.user)
 
     def _send(self, party: Party, message: bytes) -> None:
         outbox = self._outboxes.get(party)
@@ -253,7 +263,7 @@ class ServedBoard:
 
     def _drop(self, party: Party) -> None:
         log.warning("%s takes its messages too slowly", party.user)
-        threading.Thread(target=self.server.remove, args=(party.id,), daemon=True).start()
+        threading.Thread(target=self.server.remove, args=(party,), daemon=True).start()
 
     def _on_query(self, query: "zenoh.Query") -> None:
         query.reply(key(self.name, "info"), json.dumps(self.info()))
@@ -266,8 +276,13 @@ class ServedBoard:
             query.reply(query.key_expr, json.dumps({"name": self.name, "error": text}))
             query.drop()  # type: ignore[no-untyped-call]
 
+        def reply_later(outcome: Outcome) -> None:  # the session does not wait for a client
+            threading.Thread(target=reply, args=(outcome,), daemon=True).start()
+
+        if self.server.floods(str(query.key_expr).rpartition("/")[2]):
+            return
         if self._is_open:
-            self.server.stop(reply)
+            self.server.stop(reply_later)
         else:
             error = self._last.error or TrexNoReplyError(ErrorCode.CLOSED)
             reply(Outcome(0, error=error))
@@ -286,6 +301,7 @@ class ServedBoard:
             "device_number": state.parameters.get("device_number") if state else None,
             "responds": board.is_responding,
             "driver": lease.holder.user if lease.holder else None,
+            "refused": sum(self.server.refused.values()),
             "clients": len(self.server.users),
             "problems": problems,
         }

@@ -6,9 +6,9 @@ from any thread; a stop never waits for a client.
 
 import logging
 import threading
-from collections import Counter
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from collections import Counter, deque
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field, replace
 from itertools import count
 from typing import Any, TypeVar
 
@@ -52,8 +52,10 @@ from trex_gui.devices.trex.session.messages import (
     Connected,
     GuardianChanged,
     HandOver,
+    Job,
     LeaseChanged,
     NotResponding,
+    ProbeNumber,
     ReadReason,
     ReturnLease,
     SendPacket,
@@ -67,8 +69,11 @@ log = logging.getLogger(__name__)
 
 NumberedT = TypeVar("NumberedT", bound=Any)
 
-MOST_CLIENTS = 32
-MOST_REQUESTS = 300  # of a client in a second: a window that drives sends some 120
+_MOST_WAITING = 32  # clients and requests that one stop serves
+MOST_REQUESTS = 600  # of a user in a second: a window that drives sends some 120
+MOST_JOBS = 8  # requests of a client that wait for their turn
+_LONGEST_PACKET = 16  # bytes; nothing else has its turn while one is on the wire
+_MOST_ATTEMPTS = 3
 _CLIENT_TIMEOUT = 5.0  # seconds without any message after which a client is gone
 _TICK_INTERVAL = 0.1
 _NO_OUTCOME = 0
@@ -90,8 +95,8 @@ class _Client:
     sent: int = 0
     sent_at: float = 0.0
     watched: SetWatched = _WATCHES
-    second: int = 0  # in which `in_second` requests came
-    in_second: int = 0
+    jobs: deque[Job] = field(default_factory=deque)  # that wait until the one in flight is done
+    in_flight: int = 0  # id of a job that was requested; 0: none was
 
 
 class BoardServer:
@@ -117,9 +122,12 @@ class BoardServer:
         self.polynomial: int | None = None  # of packets on the line; `None`: without CRC
         self._request, self._send, self._clock = request, send, clock
         self._lock = threading.RLock()
-        self._clients: dict[str, _Client] = {}
+        self._clients: dict[Party, _Client] = {}
         self._ids = count(1)
-        self._outcomes: dict[int, tuple[str, int]] = {}  # client and its id of each request
+        # Who waits for the outcome of each request: clients and their ids of it
+        self._outcomes: dict[int, list[tuple[Party, int]]] = {}
+        self._pending_stop = 0  # id of a stop that nothing has followed which may move a motor
+        self._seconds: dict[str, tuple[int, int]] = {}  # by user: a second, and requests in it
         self._newest: dict[type, Report] = {}  # reports that a new client gets
         self._watched_stops: dict[int, Callable[[Outcome], None]] = {}  # by id
         self._lease_stop = 0  # id of the stop at the end of a lease
@@ -147,6 +155,9 @@ class BoardServer:
         if len(data) > LARGEST_REQUEST:
             self._refuse("too large")
             return
+        if self.floods(party.user):
+            self._refuse("too many")
+            return
         try:
             (counter, seen, sent), request = decode_request(data, 3)
         except BadRequest as error:
@@ -158,13 +169,11 @@ class BoardServer:
             if isinstance(request, Hello):
                 self._welcome(party, request, counter, sent, now)
                 return
-            client = self._clients.get(party.id)
-            if client is None or client.party != party:
+            client = self._clients.get(party)
+            if client is None:
                 self._refuse("unknown client")
             elif counter <= (client.stopped if isinstance(request, Stop) else client.counter):
                 self._refuse("replayed")
-            elif self._floods(client, now) and not isinstance(request, Stop | Alive):
-                self._refuse("too many")
             elif counter < client.stopped and isinstance(request, _STALE | Heartbeat):
                 self._refuse("overtaken by a stop")
             else:
@@ -175,11 +184,11 @@ class BoardServer:
                     client.counter = counter
                 self._serve(client, request, age=now - seen)
 
-    def remove(self, client_id: str) -> None:
+    def remove(self, party: Party) -> None:
         """Remove a client whose connection ended."""
         with self._lock:
-            if client_id in self._clients:
-                self._remove(self._clients[client_id])
+            if party in self._clients:
+                self._remove(self._clients[party])
 
     def stop(self, then: Callable[[Outcome], None]) -> None:
         """Stop the motors for a user who need not be a client; `then` gets the confirmation."""
@@ -198,11 +207,14 @@ class BoardServer:
         """The users of the clients."""
         return tuple(client.party.user for client in list(self._clients.values()))
 
-    def _floods(self, client: _Client, now: float) -> bool:
-        if client.second != int(now):
-            client.second, client.in_second = int(now), 0
-        client.in_second += 1
-        return client.in_second > MOST_REQUESTS
+    def floods(self, user: str) -> bool:
+        """Count a request before it is decoded: that takes time from everybody."""
+        with self._lock:
+            now = int(self._clock())
+            second, count = self._seconds.get(user, (now, 0))
+            count = count + 1 if second == now else 1
+            self._seconds[user] = now, count
+            return count > MOST_REQUESTS
 
     def _refuse(self, why: str) -> None:
         with self._lock:
@@ -215,13 +227,13 @@ class BoardServer:
             text = f"{self.name} speaks version {VERSION} of the messages, not {hello.version}."
             self._post(client, encode_report(Refused(text)), now)
             return
-        if len(self._clients) >= MOST_CLIENTS and party.id not in self._clients:
-            self._refuse("too many clients")
-            self._post(client, encode_report(Refused(f"{self.name} has too many clients.")), now)
+        former = self._clients.get(party)
+        if former is not None and counter <= former.counter:
+            self._refuse("replayed")
             return
-        if (former := self._clients.get(party.id)) is not None:
+        if former is not None:
             self._remove(former)
-        self._clients[party.id] = client
+        self._clients[party] = client
         news: list[Report] = [
             Welcome(self.name),
             self._lease_for(client),
@@ -230,13 +242,12 @@ class BoardServer:
         for report in news:
             self._post(client, encode_report(report), now)
         self._update_watched()
-        log.info("%s has joined (%s)", party.user, hello.program)
+        log.info("%s has joined (%.60r)", party.user, hello.program)
 
     def _remove(self, client: _Client) -> None:
-        self._clients.pop(client.party.id, None)
-        gone = [own for own, (owner, _) in self._outcomes.items() if owner == client.party.id]
-        for own in gone:
-            del self._outcomes[own]
+        self._clients.pop(client.party, None)
+        for waiting in self._outcomes.values():
+            waiting[:] = [(party, number) for party, number in waiting if party != client.party]
         self._end_lease(client.party)
         self._update_watched()
         log.info("%s has left", client.party.user)
@@ -254,8 +265,10 @@ class BoardServer:
                 client.watched = request
                 self._update_watched()
             case AskLease():
+                before = self._lease_state
                 lease.ask(party, now)
-                self._report_lease()
+                if self._lease_state != before or lease.holder != party:
+                    self._report_lease(() if self._lease_state != before else (client,))
             case HandOver(user=user):
                 self._change(lambda: lease.hand_over(party, user, now))
             case TakeLease():
@@ -268,14 +281,13 @@ class BoardServer:
                 self._serve_board(client, request, age)
 
     def _serve_board(self, client: _Client, request: Request, age: float) -> None:
-        holds_lease = self.lease.holder == client.party
         if isinstance(request, SendPacket):
             request = SendPacket(request.id, self._cut(request.packet))
-            may_send = holds_lease or request.packet.is_query
-        else:
-            may_send = holds_lease or isinstance(request, Stop)
-        if not may_send:
+        if not self._may_send(client, request):
             self._reject(client, request)
+        elif isinstance(request, Job):
+            client.jobs.append(request)
+            self._request_next_job(client)
         elif isinstance(request, _STALE) and age > LEASE_TIMEOUT:
             self._refuse("too old")
         elif isinstance(request, SetMotor | SetMotors | SetAuxiliary) and not _is_possible(request):
@@ -285,16 +297,47 @@ class BoardServer:
         else:
             self._forward(client, request)
 
+    def _may_send(self, client: _Client, request: Request) -> bool:
+        if isinstance(request, Stop):
+            return True
+        if isinstance(request, SendPacket):
+            raw = request.packet.packet.raw
+            if len(raw) > _LONGEST_PACKET or len(client.jobs) >= MOST_JOBS:
+                return False
+            if request.packet.is_query:
+                return True
+        if isinstance(request, ProbeNumber) and not 0 < request.attempts <= _MOST_ATTEMPTS:
+            return False
+        return self.lease.holder == client.party and len(client.jobs) < MOST_JOBS
+
+    def _request_next_job(self, client: _Client) -> None:
+        """Let each client have one job in flight: the others end with its lease."""
+        if client.jobs and not client.in_flight:
+            request = client.jobs.popleft()
+            client.in_flight = own = next(self._ids)
+            self._outcomes[own] = [(client.party, request.id)]
+            self._request(_numbered(request, own))
+
+    def _drop_jobs(self, party: Party) -> None:
+        """Reject what a client has requested that does not drive any more."""
+        if (client := self._clients.get(party)) is not None:
+            jobs, client.jobs = client.jobs, deque()
+            for job in jobs:
+                self._reject(client, job)
+
     def _change(self, change: Callable[[], bool]) -> None:
         """Stop the motors of one driver before another one may arm them."""
-        before = self.lease.number
-        if change() and self.lease.number != before:
+        number, former = self.lease.number, self.lease.holder
+        if change() and self.lease.number != number:
+            if former is not None:
+                self._drop_jobs(former)
             self._stop()
-        self._report_lease()
+            self._report_lease()
 
     def _end_lease(self, party: Party) -> None:
         waiting = list(self.lease.waiting)
         if self.lease.leave(party):
+            self._drop_jobs(party)
             self._stop()
             self._report_lease()
         elif waiting != self.lease.waiting:
@@ -305,14 +348,17 @@ class BoardServer:
         self._request(Stop(self._lease_stop))
 
     def _forward(self, client: _Client, request: Request) -> None:
-        number = getattr(request, "id", None)
-        if number is None:
+        """Pass a stop or a motor command on. A stop that is pending serves another one, too."""
+        if not isinstance(request, Stop):
+            self._pending_stop = 0
             self._request(request)
             return
-        own = next(self._ids)
-        if number != _NO_OUTCOME:
-            self._outcomes[own] = client.party.id, number
-        self._request(_numbered(request, own))
+        waiting = self._outcomes.get(self._pending_stop)
+        if waiting is None:
+            self._pending_stop = own = next(self._ids)
+            waiting = self._outcomes[own] = []
+            self._request(Stop(own))
+        waiting.append((client.party, request.id))
 
     def _reject(self, client: _Client, request: Request) -> None:
         self._refuse("without the lease")
@@ -345,12 +391,8 @@ class BoardServer:
                 case Outcome(id=own) if own in self._watched_stops:
                     self._watched_stops.pop(own)(report)
                     return
-                case Outcome(id=own, value=value):
-                    client_id, number = self._outcomes.pop(own, ("", 0))
-                    if client := self._clients.get(client_id):
-                        self._post(client, encode_report(_numbered(report, number)), now)
-                    if isinstance(value, Written):
-                        self._report_written(value, client_id, now)
+                case Outcome():
+                    self._report_outcome(report, now)
                     return
                 case Connected():
                     self.polynomial = report.settings.framing.polynomial
@@ -368,7 +410,20 @@ class BoardServer:
                 if _is_for(report, client.watched):
                     self._post(client, form, now)
 
-    def _report_written(self, written: Written, writer: str, now: float) -> None:
+    def _report_outcome(self, outcome: Outcome, now: float) -> None:
+        """Pass an outcome on to those that wait for it; its client may have the next job."""
+        waiting = self._outcomes.pop(outcome.id, [])
+        if isinstance(outcome.value, Written):
+            self._report_written(outcome.value, [party for party, _ in waiting], now)
+        for party, number in waiting[:_MOST_WAITING]:
+            if client := self._clients.get(party):
+                self._post(client, encode_report(_numbered(outcome, number)), now)
+        for client in self._clients.values():
+            if client.in_flight == outcome.id:
+                client.in_flight = 0
+                self._request_next_job(client)
+
+    def _report_written(self, written: Written, writers: list[Party], now: float) -> None:
         """Let everybody but its writer know what the board stores now."""
         connected = self._newest.get(Connected)
         if not isinstance(connected, Connected):
@@ -377,7 +432,7 @@ class BoardServer:
         self._newest[Connected] = connected
         form = encode_report(replace(connected, occasion=ReadReason.RELOADED))
         for client in self._clients.values():
-            if client.party.id != writer:
+            if client.party not in writers:
                 self._post(client, form, now)
 
     def end(self, error: StudioError | None, *, may_move: bool) -> None:
@@ -400,9 +455,13 @@ class BoardServer:
             may_take=party.role >= Role.OWN,
         )
 
-    def _report_lease(self) -> None:
+    @property
+    def _lease_state(self) -> tuple[object, ...]:
+        return self.lease.holder, self.lease.number, tuple(self.lease.waiting)
+
+    def _report_lease(self, only: Iterable[_Client] = ()) -> None:
         now = self._clock()
-        for client in list(self._clients.values()):
+        for client in list(only or self._clients.values()):
             self._post(client, encode_report(self._lease_for(client)), now)
 
     def _post(self, client: _Client, form: object, now: float) -> None:
@@ -428,6 +487,6 @@ def _is_possible(request: SetMotor | SetMotors | SetAuxiliary) -> bool:
     try:
         for command in packets(setpoints):
             Framing(None, None).encode(command)
-    except BadRequest:
+    except (BadRequest, ValueError, OverflowError):
         return False
     return len(set(motors)) == len(motors)

@@ -67,6 +67,7 @@ class TrexSession:
         self._motors = MotorOutput(emit, settings.timeouts, may_move=may_move)
         self._liveness = LivenessMonitor(settings.timeouts)
         self._queue = TrexRequestQueue(inbox, self._motors, self._liveness, emit, self._now)
+        self._had_job = False  # since the last poll
         self._stopped_another = False  # at the end another board than the one driven answered
 
     def run(self) -> None:
@@ -220,16 +221,24 @@ class TrexSession:
         line.flush_if_due(now)
         if line.serve_motors():
             return
-        if self._queue.jobs:
-            self._jobs.serve(self._queue.jobs.popleft())
+        if self._queue.jobs and not self._had_job:
+            self._serve_job()
         elif self._liveness.silent and now >= self._liveness.retry_at:
             reader.try_to_reconnect()
         elif not self._liveness.silent and now >= reader.safety_read_at and watched:
             reader.check_safety_parameter(now)
         elif not self._liveness.silent and (topic := reader.next_topic(now)):
             reader.poll(topic)
+            self._had_job = False
+        elif self._queue.jobs:
+            self._serve_job()
         else:
             line.collect(self._seconds_to_wait(now))
+
+    def _serve_job(self) -> None:
+        """Serve a request; a poll that is due has its turn before the next one."""
+        self._had_job = True
+        self._jobs.serve(self._queue.jobs.popleft())
 
     def _seconds_to_wait(self, now: float) -> float:
         line = self._line
