@@ -333,6 +333,11 @@ def test_stop_behind_a_setpoint_is_sent_again(served: ServedDriver) -> None:
     assert served.kinds() == [Stop, Arm, SetAuxiliary, Stop]
 
 
+def test_stop_behind_a_typed_motor_command_is_sent_again(served: ServedDriver) -> None:
+    served.send("alice", AskLease(), Stop(1), packet(DriveMotor(1, Drive.at(50))), Stop(2))
+    assert served.kinds() == [Stop, SendPacket, Stop]
+
+
 def test_client_has_one_request_in_flight(served: ServedDriver) -> None:
     served.send("alice", AskLease(), *(Reload(number) for number in range(1, 15)))
     assert served.kinds() == [Reload]

@@ -314,6 +314,8 @@ class BoardServer:
         """Let each client have one job in flight: the others end with its lease."""
         if client.jobs and not client.in_flight:
             request = client.jobs.popleft()
+            if isinstance(request, SendPacket) and request.packet.moves:
+                self._pending_stop = 0
             client.in_flight = own = next(self._ids)
             self._outcomes[own] = [(client.party, request.id)]
             self._request(_numbered(request, own))
