@@ -67,7 +67,7 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
                 "no_serial_timeout",
                 "Serial Timeout is off while a computer drives the motors: if the cable or the "
                 "computer fails, the motors keep running at their last setpoint.",
-                ("serial_timeout",),
+                ("serial_timeout", "uart_error_shutdown"),
                 {"serial_timeout": 5, "uart_error_shutdown": 1},
                 "Set Serial Timeout to 0.5 s and UART-Error Shutdown to on",
             ),

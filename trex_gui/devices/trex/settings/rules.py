@@ -136,7 +136,8 @@ def _no_timeout(case: _Case) -> Iterator[_Match]:
             "{name} is off while a computer drives the motors: if the cable or the computer fails, "
             "the motors keep running at their last setpoint."
         )
-        yield _Match((key,), text.format(name=case.name(key)), change)
+        keys = key, *(name for name in change if name != key)
+        yield _Match(keys, text.format(name=case.name(key)), change)
 
 
 def _timeout_without_shutdown(case: _Case) -> Iterator[_Match]:
