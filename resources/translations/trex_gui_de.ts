@@ -161,6 +161,8 @@
         <translation>dies ist keine Zeile eines Datenverkehrsprotokolls</translation></message>
     <message><source>{0} cannot be written: {1}.</source>
         <translation>{0} kann nicht geschrieben werden: {1}.</translation></message>
+    <message><source>Other users of this computer can read the secrets: chmod 600 “{0}”.</source>
+        <translation>Andere Benutzer dieses Rechners können die Geheimnisse lesen: chmod 600 „{0}“.</translation></message>
     <message><source>{0} is not trex://host/name, such as trex://robot.local/arm.</source>
         <translation>{0} ist nicht trex://Rechner/Name, etwa trex://robot.local/arm.</translation></message>
     <message><source>{0}: there is no kind of port {1!r}; try socket:// or rfc2217://.</source>

@@ -161,6 +161,8 @@
         <translation>ce n'est pas une ligne d'un journal de trafic</translation></message>
     <message><source>{0} cannot be written: {1}.</source>
         <translation>{0} ne peut pas être écrit : {1}.</translation></message>
+    <message><source>Other users of this computer can read the secrets: chmod 600 “{0}”.</source>
+        <translation>D’autres utilisateurs de cet ordinateur peuvent lire les secrets : chmod 600 « {0} ».</translation></message>
     <message><source>{0} is not trex://host/name, such as trex://robot.local/arm.</source>
         <translation>{0} n'est pas trex://hôte/nom, par exemple trex://robot.local/arm.</translation></message>
     <message><source>{0}: there is no kind of port {1!r}; try socket:// or rfc2217://.</source>

@@ -33,11 +33,16 @@ _STOPS = 300
 _SAMPLING_S = 10.0
 
 
+def free_ports(count: int) -> list[int]:
+    with ExitStack() as held:
+        sockets = [held.enter_context(socket.socket()) for _ in range(count)]
+        for found in sockets:
+            found.bind(("127.0.0.1", 0))
+        return [found.getsockname()[1] for found in sockets]
+
+
 def free_port() -> int:
-    with socket.socket() as found:
-        found.bind(("127.0.0.1", 0))
-        port: int = found.getsockname()[1]
-        return port
+    return free_ports(1)[0]
 
 
 class Robot:
@@ -218,7 +223,7 @@ _MANY = 100
 @pytest.mark.timeout(600)
 def test_many_robots(stack: ExitStack, figure: ReportFigure) -> None:
     """List and stop served boards, each with a simulator and a server of its own."""
-    ports = [free_port() for _ in range(2 * _MANY)]
+    ports = free_ports(2 * _MANY)
     hosts = []
     for wire, port in zip(ports[:_MANY], ports[_MANY:], strict=True):
         _start(stack, "trex_gui.cli.simulator", "--tcp", f"127.0.0.1:{wire}", "--unpaced")
@@ -231,6 +236,7 @@ def test_many_robots(stack: ExitStack, figure: ReportFigure) -> None:
         begun = time.monotonic()
         rows = find_robots(hosts)
         took = time.monotonic() - begun
+        print(len(rows), "robots,", sum(row["responds"] for row in rows), "respond", flush=True)
         if len(rows) == _MANY and all(row["responds"] for row in rows):
             break
         time.sleep(1.0)
