@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     import zenoh
 
 _MOST_SCOUTED = 32
+_DEAD_MS = 4000  # without a message of the engine, after which a connection has ended
 _ROOT = "trex/v1"
 
 
@@ -42,6 +43,7 @@ def open_client(*addresses: Address) -> "zenoh.Session":
         "connect/endpoints": [address.endpoint for address in addresses],
         "connect/timeout_ms": 2000,
         "connect/exit_on_failure": is_one,
+        "transport/link/tx/lease": _DEAD_MS,
         "scouting/multicast/enabled": False,
         "scouting/gossip/enabled": False,
     }
@@ -149,6 +151,7 @@ def open_server(
         "scouting/gossip/enabled": False,
         # A stranger that only connects keeps nobody out for long.
         "transport/unicast/accept_pending": 1000,
+        "transport/link/tx/lease": _DEAD_MS,
         "transport/unicast/accept_timeout": 3000,
         "transport/link/rx/max_message_size": 65536,
     }

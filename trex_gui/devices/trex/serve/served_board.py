@@ -40,7 +40,7 @@ log = logging.getLogger(__name__)
 
 _RETRY_S = 1.0  # between two attempts to open the line
 _LEAVING = 0.5  # seconds for the last messages to a client
-_MOST_CLIENTS = 8  # of one user
+_MOST_CLIENTS = 16  # of one user, also those whose connection was cut a moment ago
 _MOST_EVENTS = 1000  # of the line in a batch
 _MOST_WAITING = 300  # messages for a client that does not take them: some five seconds
 
@@ -244,14 +244,24 @@ class ServedBoard:
         if party is None:
             return
         if sample.kind is zenoh.SampleKind.DELETE:
-            self._present.discard(party)
             self.server.remove(party)
-            if outbox := self._outboxes.pop(party, None):
-                outbox.put(None)
-        elif sum(one.user == party.user for one in self._present) < _MOST_CLIENTS:
+            self._forget(party)
+            return
+        own = {one for one in self._present if one.user == party.user}
+        if len(own) >= _MOST_CLIENTS:  # the engine may not have told that some have gone
+            gone = own - self.server.parties
+            for one in gone:
+                self._forget(one)
+            own -= gone
+        if len(own) < _MOST_CLIENTS:
             self._present.add(party)
         else:
             log.warning("%s has too many clients", party.user)
+
+    def _forget(self, party: Party) -> None:
+        self._present.discard(party)
+        if outbox := self._outboxes.pop(party, None):
+            outbox.put(None)
 
     def _send(self, party: Party, message: bytes) -> None:
         outbox = self._outboxes.get(party)

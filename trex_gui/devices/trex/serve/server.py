@@ -203,6 +203,12 @@ class BoardServer:
         return any(client.watched.traffic for client in list(self._clients.values()))
 
     @property
+    def parties(self) -> set[Party]:
+        """The clients, without those that have been silent for seconds."""
+        with self._lock:
+            return set(self._clients)
+
+    @property
     def users(self) -> tuple[str, ...]:
         """The users of the clients."""
         return tuple(client.party.user for client in list(self._clients.values()))
