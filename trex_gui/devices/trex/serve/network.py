@@ -31,26 +31,22 @@ def key(name: str, *parts: str) -> str:
     return "/".join((_ROOT, name, *parts))
 
 
-def open_client(*addresses: Address) -> "zenoh.Session":
-    """Connect to servers at which the user of the first address is known.
+def open_client(address: Address) -> "zenoh.Session":
+    """Connect to a server.
 
     Raises:
         PortUnavailable: none is there, or it does not know the user.
     """
-    first, is_one = addresses[0], len(addresses) == 1
     config: dict[str, Any] = {
-        "mode": "client" if is_one else "peer",
-        "connect/endpoints": [address.endpoint for address in addresses],
+        "mode": "client",
+        "connect/endpoints": [address.endpoint],
         "connect/timeout_ms": 2000,
-        "connect/exit_on_failure": is_one,
         "transport/link/tx/lease": _DEAD_MS,
         "scouting/multicast/enabled": False,
         "scouting/gossip/enabled": False,
     }
-    if not is_one:
-        config["listen/endpoints"] = []
-    if first.user:
-        config["transport/auth/usrpwd"] = {"user": first.user, "password": first.secret}
+    if address.user:
+        config["transport/auth/usrpwd"] = {"user": address.user, "password": address.secret}
     if authority := os.environ.get("TREX_TLS_CA"):
         config["transport/link/tls/root_ca_certificate"] = authority
     engine = _engine()
@@ -61,7 +57,7 @@ def open_client(*addresses: Address) -> "zenoh.Session":
             "No board is served at {0}:{1}, or not to this user. Check that trexcmd serve runs "
             "there, the user in the address (trex://USER@…), and its secret (TREX_SECRET)."
         )
-        raise PortUnavailable(text.format(first.host, first.port)) from error
+        raise PortUnavailable(text.format(address.host, address.port)) from error
     return session
 
 

@@ -1,7 +1,7 @@
 """The boards that are served on a network: a list of them, and a stop for all at once."""
 
 import json
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
@@ -13,6 +13,7 @@ from trex_gui.devices.trex.serve.sessions import NEEDS_EXTRA
 _SCOUTING_S = 0.7
 _ANSWER_S = 2.0
 _STOP_S = 10.0  # a stop is repeated for so long on a line that corrupts bytes
+_MOST_AT_ONCE = 100  # connections
 ALL = "all"
 
 
@@ -23,7 +24,7 @@ def find_robots(hosts: Iterable[str]) -> list[dict[str, Any]]:
         StudioError: no host can be asked at all.
     """
     addresses = _addresses(hosts)
-    with ThreadPoolExecutor(16) as pool:
+    with ThreadPoolExecutor(_MOST_AT_ONCE) as pool:
         answers = pool.map(_robots_at, addresses)
         rows = {row["url"]: row for some in answers for row in some}
     return sorted(rows.values(), key=lambda row: (row["name"], row["url"]))
@@ -77,45 +78,24 @@ def stop_robots(names: Iterable[str]) -> dict[str, str]:
     if others := {one for one in wanted if "://" not in one}:
         rows = [row for row in find_robots(()) if ALL in others or row["name"] in others]
         addresses += [Address.of(row["url"]) for row in rows]
-    with ThreadPoolExecutor(16) as pool:
-        results = list(pool.map(_stop, _batches(addresses)))
-    return {url: error for some in results for url, error in some.items()}
+    boards = list(dict.fromkeys(addresses))
+    with ThreadPoolExecutor(_MOST_AT_ONCE) as pool:
+        return dict(zip((one.url for one in boards), pool.map(_stop, boards), strict=True))
 
 
-def _batches(addresses: Iterable[Address]) -> list[list[Address]]:
-    """Return the boards in groups: of one user each, and without two of the same name."""
-    batches: list[list[Address]] = []
-    for one in dict.fromkeys(addresses):
-        who = one.user, one.secret
-        for batch in batches:
-            names = {other.name for other in batch}
-            if (batch[0].user, batch[0].secret) == who and one.name not in names:
-                batch.append(one)
-                break
-        else:
-            batches.append([one])
-    return batches
-
-
-def _stop(boards: Sequence[Address]) -> dict[str, str]:
+def _stop(board: Address) -> str:
+    """Stop one board; return why that is not confirmed, empty if it is."""
     network = _network()
-    results = {one.url: tr("It did not answer.") for one in boards}
     try:
-        session = network.open_client(*boards)
+        session = network.open_client(board)
     except StudioError as error:
-        return dict.fromkeys(results, str(error))
+        return str(error)
     with session:
-        queries = {
-            one.url: session.get(
-                network.key(one.name, "stop", one.user or LOCAL_USER), timeout=_STOP_S
-            )
-            for one in boards
-        }
-        for url, replies in queries.items():
-            for reply in replies:
-                if reply.ok:
-                    results[url] = json.loads(reply.ok.payload.to_bytes())["error"]
-    return results
+        name = network.key(board.name, "stop", board.user or LOCAL_USER)
+        for reply in session.get(name, timeout=_STOP_S):
+            if reply.ok:
+                return str(json.loads(reply.ok.payload.to_bytes())["error"])
+    return tr("It did not answer.")
 
 
 def require_network() -> None:
