@@ -45,7 +45,7 @@ def _robots_at(address: Address) -> list[dict[str, Any]]:
     network = _network()
     try:
         session = network.open_client(address)
-    except StudioError:
+    except PortUnavailable:
         return []
     with session:
         replies = session.get(network.key("*", "info"), timeout=_ANSWER_S)
@@ -71,16 +71,18 @@ def stop_robots(names: Iterable[str]) -> dict[str, str]:
     """Stop these served boards, or all, at once.
 
     Names are those of the list of robots, or URLs. Return why each is not confirmed, empty if it
-    is, by URL.
+    is, by URL, or by the name of a board that is not found.
     """
     wanted = list(names)
     addresses = [Address.of(one) for one in wanted if "://" in one]
     if others := {one for one in wanted if "://" not in one}:
         rows = [row for row in find_robots(()) if ALL in others or row["name"] in others]
         addresses += [Address.of(row["url"]) for row in rows]
+        others -= {ALL, *(row["name"] for row in rows)}
     boards = list(dict.fromkeys(addresses))
     with ThreadPoolExecutor(_MOST_AT_ONCE) as pool:
-        return dict(zip((one.url for one in boards), pool.map(_stop, boards), strict=True))
+        results = dict(zip((one.url for one in boards), pool.map(_stop, boards), strict=True))
+    return results | dict.fromkeys(others, tr("It did not answer."))
 
 
 def _stop(board: Address) -> str:
