@@ -50,6 +50,8 @@ def add_user(path: Path, name: str, role: str) -> str:
     before = load(path).decode("utf-8", "replace") if path.exists() else ""
     if any(line.split()[:1] == [name] for line in before.splitlines()):
         raise BadRequest(f"{path} has a user {name} already.")
+    if before and not before.endswith("\n"):
+        before += "\n"
     secret = secrets.token_urlsafe(_SECRET_BYTES)
     if not path.exists():
         path.touch(mode=0o600)
