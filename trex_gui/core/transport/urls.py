@@ -68,10 +68,9 @@ class Address:
     def _host(self) -> str:
         return f"[{self.host}]" if ":" in self.host else self.host
 
-    @property
-    def endpoint(self) -> str:
-        """The address as the engine of the network has it; `TREX_TLS_CA` encrypts."""
-        return f"{'tls' if os.environ.get('TREX_TLS_CA') else 'tcp'}/{self._host}:{self.port}"
+    def endpoint(self, *, encrypted: bool) -> str:
+        """Return the address as the engine of the network has it."""
+        return f"{'tls' if encrypted else 'tcp'}/{self._host}:{self.port}"
 
     @property
     def secret(self) -> str:

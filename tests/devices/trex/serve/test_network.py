@@ -4,11 +4,13 @@ import json
 import os
 import shutil
 import signal
+import socket
 import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from itertools import count
 from pathlib import Path
 
 import pytest
@@ -20,9 +22,15 @@ from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable, StudioErr
 from trex_gui.core.resource_files import resource
 from trex_gui.core.transport.urls import Address
 from trex_gui.devices.trex.cli.users import add_user
+from trex_gui.devices.trex.driving.requests import Arm, SetMotor
 from trex_gui.devices.trex.open_board import MotorsStoppedError
+from trex_gui.devices.trex.protocol.driving import Drive
+from trex_gui.devices.trex.serve import robots
+from trex_gui.devices.trex.serve.codec import encode_request
+from trex_gui.devices.trex.serve.messages import VERSION, Hello
 from trex_gui.devices.trex.serve.network import key, open_client
 from trex_gui.devices.trex.serve.robots import _row_of, find_robots, stop_robots
+from trex_gui.devices.trex.session.messages import AskLease
 
 pytestmark = pytest.mark.realtime
 
@@ -74,8 +82,6 @@ class ServerDriver:
 
 
 def _free_port() -> int:
-    import socket
-
     with socket.socket() as found:
         found.bind(("127.0.0.1", 0))
         port: int = found.getsockname()[1]
@@ -222,7 +228,9 @@ def test_board_that_returns_is_served_again(server: ServerDriver) -> None:
         assert trex.status().product == "TReX"
 
 
-def test_robot_is_stopped_by_name_and_confirms(server: ServerDriver) -> None:
+def test_robot_is_stopped_by_name_and_confirms(
+    server: ServerDriver, monkeypatch: pytest.MonkeyPatch
+) -> None:
     with Trex(server.url()) as trex:
         trex.drive(40)
         trex.wait(0.3)
@@ -230,6 +238,10 @@ def test_robot_is_stopped_by_name_and_confirms(server: ServerDriver) -> None:
         assert motor(server.simulator) == STOPPED
         trex.wait(0.5)
         assert motor(server.simulator) == STOPPED, "heartbeats of the driver start nothing"
+    monkeypatch.setattr(robots, "find_robots", lambda _: find_robots([server.url()]))
+    found = stop_robots(["arm", "leg"])
+    assert found[server.url()] == ""
+    assert found["leg"], "one that is not found is not stopped"
     server.simulator.do("power off")
     (error,) = stop_robots([server.url()]).values()
     assert error
@@ -265,14 +277,6 @@ def test_stranger_and_wrong_secret_are_refused(
 
 
 def test_user_cannot_speak_as_another_one(start_simulator: StartSimulator, secrets: Path) -> None:
-    from itertools import count
-
-    from trex_gui.devices.trex.driving.requests import Arm, SetMotor
-    from trex_gui.devices.trex.protocol.driving import Drive
-    from trex_gui.devices.trex.serve.codec import encode_request
-    from trex_gui.devices.trex.serve.messages import VERSION, Hello
-    from trex_gui.devices.trex.session.messages import AskLease
-
     with served(start_simulator(), "--users", str(secrets)) as server:
         server.wait_for_board("wanda")
         address, numbers = Address.of(server.url("wanda")), count(1)
@@ -336,20 +340,3 @@ def test_user_cannot_answer_for_the_server(start_simulator: StartSimulator, secr
 )
 def test_answer_that_is_none_is_no_robot(row: bytes) -> None:
     assert _row_of(row) is None
-
-
-def test_file_of_users_that_others_read_is_refused(tmp_path: Path, secrets: Path) -> None:
-    from trex_gui.devices.trex.cli.users import read_users
-
-    assert [user.name for user in read_users(secrets)] == ["alice", "bob", "wanda"]
-    secrets.chmod(0o644)
-    with pytest.raises(BadRequest, match="chmod 600"):
-        read_users(secrets)
-    with pytest.raises(BadRequest, match="has a user alice"):
-        add_user(secrets, "alice", "own")
-    bad = tmp_path / "bad"
-    for text in ("alice drive\n", "alice king x\n", "a/b drive x\n", "", "a own x\na own y\n"):
-        bad.write_text(text, "utf-8")
-        bad.chmod(0o600)
-        with pytest.raises(BadRequest):
-            read_users(bad)

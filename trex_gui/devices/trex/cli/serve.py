@@ -100,11 +100,10 @@ def serve(
         require_network()
         from trex_gui.devices.trex.serve.served_board import ServedBoard  # noqa: PLC0415 - an extra
 
-        endpoint = f"{'tls' if tls else 'tcp'}/{address.host}:{address.port}"
         board = ServedBoard(
             settings,
             name,
-            listen=[endpoint],
+            listen=[address.endpoint(encrypted=tls is not None)],
             users=users,
             computer=host(),
             say=say,

@@ -39,7 +39,7 @@ def open_client(address: Address) -> "zenoh.Session":
     """
     config: dict[str, Any] = {
         "mode": "client",
-        "connect/endpoints": [address.endpoint],
+        "connect/endpoints": [address.endpoint(encrypted="TREX_TLS_CA" in os.environ)],
         "connect/timeout_ms": 2000,
         "transport/link/tx/lease": _DEAD_MS,
         "scouting/multicast/enabled": False,
@@ -66,7 +66,10 @@ def scout(seconds: float) -> tuple[Address, ...]:
     engine = _engine()
     found: dict[Address, None] = {}
     config = _config({"scouting/multicast/enabled": True})
-    scouting = engine.scout(what="peer", config=config)
+    try:
+        scouting = engine.scout(what="peer", config=config)
+    except engine.ZError:  # no network
+        return ()
     try:
         end = time.monotonic() + seconds
         while time.monotonic() < end:

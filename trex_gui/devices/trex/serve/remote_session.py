@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from itertools import count
 
-from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable, StudioError
+from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable
 from trex_gui.core.session import Close, Closed, Closing, Inbox, Outcome, run_until_closed
 from trex_gui.core.translation import tr
 from trex_gui.core.transport.urls import Address
@@ -98,9 +98,7 @@ class RemoteSession:
         clock: Callable[[], float],
         *,
         may_move: bool = False,
-        open_link: Callable[[Address, Callable[[bytes], None]], ClientLink] = ClientLink,
     ) -> None:
-        self._open_link = open_link
         self._settings, self._inbox, self._emit = settings, inbox, emit
         self._clock = clock
         self._may_move = may_move
@@ -140,7 +138,7 @@ class RemoteSession:
 
     def _open(self) -> None:
         address = Address.of(self._settings.url)
-        self._link = self._open_link(address, self._receive)
+        self._link = ClientLink(address, self._receive)
         end = self._clock() + _ANSWER
         hello_at = 0.0
         while self._welcome is None:
@@ -166,7 +164,7 @@ class RemoteSession:
                 while self._may_move and self._clock() < end:
                     self._inbox.get(_SLICE)
                     self._take_reports()
-        except (StudioError, Closing):
+        except Exception:  # whatever the engine raises when its connection is gone
             log.info("the server has left first", exc_info=True)
         try:
             self._send(Leave())
