@@ -6,7 +6,7 @@ type, and knows no other types than those of the tables here.
 
 import math
 from collections.abc import Callable
-from enum import Enum
+from enum import Enum, IntEnum, StrEnum
 from functools import cache
 from typing import Any, get_args
 
@@ -129,6 +129,8 @@ def _codec() -> cattrs.Converter:
     codec = make_converter(forbid_extra_keys=True, detailed_validation=False)
     for kind in (int, float, str, bytes, bool):
         codec.register_structure_hook(kind, _strict(kind))
+    for base, plain in ((IntEnum, int), (StrEnum, str)):  # else the hooks of these serve them
+        codec.register_structure_hook(base, _member(plain))
     codec.register_unstructure_hook_func(_is_code, lambda code: code.name)
     codec.register_structure_hook_func(_is_code, lambda name, kind: kind[name])
     for flags in (Status, UartError):
@@ -170,6 +172,11 @@ def _strict(kind: type) -> Callable[[Any, Any], Any]:
         raise ValueError(f"{kind.__name__} expected, not {value!r:.40}")
 
     return check
+
+
+def _member(plain: type) -> Callable[[Any, Any], Any]:
+    """Return what makes a member of an enumeration of its plain value."""
+    return lambda value, kind: kind(_strict(plain)(value, plain))
 
 
 def _is_code(kind: Any) -> bool:
