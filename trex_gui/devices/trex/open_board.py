@@ -169,6 +169,7 @@ class OpenBoard:
             driven=frozenset(self.driven),
             silence_remedy=self.mirror.silence_remedy,
             other_driver=self.mirror.other_driver,
+            other_speeds=self.mirror.other_speeds,
             armed=self.is_armed,
         )
 

@@ -28,6 +28,7 @@ LINKS = (
     DriveBlocker.SILENT,
 )
 RC = BoardInputs(mode=Mode.RC, by_serial=False)
+DRIVEN_BY_OTHER = DriveInputs(board=SERIAL, other_driver="alice", other_speeds=(5, -8, 0))
 
 
 @pytest.mark.parametrize(
@@ -186,6 +187,7 @@ def test_motors_follow_only_where_nothing_stops_or_blocks_them() -> None:
         (DriveInputs(board=SERIAL), 1, (SetpointSource.NOT_ARMED,)),
         (DriveInputs(board=SERIAL, may_move=True), 1, (SetpointSource.NOT_ARMED, 0, True)),
         (DriveInputs(board=SERIAL, armed=True, may_move=True), 1, (SetpointSource.SERIAL, 20)),
+        (DRIVEN_BY_OTHER, 2, (SetpointSource.OTHER_DRIVER, -8)),
         (DriveInputs(board=replace(SERIAL, joint=True)), 2, (SetpointSource.JOINT,)),
         (DriveInputs(board=RC), 2, (SetpointSource.CHANNEL, -90)),
         (DriveInputs(board=RC), AUXILIARY, (SetpointSource.CHANNEL, 30)),  # drives one way only

@@ -59,6 +59,7 @@ from trex_gui.devices.trex.session.messages import (
     Reload,
     ReturnLease,
     SendPacket,
+    SetpointsChanged,
     SetWatched,
     TakeLease,
     Traffic,
@@ -175,6 +176,34 @@ def test_others_learn_what_one_has_written(served: ServedDriver) -> None:
     assert isinstance(served.received["alice"][-1], Outcome)
     served.join("late")
     assert served.received["late"][-1].state == state
+
+
+def speeds_of(served: ServedDriver, user: str) -> tuple[int, int, int]:
+    served.server.report(Batch((), Counters()))
+    found = [one for one in served.received[user] if isinstance(one, SetpointsChanged)]
+    return found[-1].speeds
+
+
+@pytest.mark.parametrize(
+    "end",
+    [
+        lambda served: served.send("watcher", Stop(4)),
+        lambda served: served.send("alice", ReturnLease()),
+        lambda served: served.server.stop(lambda _: None),
+        lambda served: served.server.report(MotorsStopped(ErrorCode.NO_HEARTBEAT, True)),
+    ],
+    ids=["stop of a watcher", "lease returned", "stop of a command", "stopped by the session"],
+)
+def test_watchers_see_the_setpoints_of_the_driver(
+    served: ServedDriver, end: Callable[[ServedDriver], object]
+) -> None:
+    served.send("alice", AskLease(), Arm(), SetMotor(1, Drive.at(-40)), SetAuxiliary(90))
+    assert speeds_of(served, "watcher") == (-40, 0, 90)
+    served.server.report(CONNECTED)
+    served.join("late")
+    assert SetpointsChanged((-40, 0, 90)) in served.received["late"]
+    end(served)
+    assert speeds_of(served, "watcher") == (0, 0, 0)
 
 
 def test_rate_is_full_while_somebody_watches(served: ServedDriver) -> None:

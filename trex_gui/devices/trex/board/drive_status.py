@@ -27,6 +27,7 @@ class DriveInputs:
     lost_board: str = ""
     silence_remedy: str = ""  # what to do if the board is lost while it is driven
     other_driver: str = ""  # the user who drives a served board in place of this program
+    other_speeds: tuple[int, int, int] = (0, 0, 0)  # that this user has set
     reaches_several: bool = False  # whether a command would reach several boards
     locked_for: float = 0.0  # seconds
     is_available: bool = True
@@ -52,6 +53,7 @@ class SetpointSource(Enum):
     CHANNEL = auto()
     NOT_ARMED = auto()  # serial commands would, but none is sent
     SERIAL = auto()
+    OTHER_DRIVER = auto()  # serial commands of another user of a served board
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,6 +82,8 @@ def motor_setpoint(motor: int, now: DriveInputs, newest: Newest, sent: int) -> M
         pass
     elif board.joint and motor == 2:
         source = SetpointSource.JOINT
+    elif board.by_serial and now.other_driver:
+        source, speed = SetpointSource.OTHER_DRIVER, now.other_speeds[motor - 1]
     elif board.by_serial:
         source = SetpointSource.SERIAL if now.armed else SetpointSource.NOT_ARMED
         speed = sent if now.armed else 0

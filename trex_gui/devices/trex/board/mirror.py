@@ -53,6 +53,7 @@ from trex_gui.devices.trex.session.messages import (
     NotResponding,
     ReadReason,
     Report,
+    SetpointsChanged,
     Written,
 )
 from trex_gui.devices.trex.settings.document import settings_of
@@ -159,6 +160,7 @@ class BoardMirror:
         self.restarts = 0  # how often the board was seen to have restarted since then
         self.returns = 0  # how often it responded again after it was silent
         self.lease: LeaseChanged | None = None  # of a board that is served to several
+        self.other_speeds = SetpointsChanged().speeds  # that another driver has set
         self.is_network_silent = False  # the server of the board does not respond
         self.network_delay: float | None = None  # seconds to its server and back
         self.last: DeviceState | None = None  # what was read last, also after the line was closed
@@ -296,6 +298,8 @@ class BoardMirror:
                 yield Event(now, EventKind.LINK, text)
             case LeaseChanged():
                 yield from self._take_lease(report, now)
+            case SetpointsChanged(speeds=speeds):
+                self.other_speeds = speeds
             case NetworkDelay(seconds=seconds):
                 self.network_delay = seconds
             case Closed(may_move=may_move):
@@ -313,6 +317,7 @@ class BoardMirror:
         was_read, self._was_read = self._was_read, False
         self.is_responding, self.connected_at, self.connected_utc = False, None, None
         self.lease = self.network_delay = None
+        self.other_speeds = SetpointsChanged().speeds
         self.memory.leave_board()
         yield from self._forget()
         if was_read:

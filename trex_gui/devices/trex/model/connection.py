@@ -33,6 +33,7 @@ from trex_gui.devices.trex.session.messages import (
     ProbeProgress,
     SelectBoard,
     SendPacket,
+    SetpointsChanged,
     SetReconnectCandidates,
     SetWatched,
     Traffic,
@@ -57,7 +58,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
     motors_stopped = Signal(object)  # a `MotorsStopped`: the session stopped them by itself
     commands_repeated = Signal(object)  # a `CommandsRepeated`
     sampled = Signal(object)  # a `Batch`
-    served = Signal(object)  # of a served board: a `LeaseChanged` or a `NetworkDelay`
+    served = Signal(object)  # of a served board: what only its server reports
     progressed = Signal(int, int, str)  # steps done, steps in all, the next step
 
     def __init__(self, parent: QObject | None = None) -> None:
@@ -140,7 +141,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
             case GuardianChanged(is_ready=is_ready):
                 self.is_guarded = is_ready
                 self.guardian_changed.emit()
-            case LeaseChanged() | NetworkDelay() | Traffic():
+            case LeaseChanged() | SetpointsChanged() | NetworkDelay() | Traffic():
                 self._take_served(report)
             case StopSent():
                 self.stop_sent.emit()
@@ -165,7 +166,9 @@ class Connection(DeviceConnection[ConnectionSettings]):
                 text = tr("The board has stopped responding. Is its power on? Waiting for it …")
                 self._set_state(ConnectionState.NOT_RESPONDING, text)
 
-    def _take_served(self, report: LeaseChanged | NetworkDelay | Traffic) -> None:
+    def _take_served(
+        self, report: LeaseChanged | SetpointsChanged | NetworkDelay | Traffic
+    ) -> None:
         """Take what only the server of a board reports."""
         if isinstance(report, Traffic):
             for event in report.events:

@@ -35,6 +35,7 @@ from trex_gui.devices.trex.session.messages import (
     ReadReason,
     Reload,
     Report,
+    SetpointsChanged,
     Written,
 )
 from trex_gui.devices.trex.settings.board_records import utc_now
@@ -365,11 +366,12 @@ class Device(QObject):
         self.sampled.emit(batch)
 
     @Slot(object)
-    def _on_served(self, report: LeaseChanged | NetworkDelay) -> None:
+    def _on_served(self, report: LeaseChanged | SetpointsChanged | NetworkDelay) -> None:
         self._take(report)
         if isinstance(report, LeaseChanged):
             self.lease_changed.emit()
-        self.link_changed.emit()
+        if not isinstance(report, SetpointsChanged):  # a view shows them with the next samples
+            self.link_changed.emit()
 
     @Slot()
     def _recommend_crc(self) -> None:

@@ -33,6 +33,7 @@ def drive_inputs(device: Device) -> DriveInputs:
         lost_board=device.driving.lost_board,
         silence_remedy=device.board.silence_remedy,
         other_driver=device.board.other_driver,
+        other_speeds=device.board.other_speeds,
         reaches_several=device.driving.reaches_several,
         locked_for=motors.locked_for,
         is_available=motors.is_available,

@@ -19,8 +19,8 @@ from trex_gui.devices.trex.driving.requests import (
     Heartbeat,
     MotorsStopped,
     SetAuxiliary,
-    SetMotor,
-    SetMotors,
+    Setpoint,
+    SetpointRequest,
     Stop,
     packets,
     setpoints_in,
@@ -59,6 +59,7 @@ from trex_gui.devices.trex.session.messages import (
     ReadReason,
     ReturnLease,
     SendPacket,
+    SetpointsChanged,
     SetWatched,
     TakeLease,
     Traffic,
@@ -78,7 +79,7 @@ _CLIENT_TIMEOUT = 5.0  # seconds without any message after which a client is gon
 _TICK_INTERVAL = 0.1
 _NO_OUTCOME = 0
 
-_STALE = SetMotor | SetMotors | SetAuxiliary | Arm
+_STALE = SetpointRequest | Arm
 """Requests that have no effect once they are older than a lease lives without a heartbeat."""
 
 
@@ -131,6 +132,7 @@ class BoardServer:
         self._newest: dict[type, Report] = {}  # reports that a new client gets
         self._watched_stops: dict[int, Callable[[Outcome], None]] = {}  # by id
         self._lease_stop = 0  # id of the stop at the end of a lease
+        self._speeds: dict[int, int] = {}  # set by the driver since the last stop, by motor
 
     # --- Time ---------------------------------------------------------------------------
 
@@ -195,6 +197,7 @@ class BoardServer:
         with self._lock:
             own = next(self._ids)
             self._watched_stops[own] = then
+            self._speeds.clear()
             self._request(Stop(own))
 
     @property
@@ -296,7 +299,7 @@ class BoardServer:
             self._request_next_job(client)
         elif isinstance(request, _STALE) and age > LEASE_TIMEOUT:
             self._refuse("too old")
-        elif isinstance(request, SetMotor | SetMotors | SetAuxiliary) and not _is_possible(request):
+        elif isinstance(request, SetpointRequest) and not _is_possible(request):
             self._refuse("impossible setpoint")
         elif isinstance(request, Heartbeat):
             self._request(Heartbeat())  # on the clock of this computer
@@ -353,14 +356,18 @@ class BoardServer:
 
     def _stop(self) -> None:
         self._lease_stop = next(self._ids)
+        self._speeds.clear()
         self._request(Stop(self._lease_stop))
 
     def _forward(self, client: _Client, request: Request) -> None:
         """Pass a stop or a motor command on. A stop that is pending serves another one, too."""
         if not isinstance(request, Stop):
             self._pending_stop = 0
+            if isinstance(request, SetpointRequest):
+                self._speeds |= {one.motor: _speed(one) for one in setpoints_in(request)}
             self._request(request)
             return
+        self._speeds.clear()
         waiting = self._outcomes.get(self._pending_stop)
         if waiting is None:
             self._pending_stop = own = next(self._ids)
@@ -404,19 +411,28 @@ class BoardServer:
                     return
                 case Connected():
                     self.polynomial = report.settings.framing.polynomial
-                    guardian = self._newest.get(GuardianChanged)
                     first = replace(report, occasion=ReadReason.OPENED)
-                    self._newest = {Connected: first}
-                    if guardian is not None:
-                        self._newest[GuardianChanged] = guardian
-                case GuardianChanged() | NotResponding():
+                    lasting = {GuardianChanged, SetpointsChanged} & self._newest.keys()
+                    kept = {kind: self._newest[kind] for kind in lasting}
+                    self._newest = {Connected: first, **kept}
+                case GuardianChanged() | NotResponding() | SetpointsChanged():
                     self._newest[type(report)] = report
+                case MotorsStopped():
+                    self._speeds.clear()
+                case Batch():
+                    self._report_setpoints()
                 case Closed():
                     self._newest = {Closed: report}
             form = encode_report(report)
             for client in list(self._clients.values()):
                 if _is_for(report, client.watched):
                     self._post(client, form, now)
+
+    def _report_setpoints(self) -> None:
+        get = self._speeds.get
+        setpoints = SetpointsChanged((get(1, 0), get(2, 0), get(3, 0)))
+        if setpoints != self._newest.get(SetpointsChanged, SetpointsChanged()):
+            self.report(setpoints)
 
     def _report_outcome(self, outcome: Outcome, now: float) -> None:
         """Pass an outcome on to those that wait for it; its client may have the next job."""
@@ -488,7 +504,11 @@ def _numbered(message: NumberedT, number: int) -> NumberedT:
     return replace(message, id=number)
 
 
-def _is_possible(request: SetMotor | SetMotors | SetAuxiliary) -> bool:
+def _speed(setpoint: Setpoint) -> int:
+    return setpoint.speed if isinstance(setpoint, SetAuxiliary) else setpoint.drive.signed
+
+
+def _is_possible(request: SetpointRequest) -> bool:
     """Return whether a board has such motors and speeds."""
     setpoints = setpoints_in(request)
     motors = [one.motor for one in setpoints]

@@ -228,6 +228,13 @@ class LeaseChanged:
 
 
 @dataclass(frozen=True, slots=True)
+class SetpointsChanged:
+    """Speeds of motors 1, 2 and 3 (auxiliary) that the driver of a served board has set."""
+
+    speeds: tuple[int, int, int] = (0, 0, 0)
+
+
+@dataclass(frozen=True, slots=True)
 class NetworkDelay:
     """How long a message takes to the server of the board and back, in seconds."""
 
@@ -249,6 +256,7 @@ Report = (
     | MotorReport
     | Batch
     | LeaseChanged
+    | SetpointsChanged
     | NetworkDelay
     | Traffic
     | Outcome

@@ -313,7 +313,7 @@ class MotorsPage(QWidget):
                 return 0, tr("no signal")
             case SetpointSource.SERIAL if number != AUXILIARY:
                 return setpoint.speed, setpoint_text(self._motors.drive(number))
-            case SetpointSource.SERIAL | SetpointSource.CHANNEL:
+            case SetpointSource.SERIAL | SetpointSource.CHANNEL | SetpointSource.OTHER_DRIVER:
                 return setpoint.speed, share_text(setpoint.speed)
         return 0, "" if setpoint.source is SetpointSource.NOT_ARMED else NO_VALUE
 
