@@ -26,6 +26,7 @@ from trex_gui.core.host import host
 from trex_gui.core.plugin import Lazy, PortAnswer
 from trex_gui.core.timing import Timeouts, seconds_left
 from trex_gui.core.transport.settings import PortSettings
+from trex_gui.core.transport.urls import is_served
 from trex_gui.devices.trex.cli.common import link_options
 
 
@@ -97,6 +98,8 @@ def find_command(port: str | None, full: bool, extra_timeout: float, as_json: bo
     """
     probers = {plugin.key: plugin.prober.load() for plugin in PLUGINS}
     reports = {plugin.key: plugin.port_reports.load() for plugin in PLUGINS}
+    if is_served(port or ""):
+        raise click.UsageError("The line settings of a served board are known to its server.")
     rows: list[dict[str, Any]] = []
     with Interruption() as interrupted:
         for url in _ports(port):

@@ -18,7 +18,7 @@ import click
 from trex_gui.core.command_io import FileName
 from trex_gui.core.decimals import decimal
 from trex_gui.core.errors import BadRequest, StudioError
-from trex_gui.core.host import host
+from trex_gui.core.host import OpenTransport, host
 from trex_gui.core.plugin import Lazy
 from trex_gui.core.signals import ENDING, FROM_TERMINAL, SUSPENDING, handled_signals
 from trex_gui.core.transport.serial_port import Transport
@@ -220,18 +220,21 @@ def traffic_option(
         present = host()
         epoch = time.time() - present.clock()
         writer = TranscriptWriter(Path(file), decoder.load()(), epoch, is_search=is_search)
-        open_logged = logged(writer.note, present.open_transport, present.clock)
 
-        def open_transport(settings: PortSettings) -> Transport:
-            writer.open()
-            return open_logged(settings)
+        def open_logged(open_transport: OpenTransport) -> OpenTransport:
+            def opened(settings: PortSettings) -> Transport:
+                writer.open()
+                return logged(writer.note, open_transport, present.clock)(settings)
+
+            return opened
 
         def end() -> None:
             writer.close()
             if writer.error is not None:
                 say(f"{file} is not complete: {writer.error.strerror or writer.error}.")
 
-        context.obj = replace(present, open_transport=open_transport)
+        open_transport = open_logged(present.open_transport)
+        context.obj = replace(present, open_transport=open_transport, logged=open_logged)
         context.call_on_close(end)
 
     return click.option(

@@ -18,18 +18,23 @@ def _start_thread(function: Callable[[], None]) -> Callable[[], None]:
     return thread.join
 
 
+OpenTransport = Callable[[PortSettings], Transport]
+
+
 @dataclass(frozen=True, slots=True)
 class Host:
     """What commands use of the computer; a caller may pass another one as click's `obj`.
 
+    `logged` makes what opens a line write its bytes to a file; `None`: nothing is written.
     `start_thread` runs a function in a thread and returns a function that waits for its end;
     `clock` is that of the transports.
     """
 
-    open_transport: Callable[[PortSettings], Transport] = SerialTransport
+    open_transport: OpenTransport = SerialTransport
     condition: Callable[[], Condition] = threading.Condition
     start_thread: Callable[[Callable[[], None]], Callable[[], None]] = _start_thread
     clock: Callable[[], float] = time.monotonic
+    logged: Callable[[OpenTransport], OpenTransport] | None = None
 
 
 def host() -> Host:

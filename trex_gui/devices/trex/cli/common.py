@@ -2,7 +2,7 @@
 
 import contextlib
 import difflib
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -21,7 +21,7 @@ from trex_gui.core.cli import (
     traffic_option,
 )
 from trex_gui.core.errors import BadReply, BadRequest, NoReply
-from trex_gui.core.host import host
+from trex_gui.core.host import OpenTransport, host
 from trex_gui.core.plugin import Lazy, PortAnswer, PortReports
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.serial_port import Transport
@@ -174,14 +174,22 @@ def rounded(source: InputSource, count: int | None) -> float | None:
 # --- The line ---------------------------------------------------------------------------
 
 
-def open_port(settings: ConnectionSettings) -> tuple[Transport, ConnectionSettings]:
-    """Open a port, or connect to a server; also return how the board is addressed there."""
+def open_port(
+    settings: ConnectionSettings,
+    logged: Callable[[OpenTransport], OpenTransport] = lambda plain: plain,
+) -> tuple[Transport, ConnectionSettings]:
+    """Open a port, or connect to a server; also return how the board is addressed there.
+
+    `logged` changes what opens it, beside the option for traffic.
+    """
+    present = host()
     if not is_served(settings.url):
-        return host().open_transport(settings), settings
+        return logged(present.open_transport)(settings), settings
     from trex_gui.devices.trex.cli.remote_transport import RemoteTransport  # noqa: PLC0415 - rare
 
-    remote = RemoteTransport(settings, host())
-    return remote, remote.settings
+    remote = RemoteTransport(settings, present)
+    opened = logged(lambda _: remote)
+    return (present.logged(opened) if present.logged else opened)(settings), remote.settings
 
 
 @contextlib.contextmanager

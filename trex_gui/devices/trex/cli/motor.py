@@ -94,6 +94,8 @@ def run_motors(
     """
     clock, open_port = host().clock, host().open_transport
     wait: Callable[[float], None] = time.sleep
+    if is_served(settings.url) and host().logged:
+        raise click.UsageError("--traffic shows the line where it is: give it to trexcmd serve.")
     if not is_served(settings.url):
         with refusals():  # Ctrl-C ends what may take long, as with a port of another computer
             transport = host().open_transport(settings)

@@ -16,7 +16,12 @@ from trex_gui.core.report import make_report, save_report
 from trex_gui.core.texts import counted
 from trex_gui.core.transport.traffic import logged
 from trex_gui.core.transport.transcript import TranscriptWriter
-from trex_gui.devices.trex.cli.common import identify, link_options, link_settings
+from trex_gui.devices.trex.cli.common import (
+    identify,
+    link_options,
+    link_settings,
+    open_port,
+)
 from trex_gui.devices.trex.cli.status import board_report
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import read_everything
@@ -54,8 +59,9 @@ def _parts(options: dict[str, Any]) -> dict[str, Callable[[], str]]:
     settings, present = link_settings(options), host()
     writer = TranscriptWriter(None, TrexDecoder(), time.time() - present.clock())
     try:
-        transport = logged(writer.note, present.open_transport, present.clock)(settings)
-        client = TrexClient(transport, settings)
+        client = TrexClient(
+            *open_port(settings, lambda plain: logged(writer.note, plain, present.clock))
+        )
         try:
             client.detect_echo()
             identify(client)
