@@ -2157,6 +2157,8 @@
         <translation>Ein anderer Benutzer fährt dieses Board. Bitten Sie darum, es zu übergeben.</translation></message>
     <message><source>You may watch this board and stop it, but not drive or change it.</source>
         <translation>Sie dürfen diesem Board zusehen und es stoppen, aber es nicht fahren oder ändern.</translation></message>
+    <message><source>Only an owner may take over from another user.</source>
+        <translation>Nur ein Eigentümer darf einem anderen Benutzer das Fahren abnehmen.</translation></message>
     <message><source>Driving was handed over, or its heartbeat did not reach the robot.</source>
         <translation>Das Fahren wurde übergeben, oder das Lebenszeichen erreichte den Roboter nicht.</translation></message>
     <message><source>{0}: the board does not know this parameter (code 1); its firmware may be too old for it</source>

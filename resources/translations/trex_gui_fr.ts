@@ -2157,6 +2157,8 @@
         <translation>Un autre utilisateur pilote cette carte. Demandez qu'il la cède.</translation></message>
     <message><source>You may watch this board and stop it, but not drive or change it.</source>
         <translation>Vous pouvez observer cette carte et l'arrêter, mais ni la piloter ni la modifier.</translation></message>
+    <message><source>Only an owner may take over from another user.</source>
+        <translation>Seul un propriétaire peut prendre la conduite à un autre utilisateur.</translation></message>
     <message><source>Driving was handed over, or its heartbeat did not reach the robot.</source>
         <translation>Le pilotage a été cédé, ou le signe de vie n'a pas atteint le robot.</translation></message>
     <message><source>{0}: the board does not know this parameter (code 1); its firmware may be too old for it</source>

@@ -42,12 +42,17 @@ from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationK
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT
 from trex_gui.devices.trex.protocol.driving import Drive
+from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexRequestError
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.recording import MeasurementTable, Row
 from trex_gui.devices.trex.session.messages import (
+    AskLease,
+    HandOver,
+    ReturnLease,
+    TakeLease,
     Write,
     Written,
 )
@@ -66,6 +71,7 @@ from trex_gui.devices.trex.settings.writer import write_settings
 log = logging.getLogger(__name__)
 
 _STATUS_TIMEOUT = 5.0  # seconds for one sample of everything: 1200 baud takes two
+_LEASE_ANSWER = 3.0  # seconds within which a server replies
 _WRITING = 60.0  # seconds for every setting at 1200 baud
 
 
@@ -127,7 +133,8 @@ class Trex:
         """Describe the line.
 
         Args:
-            url: `/dev/ttyUSB0`, `COM3`, `socket://host:port`, `rfc2217://host:port`.
+            url: `/dev/ttyUSB0`, `COM3`, `socket://host:port`, `rfc2217://host:port`,
+                `trex://user@host/name` for a board that another computer serves.
             baud: in bit/s.
             detection: parity, or CRC-7 with this `polynomial`.
             stop_bits: 1 or 2.
@@ -408,6 +415,52 @@ class Trex:
         for result in written.results:
             if result.error is not None:
                 raise result.error
+
+    # --- Who drives ---------------------------------------------------------------------
+
+    @property
+    def driver(self) -> str:
+        """The user who drives a board of the network; empty: nobody, or it is at this computer."""
+        lease = self._board.mirror.lease
+        return "" if lease is None else lease.driver
+
+    def request_lease(self, seconds: float = 0.0, *, take: bool = False) -> None:
+        """Drive a board of the network in place of another user, whose motors are stopped first.
+
+        Waits so long for it to be handed over. An owner may `take` it. Without this `drive` and
+        changes of settings request a lease that is free.
+
+        Raises:
+            TrexRequestError: this user may not, or the board was not handed over.
+        """
+        board = self._board
+        lease = board.mirror.lease
+        if lease is None:
+            return
+        if not (lease.may_take if take else lease.may_drive):
+            raise TrexRequestError(ErrorCode.MAY_NOT_TAKE if take else ErrorCode.MAY_NOT_DRIVE)
+        board.put(TakeLease() if take else AskLease())
+        end = board.clock() + _LEASE_ANSWER + seconds
+        while not board.has_lease:
+            if board.clock() >= end:
+                raise TrexRequestError(ErrorCode.OTHER_DRIVES)
+            board.pump(end)
+
+    def release_lease(self, user: str = "") -> None:
+        """Stop, and let others drive a board of the network: a `user` who has asked, or any.
+
+        Raises:
+            BadRequest: this user has not asked.
+        """
+        self.stop()
+        board = self._board
+        lease = board.mirror.lease
+        if lease is None or not lease.is_mine:
+            return
+        if user and user not in lease.waiting:
+            raise BadRequest(f"{user} has not asked to drive.")
+        board.put(HandOver(user) if user else ReturnLease())
+        board.wait_for(lambda: not board.has_lease, _LEASE_ANSWER)
 
     # --- Motors -------------------------------------------------------------------------
 

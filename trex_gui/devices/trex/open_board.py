@@ -77,6 +77,11 @@ class OpenBoard:
         assert self.mirror.state is not None  # noqa: S101 - it was read
         return self.mirror.state
 
+    @property
+    def has_lease(self) -> bool:
+        """Whether this program may drive: no other one does."""
+        return self.mirror.lease is None or self.mirror.lease.is_mine
+
     def require_open(self) -> None:
         if self.closed is not None:
             raise self.closed.error or PortUnavailable(NOT_OPEN)

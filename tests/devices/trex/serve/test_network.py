@@ -110,7 +110,7 @@ def server(start_simulator: StartSimulator) -> Iterator[ServerDriver]:
 @pytest.fixture
 def secrets(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A file of users, each of which has its secret."""
-    file, roles = tmp_path / "users", {"alice": "drive", "bob": "drive", "wanda": "watch"}
+    file, roles = tmp_path / "users", {"alice": "drive", "bob": "own", "wanda": "watch"}
     for user, role in roles.items():
         secret = add_user(file, user, role)
         known = Path(os.environ["TREX_STUDIO_DATA"]) / "secrets"
@@ -265,6 +265,32 @@ def test_user_drives_and_watcher_does_not(start_simulator: StartSimulator, secre
         assert motor(server.simulator) == STOPPED
 
 
+def test_lease_is_handed_over_taken_and_released(
+    start_simulator: StartSimulator, secrets: Path
+) -> None:
+    with served(start_simulator(), "--users", str(secrets)) as server:
+        server.wait_for_board("alice")
+        with Trex(server.url("alice")) as alice, Trex(server.url("bob")) as owner:
+            alice.request_lease()
+            with pytest.raises(BadRequest, match="Another user drives"):
+                owner.request_lease()
+            assert owner.driver == "alice"
+            alice.release_lease("bob")  # who has asked
+            owner.request_lease()
+            with pytest.raises(BadRequest, match="owner"):
+                alice.request_lease(take=True)
+            owner.release_lease()
+            alice.request_lease(1.0)
+            alice.drive(40)
+            alice.wait(0.3)
+            words = ["robots", server.url("bob").rpartition("/")[0], "--release", "arm"]
+            with subprocess.Popen([sys.executable, "-m", "trex_gui.cli", *words]) as command:
+                with pytest.raises(MotorsStoppedError, match="handed over"):
+                    alice.wait(_WAIT_S)
+                assert motor(server.simulator) == STOPPED
+            assert command.returncode == 0
+
+
 @pytest.mark.parametrize("user", ["", "mallory", "alice"])
 def test_stranger_and_wrong_secret_are_refused(
     start_simulator: StartSimulator, secrets: Path, user: str, monkeypatch: pytest.MonkeyPatch
@@ -288,6 +314,23 @@ def test_user_cannot_speak_as_another_one(start_simulator: StartSimulator, secre
             time.sleep(0.5)
         assert find_robots([address.url])[0]["driver"] is None
         assert server.simulator.show()["motors"][0]["target_speed"] == 0
+
+
+def test_report_and_traffic_are_of_the_served_board_and_have_no_secret(
+    start_simulator: StartSimulator, secrets: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    traffic = secrets.parent / "traffic.txt"
+    lines = [line.split() for line in secrets.read_text("utf-8").splitlines()]
+    (secret,) = (words[-1] for words in lines if words[:1] == ["alice"])
+    monkeypatch.setenv("TREX_SECRET", secret)
+    with served(start_simulator(), "--users", str(secrets)) as server:
+        server.wait_for_board("alice")
+        words = ["report", "-", "--port", server.url("alice"), "--traffic", str(traffic)]
+        command = [sys.executable, "-m", "trex_gui.cli", *words]
+        found = subprocess.run(command, check=True, capture_output=True, text=True)
+        assert "TReX 1.2" in found.stdout, "the board was read"
+        assert "get signature" in traffic.read_text("utf-8")
+        assert secret not in found.stdout + found.stderr + traffic.read_text("utf-8")
 
 
 @pytest.mark.skipif(not shutil.which("openssl"), reason="needs openssl")

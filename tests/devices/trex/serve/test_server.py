@@ -472,6 +472,9 @@ def test_lease_is_handed_over_to_who_waits(served: ServedDriver) -> None:
     assert served.kinds() == [Arm, Stop], "motors of one driver stop before the next"
     served.send("bob", Arm())
     assert served.kinds() == [Arm, Stop, Arm]
+    served.server.report(Outcome(served.session[-2].id))
+    assert type(served.received["alice"][-1]) is MotorsStopped
+    assert type(served.received["bob"][-1]) is not MotorsStopped, "it has armed them since"
 
 
 def test_owner_takes_the_lease(served: ServedDriver) -> None:

@@ -19,6 +19,7 @@ from trex_gui.core.transport.urls import (
 )
 from trex_gui.devices.trex.cli.common import link_options, link_settings
 from trex_gui.devices.trex.cli.users import ROLES, add_user, read_users
+from trex_gui.devices.trex.library import Trex
 from trex_gui.devices.trex.serve.robots import find_robots, require_network
 
 _SERVICE_FILES = (
@@ -152,10 +153,21 @@ def _install_text() -> str:
 # --- Robots -----------------------------------------------------------------------------
 
 
+def _release(row: dict[str, Any]) -> None:
+    with Trex(row["url"]) as board:  # the end of the block returns the lease
+        board.request_lease(take=True)
+    row["driver"] = None
+
+
 @click.command()
 @click.argument("hosts", nargs=-1, metavar="[USER@HOST[:PORT]]...")
+@click.option(
+    "--release",
+    metavar="NAME",
+    help="As an owner, end the lease of who drives this board.",
+)
 @json_option
-def robots(hosts: tuple[str, ...], *, as_json: bool) -> None:
+def robots(hosts: tuple[str, ...], release: str | None, *, as_json: bool) -> None:
     """List the boards that are served: who drives each, and what is wrong with it.
 
     Asks these computers; without any, this one, those with a secret in the file of secrets, and
@@ -163,6 +175,10 @@ def robots(hosts: tuple[str, ...], *, as_json: bool) -> None:
     """
     with refusals():
         found = find_robots(hosts)
+        if release is not None:
+            found = [row for row in found if release in {row["name"], row["url"]}]
+            for row in found:
+                _release(row)
     if as_json:
         print_json(found)
         return
@@ -173,4 +189,5 @@ def robots(hosts: tuple[str, ...], *, as_json: bool) -> None:
         problems = f"; {', '.join(row['problems'])}" if row["problems"] else ""
         click.echo(f"{row['url']}  {board}, {state}, {driver}{problems}")
     if not found:
-        raise CommandFailed("No board is served to this user there.")
+        text = "No board is served to this user there."
+        raise CommandFailed(text if release is None else f"{text[:-1]} as {release}.")

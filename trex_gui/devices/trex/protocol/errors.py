@@ -115,6 +115,7 @@ class ErrorCode(Enum):
     # Boards that are served to several clients
     OTHER_DRIVES = tr_noop("Another user drives this board. Ask to have it handed over.")
     MAY_NOT_DRIVE = tr_noop("You may watch this board and stop it, but not drive or change it.")
+    MAY_NOT_TAKE = tr_noop("Only an owner may take over from another user.")
     LEASE_LOST = tr_noop("Driving was handed over, or its heartbeat did not reach the robot.")
     # Writes
     BAD_PARAMETER = tr_noop(

@@ -77,6 +77,7 @@ _LONGEST_PACKET = 16  # bytes; nothing else has its turn while one is on the wir
 _MOST_ATTEMPTS = 3
 _CLIENT_TIMEOUT = 5.0  # seconds without any message after which a client is gone
 _TICK_INTERVAL = 0.1
+_IDLE_INTERVAL = 0.25  # seconds between two steps without a client; half of what a lease lives
 _NO_OUTCOME = 0
 
 _STALE = SetpointRequest | Arm
@@ -148,7 +149,8 @@ class BoardServer:
                     self._remove(client)
                 elif now - client.sent_at >= _TICK_INTERVAL:
                     self._post(client, encode_report(Tick()), now)
-            return max(0.0, min(self.lease.seconds_left(now), _TICK_INTERVAL / 2))
+            longest = _TICK_INTERVAL / 2 if self._clients else _IDLE_INTERVAL
+            return max(0.0, min(self.lease.seconds_left(now), longest))
 
     # --- Clients ------------------------------------------------------------------------
 
@@ -402,7 +404,8 @@ class BoardServer:
             now = self._clock()
             match report:
                 case Outcome(id=own) if own == self._lease_stop:
-                    report = MotorsStopped(ErrorCode.LEASE_LOST, report.error is None)
+                    self._report_lease_stop(confirmed=report.error is None)
+                    return
                 case Outcome(id=own) if own in self._watched_stops:
                     self._watched_stops.pop(own)(report)
                     return
@@ -423,10 +426,13 @@ class BoardServer:
                     self._report_setpoints()
                 case Closed():
                     self._newest = {Closed: report}
-            form = encode_report(report)
-            for client in list(self._clients.values()):
-                if _is_for(report, client.watched):
-                    self._post(client, form, now)
+            self._post_all(report, (one for one in self._all if _is_for(report, one.watched)))
+
+    def _report_lease_stop(self, *, confirmed: bool) -> None:
+        """Report the stop at the end of a lease, but not to a driver who has armed since."""
+        holder = self.lease.holder if confirmed else None
+        others = (one for one in self._all if one.party != holder)
+        self._post_all(MotorsStopped(ErrorCode.LEASE_LOST, confirmed), others)
 
     def _report_setpoints(self) -> None:
         get = self._speeds.get
@@ -487,6 +493,15 @@ class BoardServer:
         now = self._clock()
         for client in list(only or self._clients.values()):
             self._post(client, encode_report(self._lease_for(client)), now)
+
+    @property
+    def _all(self) -> list[_Client]:
+        return list(self._clients.values())
+
+    def _post_all(self, report: Report, clients: Iterable[_Client]) -> None:
+        form, now = encode_report(report), self._clock()
+        for client in clients:
+            self._post(client, form, now)
 
     def _post(self, client: _Client, form: object, now: float) -> None:
         client.sent, client.sent_at = client.sent + 1, now
