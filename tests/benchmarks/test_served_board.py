@@ -25,7 +25,7 @@ from trex_gui.devices.trex.driving.requests import Arm, Stop
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.serve.remote_session import RemoteSession
-from trex_gui.devices.trex.serve.robots import find_robots, stop_robots
+from trex_gui.devices.trex.serve.robots import Robots
 from trex_gui.devices.trex.session.messages import Batch, Connected
 from trex_gui.devices.trex.session.session import TrexSession
 
@@ -230,11 +230,12 @@ def test_many_robots(stack: ExitStack, figure: ReportFigure) -> None:
         words = ["--port", f"socket://127.0.0.1:{wire}", "--name", f"robot{port}"]
         _start(stack, "trex_gui.cli", "serve", *words, "--listen", f"127.0.0.1:{port}")
         hosts.append(f"127.0.0.1:{port}")
+    robots = stack.enter_context(Robots())  # as the window with the list has them
     end = time.monotonic() + 300
     rows: list[dict[str, Any]] = []
     while time.monotonic() < end:
         begun = time.monotonic()
-        rows = find_robots(hosts)
+        rows = robots.find(hosts)
         took = time.monotonic() - begun
         print(len(rows), "robots,", sum(row["responds"] for row in rows), "respond", flush=True)
         if len(rows) == _MANY and all(row["responds"] for row in rows):
@@ -244,7 +245,7 @@ def test_many_robots(stack: ExitStack, figure: ReportFigure) -> None:
     figure(f"list of {_MANY} served boards", took, "s", at_most=3.0)
     urls = [row["url"] for row in rows]
     begun = time.monotonic()
-    results = stop_robots(urls)
+    results = robots.stop(urls)
     took = time.monotonic() - begun
     assert not any(results.values()), results
     figure(f"stop of {_MANY} served boards, all confirmed", 1000 * took, "ms")

@@ -16,7 +16,7 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.bench.files import to_csv
 from trex_gui.devices.trex.bench.run import End
 from trex_gui.devices.trex.protocol.flags import CHANNELS
-from trex_gui.devices.trex.views import robots
+from trex_gui.devices.trex.serve.robots import Robots
 from trex_gui.devices.trex.views.bench.dialog import BenchDialog
 from trex_gui.devices.trex.views.motor_controls import ArmDialog
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
@@ -92,7 +92,7 @@ def _trex_windows(
     yield from _setup(window)
     yield from _bench(window, folder)
     yield from _provision(window, folder)
-    monkeypatch.setattr(robots, "find_robots", lambda _: [ROBOT])
+    monkeypatch.setattr(Robots, "find", lambda _: [ROBOT])
     for key in DIALOGS:
         window.action(key).setEnabled(True)  # whatever the board would need it for
         window.trigger(key)

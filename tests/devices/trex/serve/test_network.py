@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from itertools import count
 from pathlib import Path
+from typing import Any
 
 import pytest
 import zenoh
@@ -25,11 +26,10 @@ from trex_gui.devices.trex.cli.users import add_user
 from trex_gui.devices.trex.driving.requests import Arm, SetMotor
 from trex_gui.devices.trex.open_board import MotorsStoppedError
 from trex_gui.devices.trex.protocol.driving import Drive
-from trex_gui.devices.trex.serve import robots
 from trex_gui.devices.trex.serve.codec import encode_request
 from trex_gui.devices.trex.serve.messages import VERSION, Hello
 from trex_gui.devices.trex.serve.network import key, open_client
-from trex_gui.devices.trex.serve.robots import _row_of, find_robots, stop_robots
+from trex_gui.devices.trex.serve.robots import Robots, _row_of
 from trex_gui.devices.trex.session.messages import AskLease
 
 pytestmark = pytest.mark.realtime
@@ -50,6 +50,16 @@ def comes_true(happened: Callable[[], object], seconds: float = _WAIT_S) -> bool
 def motor(simulator: SimulatedDevice) -> tuple[str, int]:
     state = simulator.show()["motors"][0]
     return state["direction"], state["speed"]
+
+
+def find_robots(hosts: list[str]) -> list[dict[str, Any]]:
+    with Robots() as robots:
+        return robots.find(hosts)
+
+
+def stop_robots(names: list[str]) -> dict[str, str]:
+    with Robots() as robots:
+        return robots.stop(names)
 
 
 class ServerDriver:
@@ -238,7 +248,8 @@ def test_robot_is_stopped_by_name_and_confirms(
         assert motor(server.simulator) == STOPPED
         trex.wait(0.5)
         assert motor(server.simulator) == STOPPED, "heartbeats of the driver start nothing"
-    monkeypatch.setattr(robots, "find_robots", lambda _: find_robots([server.url()]))
+    here = "trex_gui.devices.trex.serve.robots._addresses"
+    monkeypatch.setattr(here, lambda _hosts: [server.address])
     found = stop_robots(["arm", "leg"])
     assert found[server.url()] == ""
     assert found["leg"], "one that is not found is not stopped"

@@ -10,6 +10,7 @@ from tests.support.window import WindowDriver
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.driving.requests import MotorsStopped
 from trex_gui.devices.trex.protocol.errors import ErrorCode
+from trex_gui.devices.trex.serve.robots import Robots
 from trex_gui.devices.trex.session.messages import (
     HandOver,
     LeaseChanged,
@@ -17,7 +18,6 @@ from trex_gui.devices.trex.session.messages import (
     NotResponding,
     TakeLease,
 )
-from trex_gui.devices.trex.views import robots
 
 MINE = LeaseChanged("me", "me", is_mine=True)
 OTHERS = LeaseChanged("me", "alice")
@@ -119,7 +119,7 @@ ROW = {"name": "arm", "board": "TReX 1.2", "responds": True, "driver": "alice", 
 @pytest.fixture
 def found(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
     rows = [{**ROW, "url": f"trex://10.0.0.{number}/arm"} for number in (1, 2)]
-    monkeypatch.setattr(robots, "find_robots", lambda _: rows)
+    monkeypatch.setattr(Robots, "find", lambda _: rows)
     return rows
 
 
@@ -149,7 +149,7 @@ def test_all_robots_are_stopped_and_named_if_not_confirmed(
     outcome: Callable[[list[str]], dict[str, str]],
     text: str,
 ) -> None:
-    monkeypatch.setattr(robots, "stop_robots", outcome)
+    monkeypatch.setattr(Robots, "stop", lambda _, urls: outcome(urls))
     window.trigger("robots")
     window.wait_for_files()
     window.find(QPushButton, "stopAllRobots").pressed.emit()

@@ -147,10 +147,10 @@ def stop(robots: tuple[str, ...], **options: Any) -> None:
 
 
 def _stop_served(names: Sequence[str]) -> None:
-    from trex_gui.devices.trex.serve.robots import stop_robots  # noqa: PLC0415 - an extra
+    from trex_gui.devices.trex.serve.robots import Robots  # noqa: PLC0415 - an extra
 
-    with refusals():
-        results = stop_robots(names)
+    with refusals(), Robots() as boards:
+        results = boards.stop(names)
     for url, error in results.items():
         say(f"{url}: {error or 'stopped.'}")
     if not results or any(results.values()):

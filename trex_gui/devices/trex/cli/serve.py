@@ -20,7 +20,7 @@ from trex_gui.core.transport.urls import (
 from trex_gui.devices.trex.cli.common import link_options, link_settings
 from trex_gui.devices.trex.cli.users import ROLES, add_user, read_users
 from trex_gui.devices.trex.library import Trex
-from trex_gui.devices.trex.serve.robots import find_robots, require_network
+from trex_gui.devices.trex.serve.robots import Robots, require_network
 
 _SERVICE_FILES = (
     ("/etc/udev/rules.d/", "60-trex-serve.rules"),
@@ -174,7 +174,8 @@ def robots(hosts: tuple[str, ...], release: str | None, *, as_json: bool) -> Non
     those that answer on the local network.
     """
     with refusals():
-        found = find_robots(hosts)
+        with Robots() as boards:
+            found = boards.find(hosts)
         if release is not None:
             found = [row for row in found if release in {row["name"], row["url"]}]
             for row in found:

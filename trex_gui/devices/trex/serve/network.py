@@ -61,6 +61,15 @@ def open_client(address: Address) -> "zenoh.Session":
     return session
 
 
+def get(session: "zenoh.Session", *parts: str, seconds: float) -> list[bytes]:
+    """Return what a host answers to a query of this key in so many seconds."""
+    try:
+        replies = session.get(key(*parts), timeout=seconds)
+    except _engine().ZError:  # the session was closed
+        return []
+    return [reply.ok.payload.to_bytes() for reply in replies if reply.ok]
+
+
 def scout(seconds: float) -> tuple[Address, ...]:
     """Return the computers on the local network that answer in this time."""
     engine = _engine()

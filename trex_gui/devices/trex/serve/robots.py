@@ -3,7 +3,8 @@
 import json
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
-from typing import Any
+from dataclasses import replace
+from typing import Any, Self
 
 from trex_gui.core.errors import PortUnavailable, StudioError
 from trex_gui.core.translation import tr
@@ -12,22 +13,90 @@ from trex_gui.devices.trex.serve.sessions import NEEDS_EXTRA
 
 _SCOUTING_S = 0.7
 _ANSWER_S = 2.0
+_KEPT_S = 1.0  # a connection that was kept may be dead
 _STOP_S = 10.0  # a stop is repeated for so long on a line that corrupts bytes
 _MOST_AT_ONCE = 100  # connections
 ALL = "all"
 
 
-def find_robots(hosts: Iterable[str]) -> list[dict[str, Any]]:
-    """Return what each served board says of itself, with its `url`, by name.
+class Robots:
+    """The boards that are served, over connections to their hosts that are kept until `close`."""
 
-    Raises:
-        StudioError: no host can be asked at all.
-    """
-    addresses = _addresses(hosts)
-    with ThreadPoolExecutor(_MOST_AT_ONCE) as pool:
-        answers = pool.map(_robots_at, addresses)
-        rows = {row["url"]: row for some in answers for row in some}
-    return sorted(rows.values(), key=lambda row: (row["name"], row["url"]))
+    def __init__(self) -> None:
+        self._kept: dict[Address, Any] = {}  # the newest one, by host, user and port
+        self._opened: list[Any] = []
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        opened, self._opened, self._kept = self._opened, [], {}
+        for connection in opened:
+            connection.close()
+
+    def find(self, hosts: Iterable[str] = ()) -> list[dict[str, Any]]:
+        """Return what each served board says of itself, with its `url`, by name.
+
+        Raises:
+            StudioError: no host can be asked at all.
+        """
+        addresses = _addresses(hosts)
+        with ThreadPoolExecutor(_MOST_AT_ONCE) as pool:
+            rows = {row["url"]: row for some in pool.map(self._at, addresses) for row in some}
+        return sorted(rows.values(), key=lambda row: (row["name"], row["url"]))
+
+    def stop(self, names: Iterable[str]) -> dict[str, str]:
+        """Stop these served boards, or all, at once.
+
+        Names are those of the list of robots, or URLs. Return why each is not confirmed, empty if
+        it is, by URL, or by the name of a board that is not found.
+        """
+        wanted = list(names)
+        addresses = [Address.of(one) for one in wanted if "://" in one]
+        if others := {one for one in wanted if "://" not in one}:
+            rows = [row for row in self.find() if ALL in others or row["name"] in others]
+            addresses += [Address.of(row["url"]) for row in rows]
+            others -= {ALL, *(row["name"] for row in rows)}
+        boards = list(dict.fromkeys(addresses))
+        with ThreadPoolExecutor(_MOST_AT_ONCE) as pool:
+            results = dict(
+                zip((one.url for one in boards), pool.map(self._stop, boards), strict=True)
+            )
+        return results | dict.fromkeys(others, tr("It did not answer."))
+
+    def _at(self, address: Address) -> list[dict[str, Any]]:
+        """Return the boards that a host serves."""
+        try:
+            answers = self._get(address, "*", "info", seconds=_ANSWER_S)
+        except PortUnavailable:
+            return []
+        rows = [row for row in map(_row_of, answers) if row is not None]
+        for row in rows:
+            row["url"] = Address(address.host, row["name"], address.user, address.port).url
+        return rows
+
+    def _stop(self, board: Address) -> str:
+        """Stop one board; return why that is not confirmed, empty if it is."""
+        user = board.user or LOCAL_USER
+        try:
+            answers = self._get(board, board.name, "stop", user, seconds=_STOP_S)
+        except StudioError as error:
+            return str(error)
+        return str(json.loads(answers[0])["error"]) if answers else tr("It did not answer.")
+
+    def _get(self, address: Address, *parts: str, seconds: float) -> list[bytes]:
+        """Return the answers of a host; a kept connection that gives none is made again."""
+        host, network = replace(address, name=""), _network()
+        if kept := self._kept.get(host):
+            answers: list[bytes] = network.get(kept, *parts, seconds=_KEPT_S)
+            if answers:
+                return answers
+        connection = self._kept[host] = network.open_client(address)
+        self._opened.append(connection)
+        return list(network.get(connection, *parts, seconds=seconds))
 
 
 def _addresses(hosts: Iterable[str]) -> list[Address]:
@@ -41,21 +110,6 @@ def _addresses(hosts: Iterable[str]) -> list[Address]:
     return [Address("127.0.0.1"), *known, *scouted]
 
 
-def _robots_at(address: Address) -> list[dict[str, Any]]:
-    network = _network()
-    try:
-        session = network.open_client(address)
-    except PortUnavailable:
-        return []
-    with session:
-        replies = session.get(network.key("*", "info"), timeout=_ANSWER_S)
-        found = [_row_of(reply.ok.payload.to_bytes()) for reply in replies if reply.ok]
-    rows = [row for row in found if row is not None]
-    for row in rows:
-        row["url"] = Address(address.host, row["name"], address.user, address.port).url
-    return rows
-
-
 def _row_of(data: bytes) -> dict[str, Any] | None:
     """Return what a server says of itself; `None` if that cannot be."""
     try:
@@ -65,39 +119,6 @@ def _row_of(data: bytes) -> dict[str, Any] | None:
     except (ValueError, LookupError, TypeError):
         return None
     return row if is_sound and isinstance(row, dict) else None
-
-
-def stop_robots(names: Iterable[str]) -> dict[str, str]:
-    """Stop these served boards, or all, at once.
-
-    Names are those of the list of robots, or URLs. Return why each is not confirmed, empty if it
-    is, by URL, or by the name of a board that is not found.
-    """
-    wanted = list(names)
-    addresses = [Address.of(one) for one in wanted if "://" in one]
-    if others := {one for one in wanted if "://" not in one}:
-        rows = [row for row in find_robots(()) if ALL in others or row["name"] in others]
-        addresses += [Address.of(row["url"]) for row in rows]
-        others -= {ALL, *(row["name"] for row in rows)}
-    boards = list(dict.fromkeys(addresses))
-    with ThreadPoolExecutor(_MOST_AT_ONCE) as pool:
-        results = dict(zip((one.url for one in boards), pool.map(_stop, boards), strict=True))
-    return results | dict.fromkeys(others, tr("It did not answer."))
-
-
-def _stop(board: Address) -> str:
-    """Stop one board; return why that is not confirmed, empty if it is."""
-    network = _network()
-    try:
-        session = network.open_client(board)
-    except StudioError as error:
-        return str(error)
-    with session:
-        name = network.key(board.name, "stop", board.user or LOCAL_USER)
-        for reply in session.get(name, timeout=_STOP_S):
-            if reply.ok:
-                return str(json.loads(reply.ok.payload.to_bytes())["error"])
-    return tr("It did not answer.")
 
 
 def require_network() -> None:

@@ -11,7 +11,7 @@ from trex_gui.core.errors import StudioError
 from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.serve.robots import find_robots, stop_robots
+from trex_gui.devices.trex.serve.robots import Robots
 from trex_gui.devices.trex.views.motor_controls import MotorBar
 from trex_gui.ui.files import in_background
 from trex_gui.ui.translations import error_sentence
@@ -37,6 +37,7 @@ class RobotsDialog(ReusedDialog):
         super().__init__(parent)
         self._device, self._connect, self._found = device, connect, found
         self._rows: list[dict[str, Any]] = []
+        self._robots = Robots()  # its connections are kept: a stop does not wait for new ones
         self.setObjectName("robotsDialog")
         self.setWindowTitle(title_of(tr("Robots on the net&work…")))
         resize_with_font(self, 820, 420)
@@ -62,6 +63,7 @@ class RobotsDialog(ReusedDialog):
         close = ui.button(bar, "closeRobots", tr("Close"), default=False, on_click=self.close)
         bar.fill(self._stop_all, bar.armed, 1, self._search, close, self._use)
         ui.column(Muted(about, self), (self._table, 1), self._note, bar, into=self)
+        self.finished.connect(self._on_finished)
         self._table.itemSelectionChanged.connect(self._on_selected)
         self._table.itemActivated.connect(self._on_connect)
         self._on_selected()
@@ -74,7 +76,11 @@ class RobotsDialog(ReusedDialog):
     def search(self) -> None:
         self._search.setEnabled(False)
         self._note.show_note(tr("Searching …"))
-        in_background(self, partial(find_robots, ()), self._on_found, self._on_not_found)
+        in_background(self, self._robots.find, self._on_found, self._on_not_found)
+
+    @Slot()
+    def _on_finished(self) -> None:
+        in_background(self, self._robots.close, lambda _: None, self._on_not_found)
 
     def _on_found(self, rows: list[dict[str, Any]]) -> None:
         self._rows = rows
@@ -113,7 +119,7 @@ class RobotsDialog(ReusedDialog):
         self._device.press_stop()  # of this window, at once
         urls = [row["url"] for row in self._rows]
         self._note.show_note(tr("Stopping …"))
-        in_background(self, partial(stop_robots, urls), self._on_stopped, self._on_not_found)
+        in_background(self, partial(self._robots.stop, urls), self._on_stopped, self._on_not_found)
 
     def _on_stopped(self, results: dict[str, str]) -> None:
         failed = [f"{url}: {error}" for url, error in results.items() if error]
