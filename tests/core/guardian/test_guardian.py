@@ -29,7 +29,7 @@ pytestmark = [
     pytest.mark.skipif(sys.platform == "win32", reason="shares a descriptor"),
 ]
 
-STOP = StopSequence(b"\xc1\x00\xf0\x00", b"\x84", 1, 0x01, has_echo=False, seconds=0.05)
+STOP = StopSequence(b"\xc1\x00\xf0\x00", (b"\x84",), 1, 0x01, has_echo=False, seconds=0.05)
 OFTEN = 3600.0
 """Seconds of silence that no test reaches."""
 
@@ -49,7 +49,7 @@ class Board:
     def _serve(self) -> None:
         while data := self._receive():
             self.received += data
-            for _ in range(data.count(STOP.query)):
+            for _ in range(data.count(STOP.queries[0])):
                 status = self.statuses.pop(0) if len(self.statuses) > 1 else self.statuses[0]
                 self.line.sendall(status)
 
@@ -116,8 +116,19 @@ def test_motors_are_stopped_when_the_program_ends_while_they_may_move(
 ) -> None:
     die(guardian)
     wait_until(lambda: has_ended(guardian))
-    assert board.received == STOP.packets + 2 * (STOP.packets + STOP.query)
+    assert board.received == STOP.packets + 2 * (STOP.packets + STOP.queries[0])
     assert guardian.end(), "confirmed"
+    assert logged(guardian) is StopResult.CONFIRMED
+
+
+def test_every_board_of_the_line_has_to_confirm(guardian: GuardianProcess, board: Board) -> None:
+    board.statuses = [b"\x00", b"\x01", b"\x00"]  # the second board has missed the first round
+    both = replace(STOP, packets=STOP.packets * 2, queries=(b"\x84", b"\x84"))
+    guardian.watch(both)
+    die(guardian)
+    wait_until(lambda: has_ended(guardian))
+    round_ = both.packets + both.queries[0] + both.queries[1]
+    assert board.received == both.packets + 3 * round_
     assert logged(guardian) is StopResult.CONFIRMED
 
 
@@ -277,7 +288,7 @@ def test_errors_on_the_line_do_not_confirm_a_stop_and_faults_of_motors_do(
 ) -> None:
     board.statuses = [b"\x01", b"\xf0", b"\x01", b"\xf0"]
     assert guardian.stop(LONG_TIMEOUT)
-    assert board.received.count(STOP.query) == 5
+    assert board.received.count(STOP.queries[0]) == 5
 
 
 def test_silent_board_gets_the_stop_repeated_until_the_session_is_back(
@@ -307,14 +318,14 @@ def test_guardian_whose_write_is_blocked_has_time_to_break_off(
 
 
 def test_echo_is_not_taken_for_the_status(board: Board, ends: Ends) -> None:
-    echo = STOP.packets + STOP.query
+    echo = STOP.packets + STOP.queries[0]
     board.statuses = [echo + b"\x01", echo + b"\x00"]
     guardian = started(ends[0])
     guardian.watch(
-        StopSequence(STOP.packets, STOP.query, 1, 0x01, has_echo=True, seconds=STOP.seconds)
+        StopSequence(STOP.packets, STOP.queries, 1, 0x01, has_echo=True, seconds=STOP.seconds)
     )
     assert guardian.stop(LONG_TIMEOUT)
-    assert board.received.count(STOP.query) == 3
+    assert board.received.count(STOP.queries[0]) == 3
 
 
 def test_request_that_comes_back_byte_by_byte_confirms_nothing(ends: Ends) -> None:
@@ -338,9 +349,9 @@ def test_telnet_commands_are_no_status(board: Board, ends: Ends) -> None:
     board.statuses = [negotiation + b"\x00"]
     guardian = started(ends[0], kind="telnet")
     escaped = STOP.packets + b"\xff"
-    guardian.watch(StopSequence(escaped, STOP.query, 1, 0x01, has_echo=False, seconds=0.05))
+    guardian.watch(StopSequence(escaped, STOP.queries, 1, 0x01, has_echo=False, seconds=0.05))
     assert guardian.stop(LONG_TIMEOUT)
-    assert board.received.startswith(escaped + b"\xff" + escaped + b"\xff" + STOP.query)
+    assert board.received.startswith(escaped + b"\xff" + escaped + b"\xff" + STOP.queries[0])
 
 
 @pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")  # pyserial's, not ours
@@ -359,7 +370,7 @@ def test_replies_go_to_the_guardian_of_a_session_that_hangs(
         wait_until(lambda: guardian.has_ended)  # the session does nothing meanwhile
         assert guardian.end(), "confirmed"
         assert line.discard() == b""
-        line.write(STOP.query)
+        line.write(STOP.queries[0])
         assert len(line.read(STOP.reply_size, LONG_TIMEOUT)) == STOP.reply_size
     finally:
         line.close()

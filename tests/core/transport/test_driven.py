@@ -52,7 +52,7 @@ def test_board_is_found_at_its_port_only() -> None:
     board = driven_at("socket://robot:4000")[1]
     assert board is not None
     assert board.settings == PortSettings("socket://robot:4000", LINE)
-    stop = bytes.fromhex("d07f7ff000"), b"\x84", 1, 1, False, 0.05
+    stop = bytes.fromhex("d07f7ff000"), (b"\x84",), 1, 1, False, 0.05
     note = f"{driven_note('TReX 1.2', board.settings)}since: 2026-11-28 12:00:00\n"
     assert board.stop == StopSequence(*stop, note)
     assert driven_at("socket://robot:4001")[1] is None
@@ -190,7 +190,7 @@ def test_suspended_guardian_is_woken_and_stops_the_motors(start_simulator: Start
     guardian = GuardianProcess(SharedPort("serial", port), 60.0, file)
     guardian.wait_until_ready(25.0)
     note = driven_note("TReX 1.2", PortSettings(simulator.url, SerialFormat(19200)))
-    stop = StopSequence(bytes.fromhex("d07f7ff000"), b"\x84", 1, 1, False, 0.07, note)
+    stop = StopSequence(bytes.fromhex("d07f7ff000"), (b"\x84",), 1, 1, False, 0.07, note)
     guardian.watch(stop)
     os.write(port, b"\xc2\x40")
     while not (file.exists() and file.stat().st_size and is_locked(file)):

@@ -10,7 +10,7 @@ from trex_gui.core.guardian.guardian import HEARTBEAT_INTERVAL, StopSequence
 from trex_gui.core.transport.guarded import GuardedTransport
 from trex_gui.core.transport.settings import SerialFormat
 
-STOP = StopSequence(b"\xc1\x00\xf0\x00", b"\x84", 1, 1, has_echo=False, seconds=0.1)
+STOP = StopSequence(b"\xc1\x00\xf0\x00", (b"\x84",), 1, 1, has_echo=False, seconds=0.1)
 SETPOINT = b"\xc2\x40"
 SILENCE = 0.5
 
@@ -109,7 +109,7 @@ def test_heartbeats_go_on_during_a_long_wait(session: Session, wait: str) -> Non
 def test_changed_stop_is_sent_at_once_and_end_of_motion_once(session: Session) -> None:
     session.stop = STOP
     session.transport.beat()
-    changed = StopSequence(b"\xc1\x00\x07", b"\x84\x01", 2, 1, has_echo=False, seconds=0.1)
+    changed = StopSequence(b"\xc1\x00\x07", (b"\x84\x01",), 2, 1, has_echo=False, seconds=0.1)
     for session.stop in (changed, None, None):
         session.transport.beat()
     assert session.watched == [STOP, changed, None]

@@ -7,7 +7,8 @@ import subprocess
 import sys
 import threading
 import time
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -39,12 +40,22 @@ class StopSequence:
     """How the motors are stopped right now."""
 
     packets: bytes  # what stops every motor
-    query: bytes  # asks for the status
-    reply_size: int  # bytes of its reply
+    queries: tuple[bytes, ...]  # ask each board for its status
+    reply_size: int  # bytes of a reply
     error_mask: int  # bits of its first byte that report errors on the line
     has_echo: bool  # whether everything sent comes back before the reply
-    seconds: float  # how long one round takes at most
+    seconds: float  # how long packets, a query and its reply take at most
     note: str = ""  # lines about the board, for the file that says that its motors may be moving
+
+
+def joined_stops(stops: Sequence[StopSequence]) -> StopSequence:
+    """Return how all of these boards on one line are stopped."""
+    first, *others = stops
+    if not others:
+        return first
+    packets = b"".join(one.packets for one in stops)
+    queries = tuple(query for one in stops for query in one.queries)
+    return replace(first, packets=packets, queries=queries, seconds=sum(s.seconds for s in stops))
 
 
 @dataclass(frozen=True, slots=True)
@@ -196,7 +207,8 @@ class GuardianProcess:
 
 def _message(stop: StopSequence) -> str:
     stop_text = (
-        f"{stop.packets.hex()} {stop.query.hex()} {stop.reply_size} {stop.error_mask} "
+        f"{stop.packets.hex()} {','.join(one.hex() for one in stop.queries)} "
+        f"{stop.reply_size} {stop.error_mask} "
         f"{stop.has_echo:d} {stop.seconds}"
     )
     note = f"{stop.note}stop: {stop_text}\n".encode(errors="surrogateescape")

@@ -5,7 +5,7 @@ milliseconds, stays small and does not fail with the program.
 
 It reads one message per line from its standard input:
 
-    watch STOP QUERY REPLY_SIZE ERROR_MASK HAS_ECHO SECONDS NOTE   motors may be moving; a heartbeat
+    watch STOP QUERY,… REPLY_SIZE ERROR_MASK HAS_ECHO SECONDS NOTE   motors may move; a heartbeat
     idle   no motor may be moving
     stop   stop them now
     end    the program needs the line again, or has closed it
@@ -227,8 +227,9 @@ class StopMessage:
     """Message of `watch`: a `StopSequence` as fields."""
 
     def __init__(self, fields: list[str]) -> None:
-        packets, query, size, mask, echo, seconds, note = fields
-        self.packets, self.query = bytes.fromhex(packets), bytes.fromhex(query)
+        packets, queries, size, mask, echo, seconds, note = fields
+        self.packets = bytes.fromhex(packets)
+        self.queries = tuple(map(bytes.fromhex, queries.split(",")))
         self.reply_size, self.error_mask = int(size), int(mask)
         self.has_echo = echo == "1"
         self.seconds = float(seconds)
@@ -354,21 +355,26 @@ class Watchdog:
         return None
 
     def _stop(self, stop: StopMessage) -> bool:
-        """Repeat the stop until the board confirms it; return whether it did."""
+        """Repeat the stop until every board confirms it; return whether they did."""
         self._port.restore_settings()
         self._port.write(stop.packets)
         end = time.monotonic() + _GIVE_UP_S
         self._read_until_quiet(stop.seconds)  # a reply to the program: the board was deaf
-        echo = len(stop.packets + stop.query) if stop.has_echo else 0
+        first, *others = stop.queries
         clean = 0
         while clean < _CLEAN_ROUNDS and time.monotonic() < end and not self._is_called_off:
-            self._port.write(stop.packets + stop.query)
-            reply = self._read(echo + stop.reply_size, stop.seconds)
-            is_clean = len(reply) == echo + stop.reply_size and not reply[echo] & stop.error_mask
-            clean = clean + 1 if is_clean else 0
+            answers = [self._is_clean(stop, sent) for sent in (stop.packets + first, *others)]
+            clean = clean + 1 if all(answers) else 0
             with suppress(queue.Empty):
                 self._is_called_off = self._messages.get_nowait() == "end"
         return clean == _CLEAN_ROUNDS
+
+    def _is_clean(self, stop: StopMessage, sent: bytes) -> bool:
+        """Send a query; return whether the board has latched no error."""
+        self._port.write(sent)
+        echo = len(sent) if stop.has_echo else 0
+        reply = self._read(echo + stop.reply_size, stop.seconds)
+        return len(reply) == echo + stop.reply_size and not reply[echo] & stop.error_mask
 
     def _read(self, size: int, seconds: float) -> bytes:
         """Return `size` bytes, fewer if no more come in time, or more if the line goes on."""

@@ -11,7 +11,11 @@ from trex_gui.core.errors import NoReply, PortUnavailable
 from trex_gui.core.session import Outcome
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.client.telemetry import StatusReader
-from trex_gui.devices.trex.driving.motor_driver import DRIVE_INTERVAL, MotorDriver
+from trex_gui.devices.trex.driving.motor_driver import (
+    DRIVE_INTERVAL,
+    MotorDriver,
+    stop_together,
+)
 from trex_gui.devices.trex.driving.motor_output import Arming, Motion, MotorOutput, OutputEvent
 from trex_gui.devices.trex.driving.requests import (
     Arm,
@@ -48,7 +52,7 @@ class MotorsHarness:
 
     def stop(self) -> None:
         self.motors.take(Stop(1), self.now)
-        self.driver.serve_stops()
+        stop_together([run for run in [self.driver.due_stop()] if run])
 
     def arm(self) -> None:
         self.motors.take(Arm(), self.now)

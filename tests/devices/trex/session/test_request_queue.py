@@ -30,7 +30,7 @@ from trex_gui.devices.trex.session.messages import (
     Write,
 )
 from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
-from trex_gui.devices.trex.session.request_queue import TrexRequestQueue
+from trex_gui.devices.trex.session.request_queue import BoardQueue, TrexRequestQueue
 
 modest = examples(40)
 
@@ -55,7 +55,9 @@ class Queue(TrexRequestQueue):
         self.outcomes: list[Outcome] = []
         self.motors = MotorOutput(lambda _report: None)
         self.liveness = LivenessMonitor(Timeouts())
-        super().__init__(self.bag, self.motors, self.liveness, self.outcomes.append, lambda: 0.0)
+        board = BoardQueue(self.motors, self.liveness, self.outcomes.append, lambda: 0.0)
+        self.jobs = board.jobs
+        super().__init__(self.bag, {None: board})
 
 
 def collected(*requests: Request) -> Queue:

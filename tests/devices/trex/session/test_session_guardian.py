@@ -60,9 +60,9 @@ def test_guardian_knows_the_stop_in_force(model: str, detection: Detection) -> N
     framing = settings.framing
     assert sequence.packets == b"".join(map(framing.encode, STOP))
     assert commands(sequence.packets, framing.polynomial) == [*STOP]
-    assert sequence.query == framing.encode(GetStatus())
+    assert sequence.queries[0] == framing.encode(GetStatus())
     assert sequence.reply_size == (2 if detection is Detection.CRC7 else 1)
-    stage.line.send(sequence.packets + sequence.query)
+    stage.line.send(sequence.packets + sequence.queries[0])
     assert len(stage.line.read(9, sequence.seconds)) == sequence.reply_size
 
 

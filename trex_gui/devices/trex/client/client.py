@@ -69,9 +69,23 @@ class Counters:
     replies: int = 0  # complete replies
 
 
+@dataclass(slots=True)
+class _Wire:
+    """What the next transaction has to wait for, whichever board of the line it is with."""
+
+    free_at: float
+    is_unanswered: bool = False
+    unanswered: int = 0  # missing replies since one was matched to its request
+
+
 class TrexClient:
     def __init__(
-        self, transport: Transport, settings: ConnectionSettings, *, echo: bool = False
+        self,
+        transport: Transport,
+        settings: ConnectionSettings,
+        *,
+        echo: bool = False,
+        wire: _Wire | None = None,
     ) -> None:
         self.echo = echo  # whether everything sent comes back, as on the RS-232 side of the board
         # Whether to send a null command while waiting for a late reply, so that the board's serial
@@ -80,10 +94,12 @@ class TrexClient:
         self.counters = Counters()
         self.transport = transport
         self.settings = settings  # how the line was opened, with the board's present number
-        self._free_at = transport.clock()
-        self._is_unanswered = False
+        self._wire = wire or _Wire(transport.clock())
         self._stop_sequence: tuple[ConnectionSettings, bool, str, StopSequence] | None = None
-        self._unanswered = 0  # missing replies since one was matched to its request
+
+    def to_board(self, settings: ConnectionSettings) -> "TrexClient":
+        """Return the client of another board on the same line."""
+        return TrexClient(self.transport, settings, echo=self.echo, wire=self._wire)
 
     def request(self, command: Command[ReplyT_co]) -> ReplyT_co:
         """Send a command and return its parsed reply.
@@ -131,7 +147,7 @@ class TrexClient:
             seconds = self._allowance
             if len(received) > len(packet.raw) + LONGEST_REPLY:
                 break
-        self._free_at = self.transport.clock()
+        self._wire.free_at = self.transport.clock()
         return Reply(received, None)
 
     def _transact(self, command: Command[ReplyT_co], framing: Framing) -> Reply[ReplyT_co]:
@@ -143,8 +159,8 @@ class TrexClient:
         self.transport.write(packet)
         # What is queued in the port must leave before the board can reply; a port may also keep the
         # caller until it has taken everything.
-        self._free_at = max(begun + line.seconds(len(packet)), self.transport.clock())
-        deadline = self._free_at + self._allowance + command.seconds_to_answer
+        self._wire.free_at = max(begun + line.seconds(len(packet)), self.transport.clock())
+        deadline = self._wire.free_at + self._allowance + command.seconds_to_answer
         received = b""
         state = parser.feed()
         while isinstance(state, NeedData):
@@ -156,8 +172,8 @@ class TrexClient:
             state = parser.feed(chunk)
             if isinstance(state, NeedData) and len(chunk) < missing:
                 self.counters.missing += 1
-                self._is_unanswered = True
-                self._unanswered += 1
+                self._wire.is_unanswered = True
+                self._wire.unanswered += 1
                 if received:
                     fields = hex_text(packet), hex_text(received)
                     raise TrexNoReplyError(ErrorCode.INCOMPLETE_REPLY, *fields)
@@ -170,12 +186,12 @@ class TrexClient:
                 raise TrexBadReplyError(ErrorCode.CORRUPTED_REPLY, hex_text(raw), reason)
             case Reply(raw):
                 took = self.transport.clock() - begun
-                if self._unanswered and command.reply_size():
+                if self._wire.unanswered and command.reply_size():
                     self._reject_late_reply(raw)
                 self.counters.replies += bool(command.reply_size())
                 if command.reply_size() or self.echo:
                     self.counters.slowest = max(self.counters.slowest, took)
-                    self._free_at = min(self._free_at, self.transport.clock())
+                    self._wire.free_at = min(self._wire.free_at, self.transport.clock())
                 return state
 
     def _begin_transaction(self) -> None:
@@ -190,7 +206,7 @@ class TrexClient:
         self.drain()
         self.counters.requests += 1
         self.transport.write(packet)
-        self._free_at = self.transport.clock() + self.settings.line.seconds(len(packet))
+        self._wire.free_at = self.transport.clock() + self.settings.line.seconds(len(packet))
         if self.echo:
             self._read_echo(packet)
 
@@ -216,16 +232,16 @@ class TrexClient:
 
     def _drain_late_reply(self) -> bytes:
         """Discard a late reply, which would be taken for the next one; a stop does not wait."""
-        if not self._is_unanswered:
+        if not self._wire.is_unanswered:
             return b""
-        self._is_unanswered = False
+        self._wire.is_unanswered = False
         if self.keepalive_while_waiting:
             self.transport.write(self._null)
         late = self.transport.read(LONGEST_REPLY, self.transport.latency)
         rest = self.settings.line.seconds(LONGEST_REPLY) if late else 0.0
         late += self.transport.read(LONGEST_REPLY - len(late), rest)
-        if late and self._unanswered == 1:
-            self._unanswered = 0
+        if late and self._wire.unanswered == 1:
+            self._wire.unanswered = 0
         return late.removesuffix(self._null) if self.echo and self.keepalive_while_waiting else late
 
     def _reject_late_reply(self, reply: bytes) -> None:
@@ -237,11 +253,11 @@ class TrexClient:
         more = self.transport.read(1, self.transport.latency)
         if more:
             more += self.transport.read(
-                self._unanswered * LONGEST_REPLY,
-                self._unanswered * self.settings.line.seconds(LONGEST_REPLY),
+                self._wire.unanswered * LONGEST_REPLY,
+                self._wire.unanswered * self.settings.line.seconds(LONGEST_REPLY),
             )
             more += self.transport.discard()
-        self._unanswered = 0
+        self._wire.unanswered = 0
         if more:
             self.counters.unsolicited += len(reply) + len(more)
             raise TrexBadReplyError(ErrorCode.LATE_REPLIES)
@@ -261,12 +277,14 @@ class TrexClient:
             bytes_both_ways = len(packets) + len(query) + size
             seconds = line.seconds(bytes_both_ways) + self._allowance
             note = driven_note(board, self.settings)
-            stop = StopSequence(packets, query, size, Status.UART_ERROR, self.echo, seconds, note)
+            stop = StopSequence(
+                packets, (query,), size, Status.UART_ERROR, self.echo, seconds, note
+            )
             known = self._stop_sequence = (self.settings, self.echo, board, stop)
         return known[3]
 
     def drain(self) -> None:
-        self.transport.wait(self._free_at - self.transport.clock())
+        self.transport.wait(self._wire.free_at - self.transport.clock())
 
     def close(self) -> None:
         self.transport.close()

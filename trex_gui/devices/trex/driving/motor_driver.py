@@ -5,9 +5,9 @@ confirmed if the board replies with its status and has latched no UART error sin
 """
 
 import logging
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager, suppress
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
 
 from trex_gui.core.errors import BadReply, BadRequest, NoReply
 from trex_gui.core.session import SHORTEST_WAIT
@@ -58,6 +58,22 @@ The window waits for a second; the last round may begin just before this time.
 
 
 @dataclass(slots=True, eq=False)
+class StopRun:
+    """A stop of one board that is repeated until clean statuses follow; see `stop_together`."""
+
+    driver: "MotorDriver"
+    attempts: int  # rounds that are left
+    rounds: int  # that have to be clean, in a row
+    is_final: bool  # does not wait until a line that damages bytes is quiet
+    aborts: Callable[[], bool]  # ends it after a round that was not clean
+    stops: Sequence[Stop]  # that it serves; if the line is gone, they are queued again
+    end: Callable[[bool], None]  # gets whether the board has confirmed it
+    clean: int = 0
+    latched: list[LatchedStatus] = field(default_factory=list)
+    was_sent: bool = False
+
+
+@dataclass(slots=True, eq=False)
 class MotorDriver:
     """Drives and stops the motors of one board when its owner lets it use the line.
 
@@ -81,81 +97,86 @@ class MotorDriver:
         self,
         attempts: int,
         *,
-        final: bool = False,
-        careful: bool = False,
+        is_final: bool = False,
+        is_careful: bool = False,
         aborts: Callable[[], bool] | None = None,
-    ) -> bool:
-        """Repeat a stop until clean statuses follow; return whether they did.
+        stops: Sequence[Stop] = (),
+        end: Callable[[bool], None] = lambda _: None,
+    ) -> StopRun:
+        """Return a stop. A final one takes more rounds where the line damages bytes.
 
-        A `final` stop does not wait for a line that damages bytes to become quiet, but takes more
-        rounds there. So does a `careful` one, on a line too new to know. It is aborted after a
-        round without a clean status if `aborts` says so.
+        So does a careful one, on a line too new to know.
         """
         self.output.retry.clear()
         self.output.refresh.clear()  # nothing drives while a reply is late
-        aborts = aborts or self._is_closing
-        careful = careful or (final and not self._is_quiet())
-        rounds = _CAREFUL_ROUNDS if careful else _CLEAN_ROUNDS
-        latched: list[LatchedStatus] = []
-        clean = 0
-        for _ in range(attempts):
-            try:
-                self._send_stop()
-                status = self._status.read(self.client.request)
-            except (NoReply, BadReply):
-                clean = 0
-            else:
-                if status:
-                    latched.append(status)
-                clean = clean + 1 if status.is_clean else 0
-            if clean == rounds or (not clean and aborts()):
-                break
-        confirmed = clean == rounds
-        self._take_statuses(latched)
+        is_careful = is_careful or (is_final and not self._is_quiet())
+        rounds = _CAREFUL_ROUNDS if is_careful else _CLEAN_ROUNDS
+        return StopRun(self, attempts, rounds, is_final, aborts or self._is_closing, stops, end)
+
+    def send_stop(self, run: StopRun) -> None:
+        run.attempts -= 1
+        run.was_sent = False
+        with suppress(NoReply, BadReply):
+            self._send_stop()
+            run.was_sent = True
+
+    def check_stop(self, run: StopRun) -> bool:
+        """Read the status after a stop; return whether no other round is needed."""
+        run.clean += 1
+        try:
+            if not run.was_sent:
+                raise TrexNoReplyError(ErrorCode.STOP_UNCONFIRMED)
+            status = self._status.read(self.client.request)
+        except (NoReply, BadReply):
+            run.clean = 0
+        else:
+            run.latched += [status] if status else []
+            run.clean = run.clean if status.is_clean else 0
+        return run.clean == run.rounds or not run.attempts or (not run.clean and run.aborts())
+
+    def finish_stop(self, run: StopRun) -> bool:
+        """Report the result; return whether the board has confirmed the stop."""
+        confirmed = run.clean == run.rounds
+        self._take_statuses(run.latched)
         self._is_quiet()
-        self.output.note_stop(self._now(), latched, confirmed=confirmed, final=final)
+        self.output.note_stop(self._now(), run.latched, confirmed=confirmed, final=run.is_final)
+        run.end(confirmed)
         return confirmed
 
     def stop_and_confirm(self, *, careful: bool = False) -> bool:
         """Stop unprompted, at once and for good; return whether the board has confirmed it."""
-        return self._stop(_ATTEMPTS, final=True, careful=careful)
+        return stop_together([self.final_stop(careful=careful)])
 
-    def stop_after_take_over(self) -> None:
-        """Stop on a line that the guardian has used until now, see `LineQuality.is_shared`."""
+    def final_stop(self, *, careful: bool = False) -> StopRun:
+        """Return such a stop, for several boards at once."""
+        return self._stop(_ATTEMPTS, is_final=True, is_careful=careful)
+
+    def take_over_stop(self) -> StopRun:
+        """Return the stop on a line that the guardian has used; see `LineQuality.is_shared`."""
         self._is_quiet()
         self.output.quality.is_shared = False
-        self.stop_and_confirm()
+        return self.final_stop()
 
-    def serve_stops(self) -> None:
-        """Serve every requested stop; if the line is gone they are queued for `stop_on_close`."""
-        with self._taken_stops() as stops:
-            answered = self._stop(_ATTEMPTS)
+    def _end_stops(self, stops: Sequence[Stop], *, answered: bool) -> None:
         if not answered and self._is_closing():
-            self.output.put_back(stops)
+            self.output.put_back(stops)  # for `closing_stop`
         else:
             self.output.end_stops(stops, self._now(), answered=answered)
 
-    def stop_on_close(self) -> None:
-        """Stop before the port is closed, which serves every requested stop.
-
-        If the line is gone they are queued again.
-        """
+    def closing_stop(self) -> StopRun:
+        """Return the stop before the port is closed, which serves every requested one."""
         end = self._now() + _CLOSING_SECONDS
         attempts = _CLOSING_ATTEMPTS if self._is_quiet() else _CAREFUL_CLOSING_ATTEMPTS
-        with self._taken_stops() as stops:
-            confirmed = self._stop(attempts, final=True, aborts=lambda: self._now() >= end)
-        error = None if confirmed else TrexNoReplyError(ErrorCode.STOP_UNCONFIRMED)
-        self.output.report_stops(stops, error)
-
-    @contextmanager
-    def _taken_stops(self) -> Iterator[list[Stop]]:
-        """Take the requested stops; an error queues them again."""
         stops = self.output.take_stops()
-        try:
-            yield stops
-        except Exception:
-            self.output.put_back(stops)
-            raise
+
+        def report(confirmed: bool) -> None:
+            error = None if confirmed else TrexNoReplyError(ErrorCode.STOP_UNCONFIRMED)
+            self.output.report_stops(stops, error)
+
+        def is_late() -> bool:
+            return self._now() >= end
+
+        return self._stop(attempts, is_final=True, aborts=is_late, stops=stops, end=report)
 
     def stop_early(self) -> None:
         """Send the requested stops on a line that is not tested yet; its echo is discarded.
@@ -181,26 +202,36 @@ class MotorDriver:
         if self.output.may_move:
             self._send_stop()
 
+    def due_stop(self) -> StopRun | None:
+        """Return the stop that is due, if one is."""
+        output, now = self.output, self._now()
+        if output.stops:
+            stops = output.take_stops()
+            return self._stop(
+                _ATTEMPTS,
+                stops=stops,
+                end=lambda answered: self._end_stops(stops, answered=answered),
+            )
+        if output.seconds_to_heartbeat_timeout(now) <= 0:
+            output.handle(OutputEvent.STOP, now)
+            return self._stop(_ATTEMPTS, end=self._report_timeout)
+        if output.seconds_to_stop_retry(now) <= 0:
+            return self._stop(_RETRY_ATTEMPTS, end=lambda _: output.end_stop_retry())
+        return None
+
+    def _report_timeout(self, answered: bool) -> None:
+        confirmed = answered and not self.output.may_move
+        self.output.report(MotorsStopped(ErrorCode.NO_HEARTBEAT, confirmed))
+
     def serve(self) -> bool:
-        """Stop or drive if that is due; return whether the line was used.
+        """Drive if that is due; return whether the line was used.
 
         Raises:
             NoReply, BadReply: the echo of a setpoint is corrupted; it is sent again.
         """
-        output, now = self.output, self._now()
-        if output.stops:
-            self.serve_stops()
-        elif output.seconds_to_heartbeat_timeout(now) <= 0:
-            output.handle(OutputEvent.STOP, now)
-            confirmed = self._stop(_ATTEMPTS) and not output.may_move
-            output.report(MotorsStopped(ErrorCode.NO_HEARTBEAT, confirmed))
-        elif output.seconds_to_stop_retry(now) <= 0:
-            self._stop(_RETRY_ATTEMPTS)
-            output.end_stop_retry()
-        elif self.seconds_to_drive() <= 0:
-            self._drive()
-        else:
+        if self.seconds_to_drive() > 0:
             return False
+        self._drive()
         return True
 
     def seconds_to_next(self) -> float:
@@ -286,3 +317,22 @@ class MotorDriver:
 
     def _now(self) -> float:
         return self.client.transport.clock()
+
+
+def stop_together(runs: Sequence[StopRun]) -> bool:
+    """Stop boards on one line: every stop leaves before the first status is awaited.
+
+    Return whether all have confirmed it.
+    """
+    try:
+        left = list(runs)
+        while left:
+            for run in left:
+                run.driver.send_stop(run)
+            left = [run for run in left if not run.driver.check_stop(run)]
+    except Exception:
+        for run in runs:
+            run.driver.output.put_back(run.stops)
+        raise
+    confirmed = [run.driver.finish_stop(run) for run in runs]
+    return all(confirmed)

@@ -83,6 +83,7 @@ class MotorsStopped:
 
     reason: ErrorCode | None  # why they were stopped; `None` for a late confirmation
     confirmed: bool  # whether the board's status confirmed the stop
+    board: int | None = None  # number of the board that was the reason, of several
 
 
 Setpoint = SetMotor | SetAuxiliary

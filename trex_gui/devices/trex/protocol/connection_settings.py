@@ -22,13 +22,15 @@ class ConnectionSettings(PortSettings):
 
     `device_number` is 0-127 for the Pololu protocol, `None` for the compact one. `reserved` are the
     numbers of other devices that share the line: with any, no packet is compact or goes to one of
-    them, and nothing is sent at another baud rate.
+    them, and nothing is sent at another baud rate. `group` are the numbers of the boards that are
+    driven together, that of the `device_number` first; empty for one board alone.
     """
 
     line: LineSettings = field(default_factory=LineSettings)
     device_number: int | None = None
     polynomial: int = DEFAULT_POLYNOMIAL
     reserved: frozenset[int] = frozenset()
+    group: tuple[int, ...] = ()
 
     @classmethod
     def on(cls, port: PortSettings) -> "ConnectionSettings":
@@ -68,6 +70,11 @@ class ConnectionSettings(PortSettings):
         if isinstance(line, LineSettings):
             return replace(self, line=line)
         return PortSettings(self.url, line, name=self.name, timeouts=self.timeouts)
+
+    def of_board(self, number: int) -> "ConnectionSettings":
+        """Return the settings of one board of the group."""
+        others = self.reserved | (frozenset(self.group) - {number})
+        return replace(self, device_number=number, reserved=others)
 
     @property
     def reserved_text(self) -> str:

@@ -112,6 +112,15 @@ class ErrorCode(Enum):
     NUMBER_TAKEN = tr_noop(
         "Another board on this line has the device number {0}. Choose a number that is free."
     )
+    LEFT_GROUP = tr_noop(
+        "Board {0} does not drive any more: it was silent, stopped or restarted. The boards that "
+        "are driven with it were stopped, too."
+    )
+    OF_BOARD = tr_noop("Board {0}: {1}")
+    IN_GROUP = tr_noop(
+        "Boards that are driven together keep their numbers, and none can be selected. Connect to "
+        "this board alone."
+    )
     # Boards that are served to several clients
     OTHER_DRIVES = tr_noop("Another user drives this board. Ask to have it handed over.")
     MAY_NOT_DRIVE = tr_noop("You may watch this board and stop it, but not drive or change it.")

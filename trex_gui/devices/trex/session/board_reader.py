@@ -77,7 +77,7 @@ class BoardReader:
                 self.state,
                 client.echo,
                 occasion,
-                client.settings,
+                line.settings,
                 line.motors.may_move,
                 self.port_rates,
                 line.queue.selection,

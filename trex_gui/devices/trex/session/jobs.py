@@ -7,6 +7,7 @@ from trex_gui.core.session import Outcome
 from trex_gui.devices.trex.client.reading import ATTEMPTS, board_at, require_free_number
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import WriteResult, after_writing, write_all
+from trex_gui.devices.trex.driving.motor_driver import stop_together
 from trex_gui.devices.trex.driving.motor_output import OutputEvent
 from trex_gui.devices.trex.driving.requests import MotorsStopped
 from trex_gui.devices.trex.protocol.commands import Command, ReplyT_co
@@ -81,6 +82,7 @@ class JobServer:
         arming has no effect until everything is read, and then only for the new `selection`.
         """
         line = self._line
+        line.require_alone()
         motors, client, before = line.motors, line.client, line.client.settings
         selection = line.queue.selection
         motors.handle(OutputEvent.STOP, line.now())
@@ -187,6 +189,7 @@ class JobServer:
         is_addressed = line.client.settings.device_number is not None
         number = parameters.get(ParameterKey.DEVICE_NUMBER, stored)
         if number != stored:
+            line.require_alone()
             line.require_stopped()
         elif is_addressed and ParameterKey.FACTORY_RESET in parameters:
             number = state.specs[ParameterKey.DEVICE_NUMBER].default  # from its next start on
@@ -195,9 +198,9 @@ class JobServer:
 
         def request(command: Command[ReplyT_co]) -> ReplyT_co:
             nonlocal stop_is_due
-            if stop_is_due and line.queue.sees_close() and line.motors.may_move:
+            if stop_is_due and line.requests.sees_close() and line.motors.may_move:
                 stop_is_due = False
-                line.driver.stop_on_close()
+                stop_together([board.driver.closing_stop() for board in line.boards])
             line.serve_motors()
             return line.client.request(command)
 
@@ -210,7 +213,7 @@ class JobServer:
                 line.report_progress,
                 before=job.before or state,
                 has_crc=line.client.has_crc,
-                cancelled=line.queue.sees_close,
+                cancelled=line.requests.sees_close,
                 stored=self._note_stored,
             )
         except OtherBoard:
@@ -220,7 +223,7 @@ class JobServer:
         failures = NoReply | BadReply | Rejected | PortUnavailable
         if any(isinstance(result.error, failures) for result in results):
             self._reader.expect_changes()
-        return Written(results, self._reader.state, line.client.settings)
+        return Written(results, self._reader.state, line.settings)
 
     def _note_stored(self, result: WriteResult) -> None:
         self._reader.state = after_writing(self._reader.state, (result,))

@@ -134,7 +134,22 @@ LeaseRequest = AskLease | HandOver | TakeLease | ReturnLease
 Job = SendPacket | Write | Reload | ProbeNumber | SelectBoard
 """Requests that are served in their order; each has an `Outcome`."""
 
-Request = Job | MotorRequest | SetReconnectCandidates | SetWatched | LeaseRequest | Close
+BoardRequest = Job | MotorRequest | SetReconnectCandidates
+
+
+@dataclass(frozen=True, slots=True)
+class ToBoard:
+    """A request for one of the boards that are driven together, by its number.
+
+    A `Stop`, `Arm` or `Heartbeat` by itself is for all of them; the `Outcome` of such a stop is
+    reported once that of each board is known. Any other request is for the first one.
+    """
+
+    number: int
+    request: BoardRequest
+
+
+Request = BoardRequest | ToBoard | SetWatched | LeaseRequest | Close
 
 
 class ReadReason(Enum):
@@ -248,7 +263,7 @@ class Traffic:
     events: tuple[TrafficEvent, ...]
 
 
-Report = (
+BoardReport = (
     Progress
     | Connected
     | GuardianChanged
@@ -262,3 +277,14 @@ Report = (
     | Outcome
     | Closed
 )
+
+
+@dataclass(frozen=True, slots=True)
+class OfBoard:
+    """A report of one of the boards that are driven together, but not of the first one."""
+
+    number: int
+    report: BoardReport
+
+
+Report = BoardReport | OfBoard

@@ -1,4 +1,4 @@
-"""The open line of a session: every part that reads, writes or drives over it."""
+"""The open line of a session, for each of its boards: what reads, writes or drives over it."""
 
 import math
 from collections.abc import Callable
@@ -10,14 +10,21 @@ from trex_gui.core.timing import FRAME
 from trex_gui.core.transport.guarded import GuardedTransport
 from trex_gui.devices.trex.client.client import Counters, TrexClient
 from trex_gui.devices.trex.client.telemetry import Sample, StatusReader
-from trex_gui.devices.trex.driving.motor_driver import MotorDriver
+from trex_gui.devices.trex.driving.motor_driver import MotorDriver, StopRun, stop_together
 from trex_gui.devices.trex.driving.motor_output import MotorOutput, OutputEvent
+from trex_gui.devices.trex.driving.requests import MotorsStopped
 from trex_gui.devices.trex.protocol.commands import Command, ReplyT_co
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexRequestError
-from trex_gui.devices.trex.session.messages import Batch, GuardianChanged, NotResponding, Report
+from trex_gui.devices.trex.session.messages import (
+    Batch,
+    BoardReport,
+    GuardianChanged,
+    NotResponding,
+)
 from trex_gui.devices.trex.session.polling import Topic
 from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
-from trex_gui.devices.trex.session.request_queue import TrexRequestQueue
+from trex_gui.devices.trex.session.request_queue import BoardQueue, TrexRequestQueue
 
 
 class SampleBatcher:
@@ -40,9 +47,9 @@ class SampleBatcher:
             self._report(batch)
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, eq=False)
 class OpenLine:
-    """The parts of a session that share its line, and the order in which they use it."""
+    """The line as one board of a session uses it, and the order in which they share it."""
 
     client: TrexClient
     transport: GuardedTransport
@@ -50,11 +57,20 @@ class OpenLine:
     driver: MotorDriver
     status: StatusReader
     liveness: LivenessMonitor
-    queue: TrexRequestQueue
+    requests: TrexRequestQueue  # of every board
+    queue: BoardQueue
     batcher: SampleBatcher
-    emit: Callable[[Report], None]
+    emit: Callable[[BoardReport], None]
+    # Every board on this line that is driven, this one too
+    boards: list["OpenLine"]
+    reserved: frozenset[int]  # numbers of other devices, without those of `boards`
     has_driven: bool = False  # since no stop was sent to each board on the line
     is_guarded: bool = False  # as last reported
+
+    @property
+    def settings(self) -> ConnectionSettings:
+        """How the board is reached now, with the numbers that the user has reserved."""
+        return replace(self.client.settings, reserved=self.reserved)
 
     def now(self) -> float:
         return self.client.transport.clock()
@@ -69,17 +85,39 @@ class OpenLine:
 
     def collect(self, seconds: float = 0.0) -> None:
         """Take requests, and wait for one; raise `Closing` at the end."""
-        self.queue.collect(seconds)
-        self.client.keepalive_while_waiting = self.motors.is_armed
-        if self.queue.is_closing:
+        self.requests.collect(seconds)
+        for board in self.boards:
+            board.client.keepalive_while_waiting = board.motors.is_armed
+        if self.requests.is_closing:
             raise Closing
 
     def serve_motors(self) -> bool:
-        """Stop or drive if that is due; return whether the line was used."""
+        """Stop boards or drive one if that is due; return whether the line was used."""
+        runs = [run for board in self.boards for run in board.due_stops()]
+        if runs:
+            stop_together(runs)
+            return True
+        return any(board.drive() for board in self.boards)
+
+    def due_stops(self) -> list[StopRun]:
+        """Return the stop that is due; see `MotorDriver.take_over_stop` for a shared line."""
+        if self.motors.quality.is_shared:
+            return [self.driver.take_over_stop()]
+        if (run := self.driver.due_stop()) is not None:
+            return [run]
+        left = next((one for one in self.boards if not one.motors.is_armed), None)
+        if left is None or not self.motors.is_armed:
+            return []
+        self.motors.handle(OutputEvent.STOP, self.now())
+        run = self.driver.final_stop()
+        number = left.client.settings.device_number
+        run.end = lambda confirmed: self.emit(
+            MotorsStopped(ErrorCode.LEFT_GROUP, confirmed, number)
+        )
+        return [run]
+
+    def drive(self) -> bool:
         try:
-            if self.motors.quality.is_shared:
-                self.driver.stop_after_take_over()
-                return True
             return self.driver.serve()
         except (NoReply, BadReply) as error:
             self.note_failure(error)
@@ -89,8 +127,12 @@ class OpenLine:
         if self.motors.may_move:
             self.driver.stop_and_confirm()
 
+    def require_alone(self) -> None:
+        if len(self.boards) > 1:
+            raise TrexRequestError(ErrorCode.IN_GROUP)
+
     def require_stopped(self) -> None:
-        if self.motors.is_armed or self.motors.may_move:
+        if any(board.motors.is_armed or board.motors.may_move for board in self.boards):
             raise TrexRequestError(ErrorCode.OTHERS_WHILE_DRIVING)
 
     def note_failure(self, error: StudioError, topic: Topic | None = None) -> None:

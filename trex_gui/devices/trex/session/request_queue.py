@@ -1,70 +1,56 @@
-"""Sorts the requests to a line session: those for the motors go first."""
+"""Sorts the requests to a line session by board: those for the motors go first."""
 
-from collections import deque
-from collections.abc import Callable
+from collections import Counter, deque
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from trex_gui.core.session import Close, Inbox, Outcome
 from trex_gui.devices.trex.driving.motor_output import MotorOutput
 from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, Stop
-from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexRequestError
+from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexNoReplyError, TrexRequestError
 from trex_gui.devices.trex.session.messages import (
+    BoardRequest,
     Job,
     LeaseRequest,
     Request,
     SendPacket,
     SetReconnectCandidates,
     SetWatched,
+    ToBoard,
 )
 from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
 
 
 @dataclass(slots=True, eq=False)
-class TrexRequestQueue:
-    _inbox: Inbox[Request]
-    _output: MotorOutput
+class BoardQueue:
+    """The requests for one board."""
+
+    output: MotorOutput
     _liveness: LivenessMonitor
     _report: Callable[[Outcome], None]
     _clock: Callable[[], float]
     jobs: deque[Job] = field(default_factory=deque)
-    is_closing: bool = False  # whether a `Close` came
-    is_watched: bool = True  # whether anything shows or records samples
     # Id of the `SelectBoard` that chose the present board; 0 before the first
     selection: int = 0
 
-    def collect(self, seconds: float = 0.0) -> None:
-        """Sort every request that has come, waiting up to `seconds` for the first.
+    def take(self, request: BoardRequest, *, is_closing: bool) -> None:
+        """Sort a request. `is_closing`: motor commands come too late.
 
         A stop drops setpoints that came before it, and those that come until an `Arm`: they may
-        have been sent before their sender knew of it. `Close` drops all setpoints.
+        have been sent before their sender knew of it.
         """
-        request = self._inbox.get(max(seconds, 0.0))
-        while request is not None:
-            match request:
-                case Close():
-                    self.is_closing = True
-                    self._output.setpoints.clear()
-                case Stop():
-                    self._output.take(request, self._clock())
-                    self._reject_motor_commands()
-                case SetReconnectCandidates(settings=settings):
-                    self._liveness.expect(settings)
-                case SetWatched(watched=watched):
-                    self.is_watched = watched
-                case _ if isinstance(request, LeaseRequest):
-                    pass  # nobody else is at a line of this computer
-                case Arm(selection=selection) if selection != self.selection:
-                    pass  # meant for another board
-                case _ if isinstance(request, Job):
-                    self.jobs.append(request)
-                case _ if isinstance(request, Heartbeat) or not self.is_closing:
-                    self._output.take(request, self._clock())
-            request = self._inbox.get(0.0)
-
-    def sees_close(self) -> bool:
-        """Sort what has come; return whether a `Close` is or was among it."""
-        self.collect()
-        return self.is_closing
+        match request:
+            case Stop():
+                self.output.take(request, self._clock())
+                self._reject_motor_commands()
+            case SetReconnectCandidates(settings=settings):
+                self._liveness.expect(settings)
+            case Arm(selection=selection) if selection != self.selection:
+                pass  # meant for another board
+            case _ if isinstance(request, Job):
+                self.jobs.append(request)
+            case _ if isinstance(request, Heartbeat) or not is_closing:
+                self.output.take(request, self._clock())
 
     def _reject_motor_commands(self) -> None:
         for job in list(self.jobs):
@@ -75,7 +61,76 @@ class TrexRequestQueue:
 
     def abandon(self) -> list[int]:
         """Drop everything, and return the ids that have no outcome yet."""
-        ids = [request.id for request in (*self._output.take_stops(), *self.jobs)]
-        self._output.setpoints.clear()
+        ids = [request.id for request in (*self.output.take_stops(), *self.jobs)]
+        self.output.setpoints.clear()
         self.jobs.clear()
         return ids
+
+
+@dataclass(slots=True, eq=False)
+class TrexRequestQueue:
+    """The requests for every board of a line; see `ToBoard` for whom each is."""
+
+    _inbox: Inbox[Request]
+    _boards: Mapping[int | None, BoardQueue]  # by number in the group, the first one first
+    is_closing: bool = False  # whether a `Close` came
+    is_watched: bool = True  # whether anything shows or records samples
+    # Of stops of several boards, by id: outcomes that are not known yet, and the first error
+    _awaited: Counter[int] = field(default_factory=Counter)
+    _failed: dict[int, Outcome] = field(default_factory=dict)
+
+    def collect(self, seconds: float = 0.0) -> None:
+        """Sort every request that has come, waiting up to `seconds` for the first.
+
+        `Close` drops all setpoints.
+        """
+        boards = list(self._boards.values())
+        request = self._inbox.get(max(seconds, 0.0))
+        while request is not None:
+            match request:
+                case Close():
+                    self.is_closing = True
+                    for board in boards:
+                        board.output.setpoints.clear()
+                case SetWatched(watched=watched):
+                    self.is_watched = watched
+                case _ if isinstance(request, LeaseRequest):
+                    pass  # nobody else is at a line of this computer
+                case ToBoard(number=number, request=inner) if number in self._boards:
+                    self._boards[number].take(inner, is_closing=self.is_closing)
+                case ToBoard():
+                    pass
+                case Stop() | Arm() | Heartbeat():
+                    if isinstance(request, Stop):
+                        self._awaited[request.id] += len(boards)
+                    for board in boards:
+                        board.take(request, is_closing=self.is_closing)
+                case _:
+                    boards[0].take(request, is_closing=self.is_closing)
+            request = self._inbox.get(0.0)
+
+    def joined(self, outcome: Outcome, number: int) -> Outcome | None:
+        """Return the outcome of a stop of several boards once that of each is known.
+
+        Those of other requests are returned as they are.
+        """
+        stop = outcome.id
+        if not self._awaited[stop]:
+            return outcome
+        if outcome.error is not None:
+            error = TrexNoReplyError(ErrorCode.OF_BOARD, number, outcome.error)
+            self._failed.setdefault(stop, Outcome(stop, error=error))
+        self._awaited[stop] -= 1
+        if self._awaited[stop]:
+            return None
+        return self._failed.pop(stop, outcome)
+
+    def sees_close(self) -> bool:
+        """Sort what has come; return whether a `Close` is or was among it."""
+        self.collect()
+        return self.is_closing
+
+    def abandon(self) -> list[int]:
+        """Drop everything, and return the ids that have no outcome yet."""
+        ids = [number for board in self._boards.values() for number in board.abandon()]
+        return list(dict.fromkeys(ids))

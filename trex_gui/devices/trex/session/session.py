@@ -6,10 +6,11 @@ one motor command that is sent unprompted.
 
 import logging
 from collections.abc import Callable
+from dataclasses import dataclass, field
 
 from trex_gui.core.discovery.prober import ScanProgress
 from trex_gui.core.errors import BadReply, NoReply, PortUnavailable, StudioError
-from trex_gui.core.guardian.guardian import HEARTBEAT_INTERVAL, StopSequence
+from trex_gui.core.guardian.guardian import HEARTBEAT_INTERVAL, StopSequence, joined_stops
 from trex_gui.core.session import SHORTEST_WAIT, Closed, Inbox, Outcome, run_until_closed
 from trex_gui.core.timing import FRAME, UNWATCHED_INTERVAL
 from trex_gui.core.transport.guarded import GuardedTransport
@@ -18,24 +19,54 @@ from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import other_board
 from trex_gui.devices.trex.client.telemetry import StatusReader
 from trex_gui.devices.trex.diagnosis import diagnose, explain
-from trex_gui.devices.trex.driving.motor_driver import MotorDriver
+from trex_gui.devices.trex.driving.motor_driver import MotorDriver, stop_together
 from trex_gui.devices.trex.driving.motor_output import MotorOutput, OutputEvent
 from trex_gui.devices.trex.driving.requests import MotorsStopped
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError, TrexInternalError
+from trex_gui.devices.trex.protocol.errors import (
+    ErrorCode,
+    TrexError,
+    TrexInternalError,
+    TrexNoReplyError,
+)
 from trex_gui.devices.trex.protocol.line_settings import baud_rates
 from trex_gui.devices.trex.session.board_reader import BoardReader
 from trex_gui.devices.trex.session.jobs import JobServer
-from trex_gui.devices.trex.session.messages import ProbeProgress, ReadReason, Report, Request
+from trex_gui.devices.trex.session.messages import (
+    BoardReport,
+    OfBoard,
+    ProbeProgress,
+    ReadReason,
+    Report,
+    Request,
+)
 from trex_gui.devices.trex.session.open_line import OpenLine, SampleBatcher
 from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
-from trex_gui.devices.trex.session.request_queue import TrexRequestQueue
+from trex_gui.devices.trex.session.request_queue import BoardQueue, TrexRequestQueue
 
 log = logging.getLogger(__name__)
 
 
+@dataclass(slots=True)
+class _Board:
+    """One board of the line, from before it is opened."""
+
+    number: int | None  # in a group
+    settings: ConnectionSettings
+    motors: MotorOutput
+    liveness: LivenessMonitor
+    queue: BoardQueue
+    emit: Callable[[BoardReport], None]
+    # Since the line was opened:
+    line: OpenLine = field(init=False)
+    reader: BoardReader = field(init=False)
+    jobs: JobServer = field(init=False)
+    had_job: bool = False  # since its last poll
+    stopped_another: bool = False  # at the end another board than the one driven answered
+
+
 class TrexSession:
-    """Serves one line from opening it to closing it.
+    """Serves one line, and each board of its group, from opening it to closing it.
 
     Args:
         settings: how to reach the board.
@@ -45,11 +76,6 @@ class TrexSession:
         may_move: motors may be moving since an earlier session: a stop is sent before anything
             else.
     """
-
-    # Since the line was opened:
-    _line: OpenLine
-    _reader: BoardReader
-    _jobs: JobServer
 
     def __init__(
         self,
@@ -64,11 +90,29 @@ class TrexSession:
         self._emit = emit
         self._open_transport = open_transport
         self._is_open = False
-        self._motors = MotorOutput(emit, settings.timeouts, may_move=may_move)
-        self._liveness = LivenessMonitor(settings.timeouts)
-        self._queue = TrexRequestQueue(inbox, self._motors, self._liveness, emit, self._now)
-        self._had_job = False  # since the last poll
-        self._stopped_another = False  # at the end another board than the one driven answered
+        boards = {one: settings.of_board(one) for one in settings.group}
+        self._boards = [self._board(*one, may_move) for one in boards.items()] or [
+            self._board(None, settings, may_move)
+        ]
+        self._in_turn = list(self._boards)  # who was served least recently comes first
+        self._requests = TrexRequestQueue(inbox, {one.number: one.queue for one in self._boards})
+
+    def _board(self, number: int | None, settings: ConnectionSettings, may_move: bool) -> _Board:
+        """Return a board; `number` is that of one in a group."""
+
+        def emit(report: BoardReport) -> None:
+            if number is None:
+                self._emit(report)
+            elif isinstance(report, Outcome):
+                if (outcome := self._requests.joined(report, number)) is not None:
+                    self._emit(outcome)
+            else:
+                self._emit(report if number == self._settings.group[0] else OfBoard(number, report))
+
+        motors = MotorOutput(emit, settings.timeouts, may_move=may_move)
+        liveness = LivenessMonitor(settings.timeouts)
+        queue = BoardQueue(motors, liveness, emit, self._now)
+        return _Board(number, settings, motors, liveness, queue, emit)
 
     def run(self) -> None:
         """Serve the line until it is lost or `Close` comes; then report `Closed`.
@@ -81,14 +125,15 @@ class TrexSession:
         )
         if self._is_open:
             self._leave_safely()
-        self._queue.collect()
+        self._requests.collect()
         reason = error or TrexError(ErrorCode.CLOSED)
-        for number in self._queue.abandon():
+        for number in self._requests.abandon():
             self._emit(Outcome(number, error=reason))
-        self._emit(Closed(error, self._motors.may_move or self._stopped_another))
+        may_move = any(one.motors.may_move or one.stopped_another for one in self._boards)
+        self._emit(Closed(error, may_move))
 
     def _now(self) -> float:
-        return self._line.now() if self._is_open else 0.0
+        return self._transport.clock() if self._is_open else 0.0
 
     # --- Beginning and end --------------------------------------------------------------
 
@@ -101,25 +146,12 @@ class TrexSession:
             taken_over=self._on_taken_over,
             stop_is_due=self._is_stop_due,
         )
-        client = TrexClient(transport, self._settings)
-        status, batcher = StatusReader(transport.clock), SampleBatcher(self._emit)
-        driver = MotorDriver(self._motors, client, status, batcher.extend, self._queue.sees_close)
-        self._line = OpenLine(
-            client=client,
-            transport=transport,
-            motors=self._motors,
-            driver=driver,
-            status=status,
-            liveness=self._liveness,
-            queue=self._queue,
-            batcher=batcher,
-            emit=self._emit,
-            has_driven=self._motors.may_move,
-        )
-        self._reader = BoardReader(self._line)
-        self._jobs = JobServer(self._line, self._reader)
+        self._transport = transport
+        client = TrexClient(transport, self._boards[0].settings)
+        for board in self._boards:
+            self._add(board, client)
         self._is_open = True
-        self._reader.port_rates = transport.rates(baud_rates())
+        self._boards[0].reader.port_rates = transport.rates(baud_rates())
         try:
             try:
                 self._begin(client)
@@ -128,7 +160,39 @@ class TrexSession:
                 self._begin(client)
         except (NoReply, BadReply) as error:
             raise self._why_not_found(client, error) from error
-        transport.while_waiting = driver.refresh_while_waiting
+        for board in self._boards[1:]:
+            self._begin_other(board, client)
+        drivers = [board.line.driver for board in self._boards]
+        transport.while_waiting = lambda waited: min(
+            driver.refresh_while_waiting(waited) for driver in drivers
+        )
+
+    def _add(self, board: _Board, client: TrexClient) -> None:
+        """Make the parts of a board; `client` is that of the first one."""
+        own = client if board is self._boards[0] else client.to_board(board.settings)
+        status, batcher = StatusReader(self._transport.clock), SampleBatcher(board.emit)
+        see = self._requests.sees_close
+        board.line = OpenLine(
+            client=own,
+            transport=self._transport,
+            motors=board.motors,
+            driver=MotorDriver(board.motors, own, status, batcher.extend, see),
+            status=status,
+            liveness=board.liveness,
+            requests=self._requests,
+            queue=board.queue,
+            batcher=batcher,
+            emit=board.emit,
+            boards=[],
+            reserved=self._settings.reserved,
+            has_driven=board.motors.may_move,
+        )
+        for one in self._boards[: self._boards.index(board)]:
+            one.line.boards.append(board.line)
+            board.line.boards.append(one.line)
+        board.line.boards.append(board.line)
+        board.reader = BoardReader(board.line)
+        board.jobs = JobServer(board.line, board.reader)
 
     def _why_not_found(self, client: TrexClient, error: StudioError) -> StudioError:
         """Probe for what is there instead, unless motors have to be stopped first."""
@@ -137,69 +201,90 @@ class TrexSession:
         return diagnose(client, error, progress=self._report_probe, cancelled=self._is_stop_wanted)
 
     def _is_stop_wanted(self) -> bool:
-        self._line.collect()
-        return self._motors.may_move or bool(self._motors.stops)
+        self._boards[0].line.collect()
+        return any(one.motors.may_move or one.motors.stops for one in self._boards)
 
     def _report_probe(self, step: ScanProgress) -> None:
         self._emit(ProbeProgress(step.done, step.total, step.line.text()))
 
     def _begin(self, client: TrexClient) -> None:
         client.detect_echo(self._stop_early)
-        self._line.stop_if_moving()
-        self._reader.read_everything(ReadReason.OPENED)
+        first = self._boards[0]
+        first.line.stop_if_moving()
+        first.reader.read_everything(ReadReason.OPENED)
+
+    def _begin_other(self, board: _Board, client: TrexClient) -> None:
+        board.line.client.echo = client.echo
+        try:
+            board.line.stop_if_moving()
+            board.reader.read_everything(ReadReason.OPENED)
+        except (NoReply, BadReply) as error:
+            raise TrexNoReplyError(ErrorCode.OF_BOARD, board.number, error) from error
 
     def _stop_sequence(self) -> StopSequence | None:
-        if not self._is_open or not (self._motors.may_move or self._motors.is_armed):
+        boards = self._boards
+        if not self._is_open or not any(
+            one.motors.may_move or one.motors.is_armed for one in boards
+        ):
             return None
-        return self._line.client.stop_sequence(str(self._reader.signature or "TReX"))
+        names = " + ".join(str(one.reader.signature or "TReX") for one in boards)
+        return joined_stops([one.line.client.stop_sequence(names) for one in boards])
 
     def _on_taken_over(self, confirmed: bool | None) -> None:
         """Drop the setpoints; the motors are stopped again before the line is used for more."""
-        self._motors.quality.is_shared = True
-        self._motors.handle(OutputEvent.STOP, self._now())
         code = ErrorCode.NO_GUARDIAN if confirmed is None else ErrorCode.NO_HEARTBEAT
-        self._emit(MotorsStopped(code, bool(confirmed)))
+        for board in self._boards:
+            board.motors.quality.is_shared = True
+            board.motors.handle(OutputEvent.STOP, self._now())
+            board.emit(MotorsStopped(code, bool(confirmed)))
 
     def _is_stop_due(self) -> bool:
-        self._queue.collect()
-        return (
-            bool(self._motors.stops) or self._motors.seconds_to_heartbeat_timeout(self._now()) <= 0
+        self._requests.collect()
+        now = self._now()
+        return any(
+            one.motors.stops or one.motors.seconds_to_heartbeat_timeout(now) <= 0
+            for one in self._boards
         )
 
     def _stop_early(self) -> None:
-        self._queue.collect()
-        self._line.driver.stop_early()
+        self._requests.collect()
+        for board in self._boards:
+            board.line.driver.stop_early()
 
     def _leave_safely(self) -> None:
         """Stop motors that were driven and close the port, whatever the line does."""
-        line, client = self._line, self._line.client
+        boards, transport = self._boards, self._transport
         try:
-            was_driven = self._motors.may_move
-            if was_driven or self._motors.stops:
-                line.driver.stop_on_close()
-            if was_driven and not self._motors.may_move:
-                self._stopped_another = self._is_another_board()
-            client.drain()
-            self._is_open = self._motors.may_move
-            line.transport.beat()  # a guardian that is not told so keeps the board as left running
+            driven = [one for one in boards if one.motors.may_move]
+            stopped = [one for one in boards if one.motors.may_move or one.motors.stops]
+            stop_together([one.line.driver.closing_stop() for one in stopped])
+            for board in driven:
+                if not board.motors.may_move:
+                    board.stopped_another = self._is_another(board)
+            boards[0].line.client.drain()
+            self._is_open = any(one.motors.may_move for one in boards)
+            transport.beat()  # a guardian that is not told so keeps the boards as left running
         except StudioError:
             log.info("the line was closed without a confirmed stop", exc_info=True)
         except Exception:
             log.exception("leaving the line failed")
-        if self._motors.may_move and line.transport.stop_by_guardian():
-            self._motors.handle(OutputEvent.STOP_CONFIRMED, self._now())
+        moving = [one for one in boards if one.motors.may_move]
+        if moving and transport.stop_by_guardian():
+            for board in moving:
+                board.motors.handle(OutputEvent.STOP_CONFIRMED, self._now())
         try:
-            line.flush()
+            for board in boards:
+                board.line.flush()
         except Exception:  # the receiver may be what failed; the port is closed all the same
             log.exception("the last samples could not be reported")
-        client.close()
+        boards[0].line.client.close()
 
-    def _is_another_board(self) -> bool:
+    def _is_another(self, board: _Board) -> bool:
         """Whether the board that replies now is known not to be the one that was read."""
-        signature = self._reader.signature
+        signature = board.reader.signature
         try:
             return signature is not None and (
-                other_board(self._line.client.request, signature) is not None
+                other_board(board.line.client.request, signature) is not None
             )
         except (NoReply, BadReply, PortUnavailable):
             return False
@@ -207,44 +292,58 @@ class TrexSession:
     # --- The loop -----------------------------------------------------------------------
 
     def _step(self) -> None:
-        line, reader = self._line, self._reader
-        line.transport.beat()
-        line.report_guardian()
-        line.collect()
-        now = line.now()
-        motors = self._motors
-        in_use = motors.is_armed or motors.may_move or motors.is_repeating
-        watched = in_use or self._queue.is_watched
-        reader.polling.set_watched(watched, now)
-        line.batcher.interval = FRAME if watched else UNWATCHED_INTERVAL
-        line.has_driven = line.has_driven or motors.may_move
-        line.flush_if_due(now)
-        if line.serve_motors():
+        first = self._boards[0].line
+        self._transport.beat()
+        first.report_guardian()
+        first.collect()
+        now = first.now()
+        in_use = any(
+            one.motors.is_armed or one.motors.may_move or one.motors.is_repeating
+            for one in self._boards
+        )
+        watched = in_use or self._requests.is_watched
+        for board in self._boards:
+            board.reader.polling.set_watched(watched, now)
+            board.line.batcher.interval = FRAME if watched else UNWATCHED_INTERVAL
+            board.line.has_driven = board.line.has_driven or board.motors.may_move
+            board.line.flush_if_due(now)
+        if first.serve_motors():
             return
-        if self._queue.jobs and not self._had_job:
-            self._serve_job()
-        elif self._liveness.silent and now >= self._liveness.retry_at:
-            reader.try_to_reconnect()
-        elif not self._liveness.silent and now >= reader.safety_read_at and watched:
-            reader.check_safety_parameter(now)
-        elif not self._liveness.silent and (topic := reader.next_topic(now)):
-            reader.poll(topic)
-            self._had_job = False
-        elif self._queue.jobs:
-            self._serve_job()
-        else:
-            line.collect(self._seconds_to_wait(now))
+        for board in self._in_turn:
+            if self._serve(board, now, watched=watched):
+                self._in_turn.remove(board)
+                self._in_turn.append(board)
+                return
+        first.collect(self._seconds_to_wait(now))
 
-    def _serve_job(self) -> None:
+    def _serve(self, board: _Board, now: float, *, watched: bool) -> bool:
+        """Do what is due for one board; return whether the line was used."""
+        reader, liveness, jobs = board.reader, board.liveness, board.queue.jobs
+        if jobs and not board.had_job:
+            self._serve_job(board)
+        elif liveness.silent and now >= liveness.retry_at:
+            reader.try_to_reconnect()
+        elif not liveness.silent and now >= reader.safety_read_at and watched:
+            reader.check_safety_parameter(now)
+        elif not liveness.silent and (topic := reader.next_topic(now)):
+            reader.poll(topic)
+            board.had_job = False
+        elif jobs:
+            self._serve_job(board)
+        else:
+            return False
+        return True
+
+    def _serve_job(self, board: _Board) -> None:
         """Serve a request; a poll that is due has its turn before the next one."""
-        self._had_job = True
-        self._jobs.serve(self._queue.jobs.popleft())
+        board.had_job = True
+        board.jobs.serve(board.queue.jobs.popleft())
 
     def _seconds_to_wait(self, now: float) -> float:
-        line = self._line
-        if self._liveness.silent:
-            seconds = self._liveness.retry_at - now
-        else:
-            seconds = self._reader.seconds_to_next(now)
-        driving, batch = line.driver.seconds_to_next(), line.batcher.seconds_to_next(now)
-        return max(SHORTEST_WAIT, min(seconds, driving, batch, HEARTBEAT_INTERVAL))
+        seconds = HEARTBEAT_INTERVAL
+        for board in self._boards:
+            line, liveness = board.line, board.liveness
+            due = liveness.retry_at - now if liveness.silent else board.reader.seconds_to_next(now)
+            driving, batch = line.driver.seconds_to_next(), line.batcher.seconds_to_next(now)
+            seconds = min(seconds, due, driving, batch)
+        return max(SHORTEST_WAIT, seconds)
