@@ -13,7 +13,7 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 
 from tests.fuzz import targets
-from tests.soak import deaths, drives, faults, messages, networks
+from tests.soak import deaths, drives, faults, groups, messages, networks
 from tests.support import kill_saves
 
 Part = Callable[[float, int], Sequence[object]]
@@ -25,6 +25,7 @@ PARTS: dict[str, Part] = {
     "faults": faults.run,
     "drives": drives.run,
     "deaths": deaths.run,
+    "groups": groups.run,
     "messages": messages.run,
     "networks": networks.run,
 }

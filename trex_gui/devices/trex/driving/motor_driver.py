@@ -71,6 +71,7 @@ class StopRun:
     clean: int = 0
     latched: list[LatchedStatus] = field(default_factory=list)
     was_sent: bool = False
+    unanswered: list[NoReply] = field(default_factory=list)  # of the last rounds, in a row
 
 
 @dataclass(slots=True, eq=False)
@@ -127,9 +128,14 @@ class MotorDriver:
             if not run.was_sent:
                 raise TrexNoReplyError(ErrorCode.STOP_UNCONFIRMED)
             status = self._status.read(self.client.request)
-        except (NoReply, BadReply):
+        except NoReply as error:
             run.clean = 0
+            run.unanswered.append(error)
+        except BadReply:
+            run.clean = 0
+            run.unanswered.clear()
         else:
+            run.unanswered.clear()
             run.latched += [status] if status else []
             run.clean = run.clean if status.is_clean else 0
         return run.clean == run.rounds or not run.attempts or (not run.clean and run.aborts())

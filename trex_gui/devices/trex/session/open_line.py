@@ -93,11 +93,14 @@ class OpenLine:
 
     def serve_motors(self) -> bool:
         """Stop boards or drive one if that is due; return whether the line was used."""
-        runs = [run for board in self.boards for run in board.due_stops()]
-        if runs:
-            stop_together(runs)
-            return True
-        return any(board.drive() for board in self.boards)
+        runs = [(board, run) for board in self.boards for run in board.due_stops()]
+        if not runs:
+            return any(board.drive() for board in self.boards)
+        stop_together([run for _, run in runs])
+        for board, run in runs if len(self.boards) > 1 else ():
+            for error in run.unanswered:  # nothing may drive the others before it responds again
+                board.note_failure(error)
+        return True
 
     def due_stops(self) -> list[StopRun]:
         """Return the stop that is due; see `MotorDriver.take_over_stop` for a shared line."""

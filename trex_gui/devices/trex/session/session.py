@@ -47,7 +47,7 @@ from trex_gui.devices.trex.session.request_queue import BoardQueue, TrexRequestQ
 log = logging.getLogger(__name__)
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, eq=False)
 class _Board:
     """One board of the line, from before it is opened."""
 
@@ -148,8 +148,9 @@ class TrexSession:
         )
         self._transport = transport
         client = TrexClient(transport, self._boards[0].settings)
+        lines: list[OpenLine] = []
         for board in self._boards:
-            self._add(board, client)
+            self._add(board, client, lines)
         self._is_open = True
         self._boards[0].reader.port_rates = transport.rates(baud_rates())
         try:
@@ -162,13 +163,15 @@ class TrexSession:
             raise self._why_not_found(client, error) from error
         for board in self._boards[1:]:
             self._begin_other(board, client)
+            for one in self._boards:  # they are driven together once they were armed together
+                one.motors.handle(OutputEvent.STOP, self._now())
         drivers = [board.line.driver for board in self._boards]
         transport.while_waiting = lambda waited: min(
             driver.refresh_while_waiting(waited) for driver in drivers
         )
 
-    def _add(self, board: _Board, client: TrexClient) -> None:
-        """Make the parts of a board; `client` is that of the first one."""
+    def _add(self, board: _Board, client: TrexClient, lines: list[OpenLine]) -> None:
+        """Make the parts of a board; `client` is that of the first one, `lines` is shared."""
         own = client if board is self._boards[0] else client.to_board(board.settings)
         status, batcher = StatusReader(self._transport.clock), SampleBatcher(board.emit)
         see = self._requests.sees_close
@@ -183,14 +186,11 @@ class TrexSession:
             queue=board.queue,
             batcher=batcher,
             emit=board.emit,
-            boards=[],
+            boards=lines,
             reserved=self._settings.reserved,
             has_driven=board.motors.may_move,
         )
-        for one in self._boards[: self._boards.index(board)]:
-            one.line.boards.append(board.line)
-            board.line.boards.append(one.line)
-        board.line.boards.append(board.line)
+        lines.append(board.line)
         board.reader = BoardReader(board.line)
         board.jobs = JobServer(board.line, board.reader)
 

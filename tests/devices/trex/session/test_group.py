@@ -1,0 +1,120 @@
+"""Boards of one line that are driven together: one arming, one stop, each confirmed."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import pytest
+
+from tests.devices.trex.session.group_stage import (
+    FORWARD,
+    GROUP,
+    OPENED,
+    GroupStage,
+    of,
+    run_sequences,
+    stop_delays,
+)
+from tests.devices.trex.session.helpers import among, outcomes, run_for, seen_at
+from trex_gui.core.errors import BadRequest, NoReply
+from trex_gui.core.session import Closed
+from trex_gui.devices.trex.driving.requests import MotorsStopped, Stop
+from trex_gui.devices.trex.protocol.commands import STOP
+from trex_gui.devices.trex.protocol.errors import ErrorCode
+from trex_gui.devices.trex.session.messages import (
+    Connected,
+    SelectBoard,
+    ToBoard,
+    Write,
+)
+
+
+@pytest.fixture
+def stage() -> GroupStage:
+    return GroupStage()
+
+
+def test_every_board_is_read_and_drives(stage: GroupStage) -> None:
+    stage.drive(until=3.0)
+    moving = seen_at(stage, 3.0, lambda: stage.moving)
+    stage.script.at(3.0, Stop(5))
+    stopped = seen_at(stage, 3.1, lambda: stage.moving)
+    reports = run_for(stage, 4.0, GROUP)
+    for number in stage.boards:
+        (read,) = among(of(number, reports), Connected)
+        assert read.state.parameters["device_number"] == number
+        assert read.settings == replace(GROUP, device_number=number)
+    assert (moving, stopped) == ([{7, 9}], [set()])
+    assert outcomes(reports)[5].error is None
+
+
+def test_nothing_moves_before_the_group_is_armed(stage: GroupStage) -> None:
+    stage.script.at(OPENED, ToBoard(9, FORWARD))
+    stage.script.at(OPENED, FORWARD)
+    moving = seen_at(stage, 3.0, lambda: stage.moving)
+    run_for(stage, 4.0, GROUP)
+    assert moving == [set()]
+    assert stage.transport.guardian.watched == []
+
+
+def test_both_stops_leave_at_once_and_are_confirmed() -> None:
+    """At the pace of the line, whatever was on it: 60 presses, 100,000 in the soak."""
+    left, confirmed = stop_delays(60, seed=1)
+    assert max(left) <= 0.020
+    assert max(confirmed) <= 0.060
+
+
+@pytest.mark.parametrize("number", [7, 9])
+@pytest.mark.parametrize("how", ["power off", "stopped alone"])
+def test_board_that_leaves_stops_the_others(stage: GroupStage, number: int, how: str) -> None:
+    leave: Callable[[], object] = stage.boards[number].power_off
+    if how == "stopped alone":
+        stage.drive(until=3.0)
+        stage.script.at(3.0, ToBoard(number, Stop(1)))
+    else:
+        stage.drive(until=3.5, also={3.0: leave})
+    moving = seen_at(stage, 3.6, lambda: stage.moving)
+    reports = run_for(stage, 4.0, GROUP)
+    assert moving in ([set()], [{number}])
+    other = 16 - number
+    (why,) = among(of(other, reports), MotorsStopped)
+    assert why == MotorsStopped(ErrorCode.LEFT_GROUP, confirmed=True, board=number)
+
+
+def test_no_motor_moves_without_an_armed_group() -> None:
+    assert run_sequences(60, seed=1) == []
+
+
+def test_silence_of_the_program_stops_every_board(stage: GroupStage) -> None:
+    stage.drive(until=3.0)
+    moving = seen_at(stage, 3.7, lambda: stage.moving)
+    reports = run_for(stage, 4.0, GROUP)
+    assert moving == [set()]
+    assert all(among(of(number, reports), MotorsStopped) for number in stage.boards)
+
+
+def test_guardian_stops_every_board(stage: GroupStage) -> None:
+    stage.drive(until=3.0)
+    run_for(stage, 3.0, GROUP)
+    sequence = next(one for one in stage.transport.guardian.watched if one is not None)
+    for number in stage.boards:
+        framing = replace(GROUP, device_number=number, group=()).framing
+        assert b"".join(map(framing.encode, STOP)) in sequence.packets
+    assert len(sequence.queries) == 2
+
+
+def test_missing_board_is_named(stage: GroupStage) -> None:
+    stage.ninth.power_off()
+    (closed,) = among(run_for(stage, 4.0, GROUP), Closed)
+    assert isinstance(closed.error, NoReply)
+    assert "Board 9" in str(closed.error)
+
+
+@pytest.mark.parametrize(
+    "request_", [SelectBoard(1, 9), Write(1, (("device_number", 5),))], ids=["select", "number"]
+)
+def test_numbers_stay_while_boards_are_driven_together(
+    stage: GroupStage, request_: SelectBoard | Write
+) -> None:
+    stage.script.at(OPENED, request_)
+    reports = run_for(stage, 4.0, GROUP)
+    assert isinstance(outcomes(reports)[1].error, BadRequest)
