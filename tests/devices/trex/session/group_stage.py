@@ -109,7 +109,7 @@ def stop_delays(presses: int, seed: int) -> tuple[list[float], list[float]]:
 _PRESSED = 0.06  # seconds until a stop has brought every motor to rest
 _LOST = 0.65  # the same after a board was lost
 _FROZEN = 0.6  # the same after the last heartbeat
-_ABSENT = 0.5  # shortest absence of a board: a shorter one may pass unnoticed
+_ABSENT = 1.2  # shortest absence of a board: a shorter one may pass unnoticed beside a stop
 
 
 class RandomSequences:
@@ -168,14 +168,14 @@ class RandomSequences:
     def _happen(self, now: float) -> None:
         number = self._chance.choice((7, 9))
         kind = self._chance.choice((*("arm", "drive") * 5, "stop", "stop one", "lose", "freeze"))
+        if self._beat_at - now > HEARTBEAT_INTERVAL:
+            kind = "lose"  # the program hangs
         self._trace.append(f"{now:.3f} {kind} {number}")
         match kind:
             case "arm":
                 self.sequences += 1
-                beats = self._beat_at - now <= HEARTBEAT_INTERVAL
                 noticed = min(self._lost_at.values(), default=math.inf) + _LOST
-                allowed = min(math.inf if beats else now + _FROZEN, noticed)
-                self._rest_from = allowed if allowed > now else self._rest_from
+                self._rest_from = noticed if noticed > now else self._rest_from
                 self._requests.append(Arm())
             case "drive":
                 speed = Drive.at(self._chance.randint(-127, 127))
@@ -187,7 +187,7 @@ class RandomSequences:
                 self._requests.append(stop if kind == "stop" else ToBoard(number, stop))
                 self._rest_from = min(self._rest_from, now + _PRESSED)
             case "lose" if number not in self._returns:
-                self._returns[number] = now + self._chance.uniform(_ABSENT, 1.5)
+                self._returns[number] = now + self._chance.uniform(_ABSENT, 2.5)
                 self._lost_at[number] = now
                 self._rest_from = min(self._rest_from, now + _LOST)
                 board = self._stage.boards[number]

@@ -73,6 +73,10 @@ class StopRun:
     was_sent: bool = False
     unanswered: list[NoReply] = field(default_factory=list)  # of the last rounds, in a row
 
+    @property
+    def is_confirmed(self) -> bool:
+        return self.clean == self.rounds
+
 
 @dataclass(slots=True, eq=False)
 class MotorDriver:
@@ -138,20 +142,21 @@ class MotorDriver:
             run.unanswered.clear()
             run.latched += [status] if status else []
             run.clean = run.clean if status.is_clean else 0
-        return run.clean == run.rounds or not run.attempts or (not run.clean and run.aborts())
+        return run.is_confirmed or not run.attempts or (not run.clean and run.aborts())
 
-    def finish_stop(self, run: StopRun) -> bool:
-        """Report the result; return whether the board has confirmed the stop."""
-        confirmed = run.clean == run.rounds
+    def finish_stop(self, run: StopRun) -> None:
+        """Report the result."""
+        confirmed = run.is_confirmed
         self._take_statuses(run.latched)
         self._is_quiet()
         self.output.note_stop(self._now(), run.latched, confirmed=confirmed, final=run.is_final)
         run.end(confirmed)
-        return confirmed
 
     def stop_and_confirm(self, *, careful: bool = False) -> bool:
         """Stop unprompted, at once and for good; return whether the board has confirmed it."""
-        return stop_together([self.final_stop(careful=careful)])
+        run = self.final_stop(careful=careful)
+        stop_together([run])
+        return run.is_confirmed
 
     def final_stop(self, *, careful: bool = False) -> StopRun:
         """Return such a stop, for several boards at once."""
@@ -325,20 +330,26 @@ class MotorDriver:
         return self.client.transport.clock()
 
 
-def stop_together(runs: Sequence[StopRun]) -> bool:
+def stop_together(
+    runs: Sequence[StopRun], due: Callable[[], Sequence[StopRun]] = tuple
+) -> list[StopRun]:
     """Stop boards on one line: every stop leaves before the first status is awaited.
 
-    Return whether all have confirmed it.
+    `due` returns stops of other boards that have become due meanwhile. Return all of them.
     """
+    left, every = list(runs), list(runs)
     try:
-        left = list(runs)
         while left:
             for run in left:
                 run.driver.send_stop(run)
             left = [run for run in left if not run.driver.check_stop(run)]
+            more = due()
+            left += more
+            every += more
     except Exception:
-        for run in runs:
+        for run in every:
             run.driver.output.put_back(run.stops)
         raise
-    confirmed = [run.driver.finish_stop(run) for run in runs]
-    return all(confirmed)
+    for run in every:
+        run.driver.finish_stop(run)
+    return every

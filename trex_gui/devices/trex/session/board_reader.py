@@ -115,7 +115,7 @@ class BoardReader:
             if isinstance(sample, Currents):
                 line.motors.restart.note_currents(sample.counts, sample.time)
             if line.motors.restart.has_restarted:
-                confirmed = line.driver.stop_and_confirm()
+                confirmed = line.stop_and_confirm()
                 line.emit(MotorsStopped(ErrorCode.MAY_HAVE_RESTARTED, confirmed))
                 self.read_everything(ReadReason.RETURNED)
             elif isinstance(sample, ModeSample) and sample.mode is not self.state.mode:

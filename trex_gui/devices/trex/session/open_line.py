@@ -96,11 +96,32 @@ class OpenLine:
         runs = [(board, run) for board in self.boards for run in board.due_stops()]
         if not runs:
             return any(board.drive() for board in self.boards)
-        stop_together([run for _, run in runs])
-        for board, run in runs if len(self.boards) > 1 else ():
+        self._stop(dict(runs))
+        return True
+
+    def stop_and_confirm(self) -> bool:
+        """Stop this board unprompted, for good; return whether it has confirmed it."""
+        run = self.driver.final_stop()
+        self._stop({self: run})
+        return run.is_confirmed
+
+    def _stop(self, runs: dict["OpenLine", StopRun]) -> None:
+        """Stop boards, and those whose stops become due before all is confirmed."""
+
+        def due() -> list[StopRun]:
+            self.requests.collect()
+            others = [one for one in self.boards if one not in runs]
+            more = {one: run for one in others for run in one.due_stops()}
+            runs.update(more)
+            return list(more.values())
+
+        if len(self.boards) == 1:
+            stop_together(list(runs.values()))
+            return
+        stop_together(list(runs.values()), due)
+        for board, run in runs.items():
             for error in run.unanswered:  # nothing may drive the others before it responds again
                 board.note_failure(error)
-        return True
 
     def due_stops(self) -> list[StopRun]:
         """Return the stop that is due; see `MotorDriver.take_over_stop` for a shared line."""
@@ -128,7 +149,7 @@ class OpenLine:
 
     def stop_if_moving(self) -> None:
         if self.motors.may_move:
-            self.driver.stop_and_confirm()
+            self.stop_and_confirm()
 
     def require_alone(self) -> None:
         if len(self.boards) > 1:
