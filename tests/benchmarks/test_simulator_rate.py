@@ -13,7 +13,7 @@ from tests.benchmarks.conftest import ReportFigure, fast_board
 from tests.support.simulator import StartSimulator
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 
 _TRANSACTIONS = 30_000
 _WANTED_RATE = 20_000
@@ -24,7 +24,7 @@ _NULL = b"\xff"
 
 
 def test_unpaced_simulator_reaches_required_rate(figure: ReportFigure) -> None:
-    line = TrexLine([Board()], paced=False)
+    line = SimulatedBoards([Board()], paced=False)
     requests = [(bytes.fromhex(packet), size) for packet, size in _TELEMETRY]
     begun = time.perf_counter()
     for _ in range(_TRANSACTIONS // len(requests)):

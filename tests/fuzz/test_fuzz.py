@@ -35,7 +35,7 @@ from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 
 KEPT = [
     pytest.param(target, path, id=f"{target.name}-{path.name}")
@@ -144,7 +144,7 @@ Feed = Callable[[bytes], object]
 
 
 def _board_line() -> tuple[object, Feed]:
-    line = TrexLine([Board(seed=0)])
+    line = SimulatedBoards([Board(seed=0)])
 
     def feed(data: bytes) -> None:
         line.send(data)
@@ -167,7 +167,7 @@ def _robot_line() -> tuple[object, Feed]:
 
 
 def _client() -> tuple[object, Feed]:
-    client = TrexClient(VirtualTransport(TrexLine([Board(seed=0)])), ConnectionSettings("virtual"))
+    client = TrexClient(VirtualTransport(SimulatedBoards([Board(seed=0)])), ConnectionSettings("virtual"))
 
     def feed(data: bytes) -> None:
         client.transport.line.inject(data[:30])  # type: ignore[attr-defined]  # a virtual one

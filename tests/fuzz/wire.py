@@ -40,7 +40,7 @@ from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
 from trex_gui.devices.trex.simulator.control import control as control_board
 from trex_gui.devices.trex.simulator.control import report
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.devices.trex.simulator.uart import SEND_BUFFER
 
@@ -197,7 +197,7 @@ def check_robot_replies(data: bytes, folder: Path) -> None:
 
 def check_scan(data: bytes, folder: Path) -> None:
     """A scan for every kind of device on a line that answers with anything."""
-    transport: Any = VirtualTransport(TrexLine([Board()]))
+    transport: Any = VirtualTransport(SimulatedBoards([Board()]))
     if data[:1] > b"\x80":
         transport = AracnaStage().transport
     _disturb(transport, Disturbance(data[1:]))
@@ -277,7 +277,7 @@ def check_board_requests(data: bytes, folder: Path) -> None:
         eeprom = Eeprom()
         eeprom.write("device_number", 9)
         boards.append(Board(eeprom=eeprom))
-    line = TrexLine(boards, echo=bool(how & 2), paced=bool(how & 4))
+    line = SimulatedBoards(boards, echo=bool(how & 2), paced=bool(how & 4))
     line.faults.noise = 0.1 if how & 8 else 0.0
     for at in range(2, len(data), 40):
         line.send(data[at : at + 40])
@@ -328,7 +328,7 @@ class NetworkPort(Rfc2217Endpoint):
 
 def check_network_port(data: bytes, folder: Path) -> None:
     """A client of RFC 2217, as the server serves it."""
-    port, line = NetworkPort(), TrexLine([Board(seed=0)])
+    port, line = NetworkPort(), SimulatedBoards([Board(seed=0)])
     for at in range(0, len(data), 30):
         for settings, received in port.arrivals(data[at : at + 30]):
             assert settings is not None
@@ -393,8 +393,8 @@ def check_control(data: bytes, folder: Path) -> None:
     numbered = Eeprom()
     numbered.write("device_number", 9)
     stages: Sequence[tuple[Any, Callable[[Any, str], str]]] = (
-        (TrexLine([Board(seed=0)]), control_board),
-        (TrexLine([Board(seed=0), Board(eeprom=numbered)]), control_board),
+        (SimulatedBoards([Board(seed=0)]), control_board),
+        (SimulatedBoards([Board(seed=0), Board(eeprom=numbered)]), control_board),
         (AracnaLine(), control_robot),
     )
     for line, control in stages:

@@ -10,9 +10,9 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.session.messages import Report, Request
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 
-VirtualTransport = SimulatedTransport[TrexLine]
+VirtualTransport = SimulatedTransport[SimulatedBoards]
 
 
 class Script:
@@ -21,7 +21,7 @@ class Script:
     A step may also be a function, called at its time: to turn a knob of the board.
     """
 
-    def __init__(self, line: TrexLine) -> None:
+    def __init__(self, line: SimulatedBoards) -> None:
         self._line = line
         self._done = False
         self._steps: deque[tuple[float, Request | Callable[[], object]]] = deque()
@@ -58,7 +58,7 @@ class Stage:
 
     def __init__(self, board: Board, *others: Board, echo: bool = False) -> None:
         self.board = board
-        self.line = TrexLine([board, *others], echo=echo)
+        self.line = SimulatedBoards([board, *others], echo=echo)
         self.transport = VirtualTransport(self.line)
         self.script = Script(self.line)
         self.reports: list[Report] = []

@@ -14,7 +14,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.errors import BoardElsewhere
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.ui.notifier import Remedy
 
@@ -162,7 +162,7 @@ def test_qik_is_recognised() -> None:
 def test_several_boards_that_reply_at_once_are_recognised() -> None:
     stage = stage_of(NONE.line)
     other = Board(eeprom=Eeprom("trexjr"), model="trexjr")
-    stage.line = TrexLine([stage.board, other])
+    stage.line = SimulatedBoards([stage.board, other])
     stage.transport = VirtualTransport(stage.line)
     assert "Several boards reply at once" in str(diagnosed(stage, NONE))
 

@@ -32,12 +32,11 @@ from trex_gui.devices.trex.client.telemetry import (
 )
 from trex_gui.devices.trex.driving.blockers import DriveBlocker, Reason
 from trex_gui.devices.trex.driving.requests import (
-    Arm,
     SetAuxiliary,
     SetMotor,
     SetMotors,
 )
-from trex_gui.devices.trex.open_board import NOT_OPEN, OpenBoard
+from trex_gui.devices.trex.open_board import NOT_OPEN, OpenBoard, OpenSession
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT
@@ -156,30 +155,23 @@ class Trex:
 
     def __enter__(self) -> Self:
         """Open the port and read everything that the board stores; this moves nothing."""
-        if self._opened is not None and self._opened.closed is None:
+        if self._opened is not None and self._opened.session.closed is None:
             raise PortUnavailable("The line is open already.")  # and stays so until its block ends
-        opened = self._opened = OpenBoard(self._settings)
-        try:
-            opened.wait_for(lambda: opened.mirror.state is not None)
-        except BaseException:
-            opened.close()
-            raise
+        session = OpenSession(self._settings)
+        (self._opened,) = session.boards.values()
+        session.open()
         return self
 
     def __exit__(self, _kind: object, error: BaseException | None, _traceback: object) -> None:
         """Stop the motors and close the port; NoReply if a stop was not confirmed."""
-        closed = None if self._opened is None else self._opened.close()
-        if closed is not None and closed.may_move:
-            text = "The stop is not confirmed. If a motor still turns, cut its power."
-            if error is None:
-                raise NoReply(text)
-            error.add_note(text)
+        if self._opened is not None:
+            self._opened.session.end(error)
 
     @property
     def _board(self) -> OpenBoard:
         if self._opened is None:
             raise PortUnavailable(NOT_OPEN)
-        self._opened.require_open()
+        self._opened.session.require_open()
         return self._opened
 
     # --- Reading ------------------------------------------------------------------------
@@ -197,9 +189,9 @@ class Trex:
     def status(self) -> BoardStatus:
         """Return what the board measures now, and the errors since the last call."""
         board = self._board
-        samples, begun = board.mirror.newest.samples, board.clock()
+        samples, begun = board.mirror.newest.samples, board.session.clock()
         wanted = {Raw, Remapped, Currents, Control}
-        board.wait_for(
+        board.session.wait_for(
             lambda: wanted <= {kind for kind, one in samples.items() if one.time >= begun},
             _STATUS_TIMEOUT,
         )
@@ -260,8 +252,8 @@ class Trex:
         """
         table = MeasurementTable(self.state.mode, self.state.signature.model.current_unit)
         board = self._board
-        begun = board.clock()
-        while board.clock() - begun < seconds:
+        begun = board.session.clock()
+        while board.session.clock() - begun < seconds:
             for sample in board.pump(begun + seconds):
                 if sample.time >= begun and table.take(sample):
                     yield table.finish(sample.time - begun)
@@ -404,11 +396,12 @@ class Trex:
         if not parameters and not calibrations:
             return
         reason = f"library: {', '.join(key for key, _ in (*parameters, *calibrations))}"
-        self._board.pump(self._board.clock())  # the board may have been silent meanwhile
+        self._board.pump(self._board.session.clock())  # the board may have been silent meanwhile
         board, state = self._board, self.state
         transaction = board.keeper.begin(state, self._settings, reason, parameters, calibrations)
-        written = board.result(
-            lambda number: Write(number, parameters, calibrations, before=state), _WRITING
+        written = board.session.result(
+            lambda number: board.addressed(Write(number, parameters, calibrations, before=state)),
+            _WRITING,
         )
         assert isinstance(written, Written)  # noqa: S101 - for the type checker
         transaction.finish(written.results, written.state, utc_now())
@@ -439,10 +432,10 @@ class Trex:
             return
         if not (lease.may_take if take else lease.may_drive):
             raise TrexRequestError(ErrorCode.MAY_NOT_TAKE if take else ErrorCode.MAY_NOT_DRIVE)
-        board.put(TakeLease() if take else AskLease())
-        end = board.clock() + _LEASE_ANSWER + seconds
+        board.session.put(TakeLease() if take else AskLease())
+        end = board.session.clock() + _LEASE_ANSWER + seconds
         while not board.has_lease:
-            if board.clock() >= end:
+            if board.session.clock() >= end:
                 raise TrexRequestError(ErrorCode.OTHER_DRIVES)
             board.pump(end)
 
@@ -459,8 +452,8 @@ class Trex:
             return
         if user and user not in lease.waiting:
             raise BadRequest(f"{user} has not asked to drive.")
-        board.put(HandOver(user) if user else ReturnLease())
-        board.wait_for(lambda: not board.has_lease, _LEASE_ANSWER)
+        board.session.put(HandOver(user) if user else ReturnLease())
+        board.session.wait_for(lambda: not board.has_lease, _LEASE_ANSWER)
 
     # --- Motors -------------------------------------------------------------------------
 
@@ -490,22 +483,20 @@ class Trex:
         if auxiliary is not None and not 0 <= index(auxiliary) <= 127:
             raise BadRequest(f"the auxiliary motor's speed is 0 to 127, not {auxiliary}")
         board = self._board
-        board.pump(board.clock())  # what was reported meanwhile may forbid it
+        board.pump(board.session.clock())  # what was reported meanwhile may forbid it
         if not board.mirror.is_responding:
             raise NoReply(Reason(DriveBlocker.SILENT).text())
         if not board.mirror.serial_controls:
             raise BadRequest(board.mirror.control_text)
-        if not board.is_armed:
-            board.is_armed = True
-            board.put(Arm())
+        board.session.arm()
         board.driven |= {one.motor: one.drive.signed for one in motors}
         if len(motors) == 2:
-            board.put(SetMotors((motors[0], motors[1])))
+            board.session.put(board.addressed(SetMotors((motors[0], motors[1]))))
         elif motors:
-            board.put(motors[0])
+            board.session.put(board.addressed(motors[0]))
         if auxiliary is not None:
             board.driven[AUXILIARY] = auxiliary
-            board.put(SetAuxiliary(auxiliary, accelerate))
+            board.session.put(board.addressed(SetAuxiliary(auxiliary, accelerate)))
 
     def stop(self) -> None:
         """Brake both motors, switch the auxiliary motor off, and wait for the confirmation.
@@ -513,11 +504,11 @@ class Trex:
         Raises:
             NoReply: the board does not confirm it.
         """
-        self._board.stop()
+        self._board.session.stop()
 
     def wait(self, seconds: float) -> None:
         """Let time pass while motors run."""
         board = self._board
-        end = board.clock() + seconds
-        while board.clock() < end:
+        end = board.session.clock() + seconds
+        while board.session.clock() < end:
             board.pump(end)

@@ -1,9 +1,10 @@
-"""The session of an open line in a thread of its own, for programs that drive a board."""
+"""The session of an open line in a thread of its own, for programs that drive boards."""
 
 import logging
 from collections import deque
 from collections.abc import Callable, Iterator
 from itertools import count
+from typing import Any
 
 from trex_gui.core.errors import NoReply, PortUnavailable, StudioError, describe
 from trex_gui.core.events import Event
@@ -17,6 +18,7 @@ from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import LatchedStatus, Sample
 from trex_gui.devices.trex.driving.requests import (
     HEARTBEAT_INTERVAL,
+    Arm,
     Heartbeat,
     MotorsStopped,
     Stop,
@@ -24,7 +26,14 @@ from trex_gui.devices.trex.driving.requests import (
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.devices.trex.serve.sessions import session_at
-from trex_gui.devices.trex.session.messages import Batch, Connected, NotResponding, Report
+from trex_gui.devices.trex.session.messages import (
+    Batch,
+    Connected,
+    NotResponding,
+    OfBoard,
+    Report,
+    ToBoard,
+)
 from trex_gui.devices.trex.settings.board_records import utc_now
 
 log = logging.getLogger(__name__)
@@ -39,20 +48,16 @@ class MotorsStoppedError(StudioError):
     """The motors were stopped, or stopped by themselves, without a `stop` of the program."""
 
 
-class OpenBoard:
-    """The session, and the mirror of its board."""
+class OpenSession:
+    """The session of a line, for a program that drives the boards on it from one thread."""
 
     def __init__(self, settings: ConnectionSettings) -> None:
         computer = host()
         self.clock = computer.clock
-        self.keeper = Keeper(log.info, log.warning)
-        self.mirror = BoardMirror(self.keeper.memory)
-        self.mirror.adapter = adapter_key(settings.url)
         self.is_armed = False
-        self.driven: dict[int, int] = {}  # speed by motor since the last confirmed stop
-        self.errors: dict[str, None] = {}  # names of the bits since the last status
-        self.events = deque[Event](maxlen=_MOST_WAITING)  # since the program has read them
         self.closed: Closed | None = None
+        numbers: tuple[int | None, ...] = settings.group or (None,)
+        self.boards = {number: OpenBoard(self, number, settings) for number in numbers}
         self._ids = count(1)
         self._outcomes: dict[int, Outcome] = {}
         self._inbox = RequestQueue(computer.condition())
@@ -65,26 +70,26 @@ class OpenBoard:
 
     def _put_report(self, report: Report) -> None:
         """Queue a report of the session. Of too many samples only the status bits are kept."""
-        if isinstance(report, Batch) and len(self._reports) >= _MOST_WAITING:
-            kept = tuple(one for one in report.samples if isinstance(one, LatchedStatus))
+        batch = report.report if isinstance(report, OfBoard) else report
+        if isinstance(batch, Batch) and len(self._reports) >= _MOST_WAITING:
+            kept = tuple(one for one in batch.samples if isinstance(one, LatchedStatus))
             if not kept:
                 return
-            report = Batch(kept, report.counters)
+            batch = Batch(kept, batch.counters)
+            report = OfBoard(report.number, batch) if isinstance(report, OfBoard) else batch
         self._reports.put(report)
-
-    @property
-    def state(self) -> DeviceState:
-        assert self.mirror.state is not None  # noqa: S101 - it was read
-        return self.mirror.state
-
-    @property
-    def has_lease(self) -> bool:
-        """Whether this program may drive: no other one does."""
-        return self.mirror.lease is None or self.mirror.lease.is_mine
 
     def require_open(self) -> None:
         if self.closed is not None:
             raise self.closed.error or PortUnavailable(NOT_OPEN)
+
+    def open(self) -> None:
+        """Wait until every board was read."""
+        try:
+            self.wait_for(lambda: all(one.mirror.state for one in self.boards.values()))
+        except BaseException:
+            self.close()
+            raise
 
     def result(self, make: Callable[[int], object], seconds: float) -> object:
         """Return the value of a request's outcome."""
@@ -97,10 +102,17 @@ class OpenBoard:
             raise outcome.error
         return outcome.value
 
+    def arm(self) -> None:
+        if not self.is_armed:
+            self.is_armed = True
+            self.put(Arm())
+
     def stop(self) -> None:
+        """Stop every board."""
         self.is_armed = False
         self.result(Stop, _STOPPING)
-        self.driven.clear()
+        for board in self.boards.values():
+            board.driven.clear()
 
     def wait_for(self, condition: Callable[[], bool], seconds: float = 60.0) -> None:
         end = self.clock() + seconds
@@ -109,23 +121,92 @@ class OpenBoard:
                 raise NoReply(f"The board did not answer within {seconds:g} s.")
             self.pump(end)
 
-    def pump(self, end: float) -> list[Sample]:
+    def pump(self, end: float) -> list[tuple["OpenBoard", Sample]]:
         """Send a heartbeat if motors are armed; take the next report and those that follow it.
 
-        Return their samples.
+        Return the samples, each with its board.
         """
         if self.is_armed:
             self.put(Heartbeat())
-        samples: list[Sample] = []
+        samples: list[tuple[OpenBoard, Sample]] = []
         seconds = min(max(end - self.clock(), 0.0), HEARTBEAT_INTERVAL)
         report = self._reports.get(seconds)
         while report is not None:
-            samples += self._take(report)
+            boards = list(self.boards.values())
+            if isinstance(report, OfBoard):
+                boards, report = [self.boards[report.number]], report.report
+            elif not isinstance(report, Closed):
+                del boards[1:]
+            for board in boards:
+                samples += ((board, one) for one in board.take(report))
+            self._take(report)
             report = self._reports.get(0.0)
         return samples
 
-    def _take(self, report: Report) -> Iterator[Sample]:
-        for event in self.mirror.take(report, self.clock(), utc_now()):
+    def _take(self, report: Report) -> None:
+        match report:
+            case Outcome(id=number):
+                self._outcomes[number] = report
+            case Closed():
+                self.closed, self.is_armed = report, False
+                self.require_open()
+
+    def close(self) -> Closed | None:
+        self.is_armed = False
+        self.put(Close())
+        self._join()
+        while self.closed is None and (report := self._reports.get(0.0)) is not None:
+            if isinstance(report, Closed):
+                self.closed = report
+        return self.closed
+
+    def end(self, error: BaseException | None) -> None:
+        """Close the line after an error, or none; NoReply if a stop was not confirmed."""
+        closed = self.close()
+        if closed is not None and closed.may_move:
+            text = "The stop is not confirmed. If a motor still turns, cut its power."
+            if error is None:
+                raise NoReply(text)
+            error.add_note(text)
+
+
+class OpenBoard:
+    """The mirror of one board of a session, and what happened to it."""
+
+    def __init__(
+        self, session: OpenSession, number: int | None, settings: ConnectionSettings
+    ) -> None:
+        """`number` is that of one in a group."""
+        self.session = session
+        self.keeper = Keeper(log.info, log.warning)
+        self.mirror = BoardMirror(self.keeper.memory)
+        self.mirror.adapter = adapter_key(settings.url)
+        self.driven: dict[int, int] = {}  # speed by motor since the last confirmed stop
+        self.errors: dict[str, None] = {}  # names of the bits since the last status
+        self.events = deque[Event](maxlen=_MOST_WAITING)  # since the program has read them
+        self._number = number
+
+    @property
+    def state(self) -> DeviceState:
+        assert self.mirror.state is not None  # noqa: S101 - it was read
+        return self.mirror.state
+
+    @property
+    def has_lease(self) -> bool:
+        """Whether this program may drive: no other one does."""
+        return self.mirror.lease is None or self.mirror.lease.is_mine
+
+    def addressed(self, request: Any) -> Any:
+        """Return a request for this board, and for no other one of its group."""
+        return request if self._number is None else ToBoard(self._number, request)
+
+    def pump(self, end: float) -> list[Sample]:
+        """Return the samples of this board; see `OpenSession.pump`."""
+        return [sample for board, sample in self.session.pump(end) if board is self]
+
+    def take(self, report: Report) -> Iterator[Sample]:
+        """Take a report and yield its samples; raise if the motors do not do as they should."""
+        for event in self.mirror.take(report, self.session.clock(), utc_now()):
             match event:
                 case LatchedStatus():
                     self._take_status(event)
@@ -138,51 +219,40 @@ class OpenBoard:
             case Connected(may_move=False) | MotorsStopped(confirmed=True):
                 self.driven.clear()
         match report:
-            case Connected() if self.is_armed:
+            case Connected() if self.session.is_armed:
                 self._fail("The board was restarted or changed, so the motors were stopped.")
-            case Outcome(id=number):
-                self._outcomes[number] = report
             case NotResponding(reason=reason):
-                self.is_armed = False
-                raise NoReply(f"The board has stopped responding: {reason}")
-            case MotorsStopped(reason=code) if code is not None:
-                cause = _LATE if code is ErrorCode.NO_HEARTBEAT else describe(code)
+                self.session.is_armed = False
+                raise NoReply(self._named(f"The board has stopped responding: {reason}"))
+            case MotorsStopped(reason=code, board=number) if code is not None:
+                cause = _LATE if code is ErrorCode.NO_HEARTBEAT else describe(code, (number,))
                 self._fail(f"{cause} The motors were stopped.")
-            case Closed():
-                self.closed, self.is_armed = report, False
-                self.require_open()
 
     def _take_status(self, latched: LatchedStatus) -> None:
         self.errors |= dict.fromkeys(latched.names)
         if (
-            self.is_armed
+            self.session.is_armed
             and not latched.is_earlier
             and latched.stops_motors(on_error=self.state.stops_on_error)
         ):
-            self.stop()
+            self.session.stop()
             self._fail(f"The board reports: {', '.join(latched.names)}. The motors were stopped.")
 
     def _fail(self, text: str) -> None:
-        self.is_armed = False
-        raise MotorsStoppedError(text)
+        self.session.is_armed = False
+        raise MotorsStoppedError(self._named(text))
+
+    def _named(self, text: str) -> str:
+        return text if self._number is None else f"Board {self._number}: {text}"
 
     def drive_inputs(self) -> DriveInputs:
         return DriveInputs(
-            board=self.mirror.inputs(self.clock()),
+            board=self.mirror.inputs(self.session.clock()),
             link=None if self.mirror.is_responding else self.mirror.silence,
             may_move=bool(self.driven),
             driven=frozenset(self.driven),
             silence_remedy=self.mirror.silence_remedy,
             other_driver=self.mirror.other_driver,
             other_speeds=self.mirror.other_speeds,
-            armed=self.is_armed,
+            armed=self.session.is_armed,
         )
-
-    def close(self) -> Closed | None:
-        self.is_armed = False
-        self.put(Close())
-        self._join()
-        while self.closed is None and (report := self._reports.get(0.0)) is not None:
-            if isinstance(report, Closed):
-                self.closed = report
-        return self.closed

@@ -35,7 +35,7 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_nu
 from trex_gui.devices.trex.protocol.raw_packets import packets_of
 from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder, last_exchange
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 from trex_gui.devices.trex.simulator.memory import Eeprom
 
 _MEASURED = (
@@ -197,7 +197,7 @@ class RecordedTraffic:
         for (source, channel), calibration in self.calibrations.items():
             eeprom.write_calibration(source, channel, calibration)
         board = Board(model, firmware, eeprom=eeprom, mode=_JUMPERS.get(self.mode, "serial"))
-        return TrexLine([board], echo=self.is_echoed, paced=False)
+        return SimulatedBoards([board], echo=self.is_echoed, paced=False)
 
 
 def _polynomial(rows: Sequence[TranscriptRow]) -> int | None:

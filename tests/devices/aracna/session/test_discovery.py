@@ -19,7 +19,7 @@ from trex_gui.devices.aracna.session.client import LINE
 from trex_gui.devices.trex.discovery import TREX_PROBER, attempts
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 
 VIRTUAL = ConnectionSettings("virtual")
 TREX, ARACNA = {"trex": TREX_PROBER}, {"aracna": ARACNA_PROBER}
@@ -80,7 +80,7 @@ def test_aracna_is_found_before_long_trex_search_and_answers_first_query() -> No
 
 
 def test_trex_is_found_on_port_of_earlier_aracna() -> None:
-    wire = Wire(TrexLine([a_board()]))
+    wire = Wire(SimulatedBoards([a_board()]))
     assert search_both(wire, "aracna").device == "trex"
 
 
@@ -138,7 +138,7 @@ def test_noise_is_not_reported_as_echo() -> None:
 def test_echo_is_reported_for_both_devices() -> None:
     board = a_board()
     board.power_off()
-    trex, aracna = search_both(Wire(TrexLine([board], echo=True))).lines
+    trex, aracna = search_both(Wire(SimulatedBoards([board], echo=True))).lines
     assert trex.startswith("No TReX responds on virtual: everything sent comes back")
     assert "RS-232 side" in trex
     assert aracna.startswith("No Aracna responds on virtual at 38400 baud")
@@ -209,7 +209,7 @@ def test_search_sends_no_command_that_trex_obeys(
     settings: LineSettings, first: str, orders: list[str]
 ) -> None:
     board = a_board(settings=settings.to_wire(), uart_error_shutdown=0)
-    wire = Wire(TrexLine([board]))
+    wire = Wire(SimulatedBoards([board]))
     assert search_both(wire, first).device == "trex"
     assert not orders
     assert not board.memory.writes

@@ -23,7 +23,7 @@ from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.protocol.framing import Packet, PacketParser
 from trex_gui.devices.trex.protocol.parameters import Grade, ParameterSpec, parameters_of
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 from trex_gui.devices.trex.simulator.memory import PARAMETER_WRITE, Eeprom, Memory, _Step
 
 take_survey = load_script("take_survey")
@@ -80,7 +80,7 @@ class HiddenMemory(Memory):
 
 
 def board_of(simulator: VirtualSimulator) -> Board:
-    assert isinstance(simulator.line, TrexLine)
+    assert isinstance(simulator.line, SimulatedBoards)
     return simulator.line.boards[0]
 
 

@@ -21,7 +21,7 @@ from trex_gui.devices.trex.protocol.errors import (
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 
 SPECS = parameters_of("trex", "1.2")
 WANTED = [("motor1_acceleration", 3), ("motor2_acceleration", 4), ("serial_timeout", 15)]
@@ -46,7 +46,7 @@ def known() -> tuple[Stage, TrexClient, DeviceState]:
 def _exchange(stage: Stage, board: Board) -> Board:
     """Let another board reply from now on."""
     board.memory.load()
-    line = TrexLine([board])
+    line = SimulatedBoards([board])
     line.advance(stage.line.now)
     stage.transport.line = line
     return board
@@ -148,7 +148,7 @@ def test_board_that_replies_at_the_end_is_compared() -> None:
 @pytest.mark.parametrize("seed", sampled(range(20), every=4))
 def test_corrupted_readings_are_not_taken_for_another_board(seed: int) -> None:
     stage, client, before = known()
-    stage.transport.line = TrexLine([stage.board], seed=seed)
+    stage.transport.line = SimulatedBoards([stage.board], seed=seed)
     stage.transport.line.faults.noise = 0.005
     results = write_all(client.request, SPECS, WANTED, before=before)
     assert {result.key for result in results} == dict(WANTED).keys()

@@ -7,7 +7,7 @@ from typing import Any, Protocol
 from trex_gui.devices.trex.simulator.command import simulate
 from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 from trex_gui.devices.trex.simulator.uart import SerialPort
 
 LONG_TIMEOUT = 15.0
@@ -61,7 +61,7 @@ class ParserEnd:
     def __init__(self, model: str, firmware: str) -> None:
         self._board = Board(model, firmware)
         self._board.timeout_needs_shutdown = True
-        self._line = TrexLine([self._board])
+        self._line = SimulatedBoards([self._board])
         self._port = SerialPort(self._board)
         self._resumes_at = math.inf
         self._come = bytearray()
@@ -152,7 +152,7 @@ class WireEnd:
         self.wait(self._line.backlog)
 
     def read(self, size: int, seconds: float) -> bytes:
-        assert isinstance(self._line, TrexLine)
+        assert isinstance(self._line, SimulatedBoards)
         return self._line.read(size, seconds)
 
     def come(self) -> bytes:

@@ -28,7 +28,7 @@ from trex_gui.devices.trex.protocol.commands import COMMANDS
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 
 VIRTUAL = ConnectionSettings("virtual")
 PARITIES = (Detection.NONE, Detection.EVEN, Detection.ODD)
@@ -48,7 +48,7 @@ class Wire(VirtualTransport):
 
     unable: frozenset[int] = frozenset()
 
-    def __init__(self, line: TrexLine) -> None:
+    def __init__(self, line: SimulatedBoards) -> None:
         super().__init__(line)
         self.tuned: list[SerialFormat] = []
 
@@ -60,7 +60,7 @@ class Wire(VirtualTransport):
 
 
 def wire_of(*boards: Board, echo: bool = False) -> Wire:
-    line = TrexLine(boards, echo=echo)
+    line = SimulatedBoards(boards, echo=echo)
     line.host = FLUSH_LINE
     return Wire(line)
 
@@ -497,7 +497,7 @@ class PolledWire(Wire):
 
 
 def test_replies_to_another_master_are_no_answers() -> None:
-    client = TrexClient(PolledWire(TrexLine([a_board()])), VIRTUAL)
+    client = TrexClient(PolledWire(SimulatedBoards([a_board()])), VIRTUAL)
     found = boards_by_number(client, lambda _number: None, lambda: False)
     assert {board.device_number for board in found} <= {7}
 
@@ -513,7 +513,7 @@ def _sent_to_nobody(settings: ConnectionSettings) -> list[bytes]:
     return [data for _, data in stage.transport.written]
 
 
-def _moves(line: TrexLine, board: Board, packets: list[bytes]) -> list[str]:
+def _moves(line: SimulatedBoards, board: Board, packets: list[bytes]) -> list[str]:
     """Send packets with gaps; return those on which a motor is told to run, however briefly."""
     moving = []
     for packet in packets:
@@ -541,7 +541,7 @@ def test_connection_probes_start_no_motor_at_any_rate(
     for own_detection in Detection:
         for own, host in permutations(baud_rates(), 2):
             board = a_board(settings=LineSettings(own, own_detection).to_wire())
-            line = TrexLine([board])
+            line = SimulatedBoards([board])
             line.host = LineSettings(host, detection)
             moving = _moves(line, board, packets)
             assert not moving, f"{host} to {own} baud, {own_detection.name}: {moving}"
@@ -551,7 +551,7 @@ def test_connection_probes_start_no_motor_at_any_rate(
 def test_misread_packets_can_start_a_motor() -> None:
     """The danger is real: else the test above would say nothing."""
     board = a_board()
-    line = TrexLine([board])
+    line = SimulatedBoards([board])
     line.host = LineSettings(38400)
     queries = [bytes.fromhex("80 07 04 50"), bytes.fromhex("80 07 05 59")]
     assert _moves(line, board, queries) == ["80 07 05 59"]

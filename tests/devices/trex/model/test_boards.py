@@ -26,7 +26,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.preferences import Preferences
 
@@ -45,9 +45,9 @@ class Stand:
         device.notifier.info.connect(self.infos.append)
 
     @property
-    def line(self) -> TrexLine:
+    def line(self) -> SimulatedBoards:
         line = self.simulator.line
-        assert isinstance(line, TrexLine)
+        assert isinstance(line, SimulatedBoards)
         return line
 
     def connect(self, number: int | None = 7) -> None:

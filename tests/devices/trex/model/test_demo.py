@@ -17,7 +17,7 @@ from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
 from trex_gui.devices.trex.simulator import boot_modes
 from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 
 
 class OverheardBoard(DemoBoard):
@@ -83,7 +83,7 @@ def test_ended_simulator_clears_the_snapshot(board: OverheardBoard, qtbot: QtBot
 
 
 def test_snapshot_is_parsed_from_show() -> None:
-    line = TrexLine([Board()])
+    line = SimulatedBoards([Board()])
     for text in (
         "channel 2 silent",
         "load 1 4.5",

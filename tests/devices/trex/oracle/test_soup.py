@@ -19,7 +19,7 @@ from trex_gui.devices.trex.protocol.calibration import Calibration as BoardCalib
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.simulator.channels import Signal
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 from trex_gui.devices.trex.simulator.memory import Eeprom
 
 SOURCES = {"rc": InputSource.RC, "analog": InputSource.ANALOG}
@@ -62,7 +62,7 @@ class Duel:
         self.board = Board(
             setup.model, setup.firmware, eeprom=eeprom, mode=setup.mode, mix=setup.mix, seed=0
         )
-        self.line = TrexLine([self.board], paced=False, seed=0)
+        self.line = SimulatedBoards([self.board], paced=False, seed=0)
         model, jumpers = (setup.model, setup.firmware), (setup.mode, setup.mix)
         self.oracle = Oracle(*model, *jumpers, setup.parameters, setup.calibrations)
         self.connect(setup.signals)

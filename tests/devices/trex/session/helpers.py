@@ -16,7 +16,7 @@ from trex_gui.devices.trex.protocol.raw_packets import packets_of
 from trex_gui.devices.trex.session.messages import Report, SendPacket
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
@@ -145,7 +145,7 @@ def timed_run(stage: Stage, settings: ConnectionSettings) -> list[tuple[float, R
 class FailingTransport(VirtualTransport):
     """A line that works for some calls and is gone from then on."""
 
-    def __init__(self, line: TrexLine, calls: int, failure: Exception) -> None:
+    def __init__(self, line: SimulatedBoards, calls: int, failure: Exception) -> None:
         super().__init__(line)
         self._left = calls
         self._failure = failure

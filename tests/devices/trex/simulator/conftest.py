@@ -6,13 +6,13 @@ import pytest
 
 from tests.devices.trex.simulator.ports import SETTLED
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 from trex_gui.devices.trex.simulator.uart import SerialPort
 
 Ask = Callable[[str], str]
 
 
-def make_ask(line: TrexLine) -> Ask:
+def make_ask(line: SimulatedBoards) -> Ask:
     def ask(packet: str) -> str:
         """Send a packet, wait until the wire is quiet, return what came."""
         line.send(bytes.fromhex(packet))
@@ -34,12 +34,12 @@ def port(board: Board) -> SerialPort:
 
 
 @pytest.fixture
-def line(board: Board) -> TrexLine:
-    return TrexLine([board])
+def line(board: Board) -> SimulatedBoards:
+    return SimulatedBoards([board])
 
 
 @pytest.fixture
-def ask(line: TrexLine) -> Ask:
+def ask(line: SimulatedBoards) -> Ask:
     return make_ask(line)
 
 

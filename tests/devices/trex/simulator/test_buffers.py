@@ -18,7 +18,7 @@ from trex_gui.core.simulator.sampling import ReceiveError
 from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.simulator.command import simulate
 from trex_gui.devices.trex.simulator.control import report
-from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 from trex_gui.devices.trex.simulator.uart import RECEIVE_BUFFER, SEND_BUFFER, SerialPort
 
@@ -103,7 +103,7 @@ def test_power_cut_empties_buffers(port: SerialPort) -> None:
 
 
 def test_board_receives_again_after_delayed_replies() -> None:
-    line = TrexLine([a_board(uart_response_delay=1)])
+    line = SimulatedBoards([a_board(uart_response_delay=1)])
     line.send(b"\x82\x83")
     assert line.read(2, 1) == b"r\x01"
     line.send(b"\x82")
@@ -164,7 +164,7 @@ def test_unpowered_board_ignores_packets(port: SerialPort) -> None:
 def test_board_may_behave_like_the_twin() -> None:
     """Guide of the qik 2s12v10, 5.d."""
     line = simulate(unknown_parameter="byte", rejected_write="error").line
-    assert isinstance(line, TrexLine)
+    assert isinstance(line, SimulatedBoards)
     (board,) = line.boards
     port = SerialPort(board)
     assert ask(port, "C0 20 9F 60 85") == "FF 40"

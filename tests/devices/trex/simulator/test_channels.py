@@ -13,7 +13,7 @@ from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.simulator.channels import Channels, Signal, SignalKind
 from trex_gui.devices.trex.simulator.command import demonstrate
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 
 RC, ANALOG = InputSource.RC, InputSource.ANALOG
 PERIOD = 8
@@ -232,13 +232,13 @@ def test_noise_spreads_pulses_around_their_width() -> None:
 # --- The demonstration ----------------------------------------------------------------
 
 
-def demo_line(mode: str = "serial") -> TrexLine:
-    line = TrexLine([Board(mode=mode)])
+def demo_line(mode: str = "serial") -> SimulatedBoards:
+    line = SimulatedBoards([Board(mode=mode)])
     demonstrate(line.boards[0], line.timeline)
     return line
 
 
-def watch(line: TrexLine, seconds: float) -> list[tuple[int | None, ...]]:
+def watch(line: SimulatedBoards, seconds: float) -> list[tuple[int | None, ...]]:
     seen = []
     for _ in range(round(seconds / 0.02)):
         line.advance(0.02)

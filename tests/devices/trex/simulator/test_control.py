@@ -11,13 +11,13 @@ from trex_gui.devices.trex.simulator.channels import Signal
 from trex_gui.devices.trex.simulator.command import SIMULATOR
 from trex_gui.devices.trex.simulator.control import control, report
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.devices.trex.simulator.physics import CONSTANTS
 from trex_gui.devices.trex.simulator.uart import SerialPort
 
 
-def show(line: TrexLine, name: str = "") -> dict[str, Any]:
+def show(line: SimulatedBoards, name: str = "") -> dict[str, Any]:
     answer = control(line, f"{name} show")
     assert answer.startswith("ok ")
     shown: dict[str, Any] = json.loads(answer.removeprefix("ok "))
@@ -25,18 +25,18 @@ def show(line: TrexLine, name: str = "") -> dict[str, Any]:
 
 
 @pytest.fixture
-def two() -> TrexLine:
+def two() -> SimulatedBoards:
     boards = []
     for number, model in ((7, "trex"), (9, "trexjr")):
         eeprom = Eeprom(model)
         eeprom.write("device_number", number)
         boards.append(Board(eeprom=eeprom))
-    return TrexLine(boards)
+    return SimulatedBoards(boards)
 
 
 def test_help_lists_every_control_line() -> None:
     listed = SIMULATOR.help.partition("Control lines: ")[2].partition(";")[0]
-    known = control(TrexLine([Board()]), "nosuch").partition("commands are ")[2]
+    known = control(SimulatedBoards([Board()]), "nosuch").partition("commands are ")[2]
     assert set(listed.split(", ")) == set(known.split(", "))
 
 
@@ -52,13 +52,13 @@ def test_help_lists_every_control_line() -> None:
         ("2.5v noise 20mv", "2.5V noise 0.02V"),
     ],
 )
-def test_reply_and_show_state_channel_signal(line: TrexLine, text: str, signal: str) -> None:
+def test_reply_and_show_state_channel_signal(line: SimulatedBoards, text: str, signal: str) -> None:
     assert control(line, f"channel 1 {text}") == f"ok channel 1 gets {signal}"
     assert show(line)["channels"][0]["signal"] == signal
     assert control(line, f"channel 1 {signal}") == f"ok channel 1 gets {signal}"
 
 
-def test_power_commands_switch_power(line: TrexLine) -> None:
+def test_power_commands_switch_power(line: SimulatedBoards) -> None:
     assert control(line, "power off") == "ok power off"
     assert show(line)["power"] is False
     assert control(line, "power on") == "ok power on"
@@ -67,7 +67,7 @@ def test_power_commands_switch_power(line: TrexLine) -> None:
     assert show(line)["counters"]["power_ups"] == 3
 
 
-def test_load_and_current_commands_set_motor_current(line: TrexLine) -> None:
+def test_load_and_current_commands_set_motor_current(line: SimulatedBoards) -> None:
     line.send(bytes.fromhex("C2 7F"))
     assert control(line, "load 1 6").startswith("ok")
     line.advance(3)
@@ -79,7 +79,7 @@ def test_load_and_current_commands_set_motor_current(line: TrexLine) -> None:
     assert show(line)["motors"][0]["current"] == pytest.approx(6, abs=0.3)
 
 
-def test_line_commands_cause_line_faults(line: TrexLine) -> None:
+def test_line_commands_cause_line_faults(line: SimulatedBoards) -> None:
     for text in ("line mute on", "line drop 3", "line drop 2 sent", "line noise 0.25"):
         assert control(line, text).startswith("ok")
     assert (line.faults.mute, line.faults.to_drop, line.faults.to_drop_sent, line.faults.noise) == (
@@ -111,7 +111,7 @@ def test_line_commands_cause_line_faults(line: TrexLine) -> None:
     assert line.faults.plugged
 
 
-def test_battery_command_sets_voltage_and_resistance(line: TrexLine) -> None:
+def test_battery_command_sets_voltage_and_resistance(line: SimulatedBoards) -> None:
     ohm = CONSTANTS["trex"].battery_resistance
     assert control(line, "battery 9") == f"ok battery 9 V, {ohm} ohm"
     assert control(line, "battery 7.5V 0.25") == "ok battery 7.5 V, 0.25 ohm"
@@ -120,7 +120,7 @@ def test_battery_command_sets_voltage_and_resistance(line: TrexLine) -> None:
     assert show(line)["supply"] == 7.5
 
 
-def test_eeprom_command_takes_effect_after_power_cycle(line: TrexLine) -> None:
+def test_eeprom_command_takes_effect_after_power_cycle(line: SimulatedBoards) -> None:
     assert control(line, "eeprom uart_settings 0x0A") == (
         "ok uart_settings is 10; power cycle to use it"
     )
@@ -129,14 +129,14 @@ def test_eeprom_command_takes_effect_after_power_cycle(line: TrexLine) -> None:
     assert show(line)["active_uart"]["baud"] == 115200
 
 
-def test_power_on_with_empty_battery_is_explained(line: TrexLine) -> None:
+def test_power_on_with_empty_battery_is_explained(line: SimulatedBoards) -> None:
     control(line, "battery 2")
     line.advance(0.01)
     assert control(line, "power on").startswith("ok power on, but the battery is too low")
     assert show(line)["power"] is False
 
 
-def test_prefix_selects_one_of_several_boards(two: TrexLine) -> None:
+def test_prefix_selects_one_of_several_boards(two: SimulatedBoards) -> None:
     assert control(two, "@9 power off") == "ok power off"
     assert show(two, "@7")["power"] is True
     assert show(two, "@9")["power"] is False
@@ -146,7 +146,7 @@ def test_prefix_selects_one_of_several_boards(two: TrexLine) -> None:
     assert control(two, "@8 power off") == "error there is no board @8, but @7, @9"
 
 
-def test_board_keeps_its_name_when_its_number_changes(two: TrexLine) -> None:
+def test_board_keeps_its_name_when_its_number_changes(two: SimulatedBoards) -> None:
     two.send(bytes.fromhex("80 09 2F 00 0C 55 2A"))
     two.advance(1)
     assert show(two, "@9")["parameters"]["device_number"] == 12
@@ -177,7 +177,7 @@ INVALID = {
 
 
 @pytest.mark.parametrize("text", [word + rest for word in INVALID for rest in INVALID[word]])
-def test_invalid_command_gives_one_line_error_and_no_change(line: TrexLine, text: str) -> None:
+def test_invalid_command_gives_one_line_error_and_no_change(line: SimulatedBoards, text: str) -> None:
     before = report(line.boards[0])
     answer = control(line, text)
     assert answer.startswith("error ")
@@ -186,7 +186,7 @@ def test_invalid_command_gives_one_line_error_and_no_change(line: TrexLine, text
     assert report(line.boards[0]) == before
 
 
-def test_quit_command_replies_goodbye(line: TrexLine) -> None:
+def test_quit_command_replies_goodbye(line: SimulatedBoards) -> None:
     assert control(line, " Quit ") == GOODBYE == "ok bye"
 
 

@@ -13,7 +13,7 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.simulator.command import simulate
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 from trex_gui.devices.trex.simulator.memory import Eeprom, EepromError
 
 STICK = Calibration(2600, 3660, 4700, 50)
@@ -161,7 +161,7 @@ def test_unusable_path_raises_eeprom_error(tmp_path: Path) -> None:
 def test_factory_value_of_error_shutdown_decides_about_stray_bytes(choice: str) -> None:
     simulation = simulate(error_shutdown=choice)
     line = simulation.line
-    assert isinstance(line, TrexLine)
+    assert isinstance(line, SimulatedBoards)
     for change in ("power on", "factory"):
         simulation.control(change)
         simulation.control("power cycle")

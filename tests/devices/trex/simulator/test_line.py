@@ -12,7 +12,7 @@ from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
@@ -24,39 +24,39 @@ SIGNATURE_BYTES = b"TReX1.2"
 
 
 class TestPace:
-    def test_request_and_reply_take_line_time(self, line: TrexLine) -> None:
+    def test_request_and_reply_take_line_time(self, line: SimulatedBoards) -> None:
         line.send(b"\x81")
         assert line.read(7, 7.9 * BYTE) == SIGNATURE_BYTES[:6]
         assert line.now == pytest.approx(7.9 * BYTE)
         assert line.read(1, 1) == SIGNATURE_BYTES[6:]
         assert line.now == pytest.approx(8 * BYTE)
 
-    def test_read_returns_at_its_timeout(self, line: TrexLine) -> None:
+    def test_read_returns_at_its_timeout(self, line: SimulatedBoards) -> None:
         assert line.read(1, 0.5) == b""
         assert line.now == pytest.approx(0.5)
         assert line.boards[0].now == pytest.approx(0.5)
 
     def test_parity_and_stop_bits_lengthen_each_byte(self) -> None:
-        line = TrexLine([a_board(settings=0x55)])
+        line = SimulatedBoards([a_board(settings=0x55)])
         line.send(b"\x82")
         line.read(1, 1)
         assert line.now == pytest.approx(2 * 12 / 19200)
 
     def test_unpaced_bytes_take_no_time(self, board: Board) -> None:
-        line = TrexLine([board], paced=False)
+        line = SimulatedBoards([board], paced=False)
         line.send(b"\x81")
         line.advance(0)
         assert line.receive() == SIGNATURE_BYTES
         assert line.now == 0
 
     def test_unpaced_line_still_waits_for_eeprom_write(self, board: Board) -> None:
-        line = TrexLine([board], paced=False)
+        line = SimulatedBoards([board], paced=False)
         line.send(bytes.fromhex("AF 07 0F 55 2A"))
         assert line.read(1, 0.0039) == b""
         assert line.read(1, 0.001) == b"\x00"
         assert line.now == pytest.approx(0.004)
 
-    def test_backlog_is_line_time_of_queued_bytes(self, line: TrexLine) -> None:
+    def test_backlog_is_line_time_of_queued_bytes(self, line: SimulatedBoards) -> None:
         line.send(bytes(1920))
         assert line.backlog == pytest.approx(1)
         line.advance(0.4)
@@ -67,7 +67,7 @@ class TestPace:
     @examples(40)
     @given(cuts=st.lists(st.floats(0, 0.01), max_size=20))
     def test_line_result_does_not_depend_on_time_steps(self, cuts: list[float]) -> None:
-        line = TrexLine([Board()])
+        line = SimulatedBoards([Board()])
         line.send(bytes.fromhex("AF 07 0F 55 2A"))
         received = b""
         for seconds in cuts:
@@ -92,7 +92,7 @@ class TestHostSettings:
     def test_wrong_parity_or_stop_bits_give_error_and_no_reply(
         self, board_settings: int, host: LineSettings, error: UartError
     ) -> None:
-        line = TrexLine([a_board(settings=board_settings)])
+        line = SimulatedBoards([a_board(settings=board_settings)])
         line.host = host
         line.send(bytes.fromhex("81 F0 7F"))
         line.advance(1)
@@ -104,12 +104,12 @@ class TestHostSettings:
 class TestEcho:
     def test_echo_works_without_board_power(self, board: Board) -> None:
         board.power_off()
-        line = TrexLine([board], echo=True)
+        line = SimulatedBoards([board], echo=True)
         line.send(b"\xff")
         assert line.read(2, 1) == b"\xff"
 
     def test_byte_sent_during_reply_corrupts_echo_and_reply(self, board: Board) -> None:
-        line = TrexLine([board], echo=True)
+        line = SimulatedBoards([board], echo=True)
         line.send(b"\x81\x81")
         assert line.read(9, 1) == b"\x81" + bytes([ord("T") & 0x81]) + b"ReX1.2"
 
@@ -117,39 +117,39 @@ class TestEcho:
 class TestSeveralBoards:
     @pytest.mark.parametrize("paced", [True, False])
     def test_compact_request_makes_all_boards_reply_at_once(self, paced: bool) -> None:
-        line = TrexLine([a_board(7), a_board(9, model="trexjr")], paced=paced)
+        line = SimulatedBoards([a_board(7), a_board(9, model="trexjr")], paced=paced)
         both = bytes(a & b for a, b in zip(b"TReX1.2\xff\xff", b"TReXJr1.2", strict=True))
         assert make_ask(line)("81") == both.hex(" ")
         assert line.faults.counters["collisions"] == 7
 
     def test_identical_replies_are_received_as_one(self) -> None:
-        assert make_ask(TrexLine([a_board(7), a_board(9)]))("82") == "72"
+        assert make_ask(SimulatedBoards([a_board(7), a_board(9)]))("82") == "72"
 
     def test_compact_motor_command_reaches_all_boards(self) -> None:
-        line = TrexLine([a_board(7), a_board(9), a_board(11)])
+        line = SimulatedBoards([a_board(7), a_board(9), a_board(11)])
         make_ask(line)("F0 7F")
         make_ask(line)("80 09 70 05")
         assert [board.aux.speed for board in line.boards] == [127, 5, 127]
 
     def test_line_without_board_is_rejected(self) -> None:
         with pytest.raises(ValueError, match="board"):
-            TrexLine([])
+            SimulatedBoards([])
 
 
 class TestFaults:
-    def test_requested_number_of_bytes_is_corrupted(self, line: TrexLine, ask: Ask) -> None:
+    def test_requested_number_of_bytes_is_corrupted(self, line: SimulatedBoards, ask: Ask) -> None:
         line.faults.errors.extend([ReceiveError.FRAMING] * 3)
         assert ask("82 82 82") == ""
         assert ask("82") == "72"
 
     def test_all_boards_on_line_detect_the_same_error(self) -> None:
-        line = TrexLine([a_board(7), a_board(9)])
+        line = SimulatedBoards([a_board(7), a_board(9)])
         line.faults.errors.append(ReceiveError.OVERRUN)
         make_ask(line)("82")
         errors = [board.serial.uart_errors for board in line.boards]
         assert errors == [UartError.DATA_OVERRUN] * 2
 
-    def test_muted_line_carries_commands_but_no_replies(self, line: TrexLine, ask: Ask) -> None:
+    def test_muted_line_carries_commands_but_no_replies(self, line: SimulatedBoards, ask: Ask) -> None:
         line.faults.mute = True
         assert ask("81") == ""
         assert ask("F0 7F") == ""
@@ -161,25 +161,25 @@ class TestFaults:
         ("fault", "count", "reply"), [("to_drop", 3, b"X1.2"), ("to_double", 2, b"TTRReX1.2")]
     )
     def test_fault_drops_or_doubles_bytes_of_reply(
-        self, line: TrexLine, ask: Ask, fault: str, count: int, reply: bytes
+        self, line: SimulatedBoards, ask: Ask, fault: str, count: int, reply: bytes
     ) -> None:
         setattr(line.faults, fault, count)
         assert ask("81") == reply.hex(" ")
         assert ask("82") == "72"
 
-    def test_drop_sent_loses_bytes_of_request(self, line: TrexLine, ask: Ask) -> None:
+    def test_drop_sent_loses_bytes_of_request(self, line: SimulatedBoards, ask: Ask) -> None:
         line.faults.to_drop_sent = 1
         assert ask("F0 7F") == ""
         assert line.boards[0].aux.speed == 0
         assert ask("85") == "40"
 
-    def test_corrupted_bytes_of_reply_are_others(self, line: TrexLine, ask: Ask) -> None:
+    def test_corrupted_bytes_of_reply_are_others(self, line: SimulatedBoards, ask: Ask) -> None:
         line.faults.to_corrupt = 2
         reply = bytes.fromhex(ask("81"))
         assert [a == b for a, b in zip(reply, b"TReX1.2", strict=True)] == [False] * 2 + [True] * 5
         assert ask("82") == "72"
 
-    def test_delayed_reply_arrives_late_and_in_order(self, line: TrexLine) -> None:
+    def test_delayed_reply_arrives_late_and_in_order(self, line: SimulatedBoards) -> None:
         line.faults.delay = 0.5
         line.send(b"\x81")
         line.advance(8 * BYTE)
@@ -190,7 +190,7 @@ class TestFaults:
         line.advance(0.2)
         assert line.receive() == b"TReX1.2r"
 
-    def test_delayed_reply_is_lost_when_unplugged(self, line: TrexLine) -> None:
+    def test_delayed_reply_is_lost_when_unplugged(self, line: SimulatedBoards) -> None:
         line.faults.delay = 0.5
         line.send(b"\x81")
         line.advance(0.1)
@@ -198,7 +198,7 @@ class TestFaults:
         line.advance(1)
         assert line.receive() == b""
 
-    def test_full_noise_corrupts_every_byte(self, line: TrexLine) -> None:
+    def test_full_noise_corrupts_every_byte(self, line: SimulatedBoards) -> None:
         line.inject(bytes(500))
         line.faults.noise = 1.0
         received = line.read(500, 10)
@@ -206,14 +206,14 @@ class TestFaults:
         assert 0 not in received
 
     def test_noise_towards_board_latches_uart_errors(self) -> None:
-        line = TrexLine([a_board(settings=0x45)])
+        line = SimulatedBoards([a_board(settings=0x45)])
         line.faults.noise = 1.0
         line.send(b"\x81" * 100)
         line.advance(10)
         assert line.receive() == b""
         assert line.boards[0].serial.uart_errors == UartError.PARITY | UartError.FRAMING
 
-    def test_unplugged_line_carries_nothing(self, line: TrexLine, ask: Ask) -> None:
+    def test_unplugged_line_carries_nothing(self, line: SimulatedBoards, ask: Ask) -> None:
         line.unplug()
         assert ask("81") == ""
         assert ask("F0 7F") == ""
@@ -226,15 +226,15 @@ class TestFaults:
 
 
 @pytest.fixture
-def warm() -> TrexLine:
+def warm() -> SimulatedBoards:
     """A line whose board was switched on a second ago."""
-    line = TrexLine([Board()])
+    line = SimulatedBoards([Board()])
     line.advance(1)
     return line
 
 
 @pytest.mark.parametrize("overlap", [0.05, 0.5, 0.95])
-def test_byte_that_begins_during_reply_is_lost(warm: TrexLine, overlap: float) -> None:
+def test_byte_that_begins_during_reply_is_lost(warm: SimulatedBoards, overlap: float) -> None:
     warm.send(b"\x81")
     warm.advance((8 - overlap) * BYTE)
     warm.send(b"\xc2\x40")
@@ -244,7 +244,7 @@ def test_byte_that_begins_during_reply_is_lost(warm: TrexLine, overlap: float) -
     assert warm.boards[0].counters["bytes_missed"] == 1
 
 
-def test_byte_that_spans_power_up_is_lost(warm: TrexLine) -> None:
+def test_byte_that_spans_power_up_is_lost(warm: SimulatedBoards) -> None:
     control(warm, "power off")
     warm.send(b"\x81")
     warm.advance(0.9 * BYTE)
@@ -254,7 +254,7 @@ def test_byte_that_spans_power_up_is_lost(warm: TrexLine) -> None:
 
 
 @pytest.mark.parametrize("question", ["81", "FF 81"])
-def test_byte_that_spans_plugging_in_is_lost(warm: TrexLine, question: str) -> None:
+def test_byte_that_spans_plugging_in_is_lost(warm: SimulatedBoards, question: str) -> None:
     control(warm, "line unplug")
     warm.send(bytes.fromhex(question))
     warm.advance((len(bytes.fromhex(question)) - 0.1) * BYTE)
@@ -269,7 +269,7 @@ def test_overlapping_replies_are_garbled() -> None:
     late = Eeprom()
     late.write("uart_response_delay", 1)
     late.write("device_number", 8)
-    line = TrexLine([Board(), Board(eeprom=late)])
+    line = SimulatedBoards([Board(), Board(eeprom=late)])
     line.advance(0.2)
     line.send(b"\x81")
     begun = line.now + BYTE
@@ -284,7 +284,7 @@ def test_overlapping_replies_are_garbled() -> None:
     assert make_ask(line)("80 08 02") == "72"
 
 
-def test_injected_bytes_take_line_time_and_collide_with_reply(warm: TrexLine) -> None:
+def test_injected_bytes_take_line_time_and_collide_with_reply(warm: SimulatedBoards) -> None:
     control(warm, "line garbage " + "00" * 100)
     control(warm, "line garbage " + "00" * 100)
     warm.advance(150 * BYTE)
@@ -301,14 +301,14 @@ def test_injected_bytes_take_line_time_and_collide_with_reply(warm: TrexLine) ->
 
 @pytest.mark.parametrize("boards", [1, 2])
 def test_up_to_10000_injected_bytes_are_delivered(boards: int) -> None:
-    line = TrexLine([Board() for _ in range(boards)], echo=True)
+    line = SimulatedBoards([Board() for _ in range(boards)], echo=True)
     assert control(line, "line garbage " + "A5" * 10_001).startswith("error")
     assert control(line, "line garbage " + "A5" * 10_000).startswith("ok")
     line.advance(10_000 * BYTE + 0.01)
     assert line.receive() == b"\xa5" * 10_000
 
 
-def test_drop_unsent_discards_queued_bytes(warm: TrexLine) -> None:
+def test_drop_unsent_discards_queued_bytes(warm: SimulatedBoards) -> None:
     warm.send(b"\xc2\x40" * 100)
     warm.drop_unsent()
     assert warm.backlog == 0
@@ -328,7 +328,7 @@ def heard(
     mode: str = "serial",
 ) -> bytes:
     """Ask the same question forty times; return all that came."""
-    line = TrexLine([Board(mode=mode, seed=seed)], seed=seed)
+    line = SimulatedBoards([Board(mode=mode, seed=seed)], seed=seed)
     for text in lines:
         assert control(line, text).startswith("ok")
     line.advance(0.5)
@@ -360,7 +360,7 @@ def test_same_seed_gives_same_bytes(lines: tuple[str, ...], packet: str, mode: s
 @pytest.mark.parametrize("host", [LineSettings(stop_bits=2), LineSettings(115200)])
 def test_same_seed_gives_same_garbage(host: LineSettings) -> None:
     def garbage(seed: int) -> bytes:
-        line = TrexLine([Board()], seed=seed)
+        line = SimulatedBoards([Board()], seed=seed)
         result = b""
         for _ in range(50):
             line.host = None

@@ -12,7 +12,7 @@ from tests.support.matrix import examples
 from trex_gui.devices.trex.simulator.channels import Signal
 from trex_gui.devices.trex.simulator.control import control, report
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 from trex_gui.devices.trex.simulator.physics import (
     CONSTANTS,
@@ -192,7 +192,7 @@ IDLE = DriverOutput()
 
 def weaken(board: Board) -> None:
     """Give the board a battery that one stalled motor pulls below what it needs."""
-    assert control(TrexLine([board]), "battery 8 0.5") == "ok battery 8 V, 0.5 ohm"
+    assert control(SimulatedBoards([board]), "battery 8 0.5") == "ok battery 8 V, 0.5 ohm"
 
 
 def is_on(board: Board) -> bool:
@@ -322,7 +322,7 @@ class TestBrownOut:
 
     def test_brown_out_cuts_off_reply(self) -> None:
         board = Board()
-        line = TrexLine([board])
+        line = SimulatedBoards([board])
         weaken(board)
         line.send(bytes.fromhex("81"))
         assert line.read(2, 1) == b"TR"

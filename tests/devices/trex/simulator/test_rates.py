@@ -8,7 +8,7 @@ import pytest
 from tests.devices.trex.simulator.ports import a_board
 from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.protocol.line_settings import LineSettings, baud_rates
-from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 
 COMPACT = (
     *("81", "82", "83", "84", "85", "86 1F", "87 1F", "8D", "8E", "8F"),
@@ -30,12 +30,12 @@ def expanded(packet: str) -> str:
 QUERIES = COMPACT + tuple(expanded(packet) for packet in COMPACT)
 
 
-def a_line(code: int, *, paced: bool) -> TrexLine:
+def a_line(code: int, *, paced: bool) -> SimulatedBoards:
     """A line whose board runs at a rate."""
-    return TrexLine([a_board(settings=code)], paced=paced)
+    return SimulatedBoards([a_board(settings=code)], paced=paced)
 
 
-def ask(line: TrexLine, packet: str) -> bytes:
+def ask(line: SimulatedBoards, packet: str) -> bytes:
     """Send a packet, wait until the wire is quiet, return what the host makes of it."""
     line.send(bytes.fromhex(packet))
     while (event := line.next_event) is not None:
@@ -120,7 +120,7 @@ def test_board_replies_again_at_correct_rate() -> None:
 
 
 def test_board_at_other_rate_latches_error_and_ignores_command() -> None:
-    line = TrexLine([a_board(7, settings=0x05), a_board(9, settings=0x0A)])
+    line = SimulatedBoards([a_board(7, settings=0x05), a_board(9, settings=0x0A)])
     line.host = LineSettings(19200)
     assert ask(line, "81") == b"TReX1.2"
     assert ask(line, "F0 7F") == b""
@@ -148,7 +148,7 @@ def garbage(host: int, *, so_ground: bool) -> bytes:
     """Return what a host at this rate hears when it sends every byte there is."""
     board = a_board()
     board.so_ground = so_ground
-    line = TrexLine([board])
+    line = SimulatedBoards([board])
     line.host = LineSettings(host)
     for byte in range(256):
         line.send(bytes([byte]))

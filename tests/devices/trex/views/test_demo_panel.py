@@ -26,7 +26,7 @@ from trex_gui.devices.trex.model.demo import (
 from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 from trex_gui.devices.trex.views.demo_panel import (
     jumper_hint,
     led_patterns,
@@ -47,7 +47,7 @@ from trex_gui.ui.widgets.sliders import StickSlider
 
 def _at_work() -> DemoSnapshot:
     """A board whose LEDs have shown what is learned, in serial mode."""
-    line = TrexLine([Board()])
+    line = SimulatedBoards([Board()])
     line.advance(2)
     return read_snapshot(control(line, "show").removeprefix("ok "))
 

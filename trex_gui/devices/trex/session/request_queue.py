@@ -109,14 +109,13 @@ class TrexRequestQueue:
                     boards[0].take(request, is_closing=self.is_closing)
             request = self._inbox.get(0.0)
 
-    def joined(self, outcome: Outcome, number: int) -> Outcome | None:
-        """Return the outcome of a stop of several boards once that of each is known.
+    def is_for_all(self, outcome: Outcome) -> bool:
+        """Return whether this is the outcome of a stop of every board, of one of them."""
+        return self._awaited[outcome.id] > 0
 
-        Those of other requests are returned as they are.
-        """
+    def joined(self, outcome: Outcome, number: int) -> Outcome | None:
+        """Return the outcome of a stop of every board once that of each is known."""
         stop = outcome.id
-        if not self._awaited[stop]:
-            return outcome
         if outcome.error is not None:
             error = TrexNoReplyError(ErrorCode.OF_BOARD, number, outcome.error)
             self._failed.setdefault(stop, Outcome(stop, error=error))

@@ -103,7 +103,7 @@ class TrexSession:
         def emit(report: BoardReport) -> None:
             if number is None:
                 self._emit(report)
-            elif isinstance(report, Outcome):
+            elif isinstance(report, Outcome) and self._requests.is_for_all(report):
                 if (outcome := self._requests.joined(report, number)) is not None:
                     self._emit(outcome)
             else:

@@ -18,7 +18,7 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.simulator.channels import Signal, SignalKind
 from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.firmware import MODE_JUMPERS, Board
-from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 from trex_gui.devices.trex.simulator.memory import Eeprom
 
 _MODELS = [model.key for model in device_table().models]
@@ -103,7 +103,7 @@ def simulate(
         board.unknown_reply = b"" if unknown_parameter == "silent" else b"\xff"
         board.rejection_is_error = rejected_write == "error"
         boards.append(board)
-    line = TrexLine(boards, echo=echo, paced=paced, seed=seed)
+    line = SimulatedBoards(boards, echo=echo, paced=paced, seed=seed)
     if demo:
         for board in boards:
             demonstrate(board, line.timeline)

@@ -20,7 +20,7 @@ from trex_gui.core.simulator.sampling import ReceiveError
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.simulator.channels import Signal
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 
 _FLASH = 0.3  # inferred: seconds for each of the five flashes at power-up
 
@@ -114,7 +114,7 @@ def report(board: Board) -> dict[str, Any]:
     }
 
 
-def control(line: TrexLine, text: str) -> str:
+def control(line: SimulatedBoards, text: str) -> str:
     """Execute a control line; return `ok …` or `error …`, without a line end.
 
     With several boards the line begins with the device number that a board had at the start, as
@@ -132,7 +132,7 @@ def control(line: TrexLine, text: str) -> str:
     return execute(text, commands)
 
 
-def _board(line: TrexLine, name: str) -> Board | None:
+def _board(line: SimulatedBoards, name: str) -> Board | None:
     """Return the board with a name such as `@9`; without a name the only board."""
     if not name and len(line.boards) == 1:
         return line.boards[0]
@@ -140,7 +140,7 @@ def _board(line: TrexLine, name: str) -> Board | None:
     return next((board for number, board in boards if name == f"@{number}"), None)
 
 
-def _no_board(line: TrexLine, name: str, *_words: str) -> str:
+def _no_board(line: SimulatedBoards, name: str, *_words: str) -> str:
     names = ", ".join(f"@{number}" for number in line.numbers)
     if name:
         raise ValueError(f"there is no board {name}, but {names}")
@@ -249,14 +249,14 @@ def _require_saved(board: Board) -> None:
         raise ValueError(f"done, but not saved: {board.eeprom.unsaved}")
 
 
-def _show(line: TrexLine, board: Board) -> str:
+def _show(line: SimulatedBoards, board: Board) -> str:
     shown = report(board)
     shown["counters"]["line"] = dict(line.faults.counters)
     shown["line"] = show_wire(line)
     return json.dumps(shown)
 
 
-def _wire(line: TrexLine, *words: str) -> str:
+def _wire(line: SimulatedBoards, *words: str) -> str:
     match words:
         case ["error", "off"]:
             line.faults.errors.clear()

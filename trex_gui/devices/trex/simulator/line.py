@@ -23,7 +23,7 @@ from trex_gui.devices.trex.simulator.uart import SerialPort
 class BoardStation:
     """One board on the line. It receives nothing while it transmits."""
 
-    def __init__(self, board: Board, line: "TrexLine") -> None:
+    def __init__(self, board: Board, line: "SimulatedBoards") -> None:
         self.board = board
         self.port = SerialPort(board)
         self.advance = board.advance
@@ -186,7 +186,7 @@ class BoardStation:
             self._line.arrive(byte, begun)
 
 
-class TrexLine(SimulatedLine):
+class SimulatedBoards(SimulatedLine):
     """One wire with boards; their device numbers at the start name them."""
 
     def __init__(
