@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from trex_gui.core.events import Event
     from trex_gui.devices.trex.board.drive_status import MotorSetpoint, SetpointSource
     from trex_gui.devices.trex.board.errors import ErrorEntry
-    from trex_gui.devices.trex.library import BoardStatus, ChannelStatus, Trex, snapshots
+    from trex_gui.devices.trex.library import BoardStatus, ChannelStatus, Trex, TrexLine, snapshots
     from trex_gui.devices.trex.open_board import MotorsStoppedError
     from trex_gui.devices.trex.protocol.calibration import Calibration
     from trex_gui.devices.trex.protocol.errors import Rejected
@@ -45,6 +45,7 @@ __all__ = (
     "Snapshot",
     "StudioError",
     "Trex",
+    "TrexLine",
     "__version__",
     "snapshots",
 )

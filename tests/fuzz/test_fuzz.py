@@ -167,7 +167,9 @@ def _robot_line() -> tuple[object, Feed]:
 
 
 def _client() -> tuple[object, Feed]:
-    client = TrexClient(VirtualTransport(SimulatedBoards([Board(seed=0)])), ConnectionSettings("virtual"))
+    client = TrexClient(
+        VirtualTransport(SimulatedBoards([Board(seed=0)])), ConnectionSettings("virtual")
+    )
 
     def feed(data: bytes) -> None:
         client.transport.line.inject(data[:30])  # type: ignore[attr-defined]  # a virtual one

@@ -9,6 +9,7 @@ import trex_gui as public
 from tests.devices.trex.cli.conftest import comes_true
 from tests.support.library_program import Program
 from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.virtual_devices import VirtualSimulator
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui import (
     BadRequest,
@@ -20,6 +21,7 @@ from trex_gui import (
     SetpointSource,
     StudioError,
     Trex,
+    TrexLine,
 )
 from trex_gui.core.files import data_folder
 from trex_gui.core.guardian.log import StopResult, logged_stops
@@ -369,3 +371,76 @@ def test_silence_ends_a_drive_although_commands_are_repeated(
             trex.wait(20)
         assert comes_true(lambda: motor(simulator) == STOPPED)
         simulator.do("line mute off")
+
+
+# --- Several boards -----------------------------------------------------------------------
+
+
+@pytest.fixture
+def two_boards(start_simulator: StartSimulator) -> VirtualSimulator:
+    started = start_simulator("--unpaced", "--device", "7", "--device", "9:trexjr")
+    assert isinstance(started, VirtualSimulator)
+    return started
+
+
+def speeds(line: VirtualSimulator) -> list[int]:
+    """Return the speeds of both motors of both boards; 0 for one that is braked."""
+    motors = [motor for name in ("@7", "@9") for motor in line.show(name)["motors"]]
+    signs = {"forward": 1, "reverse": -1, "brake": 0}
+    return [signs[one["direction"]] * one["speed"] for one in motors]
+
+
+def test_boards_of_a_line_are_driven_together(
+    virtual_time: VirtualRuntime, two_boards: VirtualSimulator
+) -> None:
+    def run() -> None:
+        with TrexLine(two_boards.url, boards=(7, 9)) as line:
+            assert [one.product for one in line.status().values()] == ["TReX", "TReX Jr"]
+            line.drive(40, -20)
+            line.wait(0.3)
+            assert speeds(two_boards) == [40, -20, 40, -20]
+            line[9].drive(60)
+            line.wait(0.3)
+            assert speeds(two_boards) == [40, -20, 60, -20]
+            assert line[9].setpoint(1).speed == 60
+            line[7].stop()
+            assert speeds(two_boards) == [0, 0, 0, 0]
+            line[9].set_parameters(serial_timeout=5)
+            assert (line[7].parameter("serial_timeout"), line[9].parameter("serial_timeout")) == (
+                0,
+                5,
+            )
+            line.drive(40)
+            line.wait(0.3)
+
+    Program(virtual_time, run).end()
+    assert speeds(two_boards) == [0, 0, 0, 0]
+
+
+@pytest.mark.parametrize("board", [7, 9])
+def test_board_that_is_lost_stops_the_others_and_is_named(
+    virtual_time: VirtualRuntime, two_boards: VirtualSimulator, board: int
+) -> None:
+    def run() -> None:
+        with TrexLine(two_boards.url, boards=(7, 9)) as line:
+            line.drive(40, 40)
+            line.wait(0.3)
+            two_boards.do(f"@{board} power off")
+            with pytest.raises(MotorsStoppedError, match=f"Board {board} does not drive any more"):
+                line.wait(2)
+            assert speeds(two_boards) == [0, 0, 0, 0]
+            with pytest.raises(NoReply, match=f"Board {board}: "):
+                line.drive(40)
+            two_boards.do(f"@{board} power on")
+            line.wait(3)
+            line.drive(20, 20)
+            line.wait(0.3)
+            assert speeds(two_boards) == [20, 20, 20, 20]
+
+    Program(virtual_time, run).end()
+
+
+@pytest.mark.parametrize("boards", [(), (7,), (7, 7), (7, 200)])
+def test_boards_of_a_line_have_numbers_of_their_own(boards: tuple[int, ...]) -> None:
+    with pytest.raises(BadRequest):
+        TrexLine("/dev/ttyUSB0", boards=boards)

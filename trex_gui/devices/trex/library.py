@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from operator import index
 from pathlib import Path
-from typing import Literal, Self
+from typing import Literal, Self, TypedDict, Unpack
 
 from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable
 from trex_gui.core.events import Event
@@ -147,17 +147,17 @@ class Trex:
         line = LineSettings(baud, Detection[detection.upper()], stop_bits)
         line.to_wire()
         others, timeouts = frozenset(reserved), Timeouts(extra=timeout)
-        self._settings = ConnectionSettings(
+        self.settings = ConnectionSettings(
             url, line, device_number, polynomial, others, timeouts=timeouts
         )
-        _ = self._settings.framing
+        _ = self.settings.framing
         self._opened: OpenBoard | None = None
 
     def __enter__(self) -> Self:
         """Open the port and read everything that the board stores; this moves nothing."""
         if self._opened is not None and self._opened.session.closed is None:
             raise PortUnavailable("The line is open already.")  # and stays so until its block ends
-        session = OpenSession(self._settings)
+        session = OpenSession(self.settings)
         (self._opened,) = session.boards.values()
         session.open()
         return self
@@ -166,6 +166,10 @@ class Trex:
         """Stop the motors and close the port; NoReply if a stop was not confirmed."""
         if self._opened is not None:
             self._opened.session.end(error)
+
+    def use(self, board: OpenBoard) -> None:
+        """Take a board of a `TrexLine`."""
+        self._opened = board
 
     @property
     def _board(self) -> OpenBoard:
@@ -398,7 +402,7 @@ class Trex:
         reason = f"library: {', '.join(key for key, _ in (*parameters, *calibrations))}"
         self._board.pump(self._board.session.clock())  # the board may have been silent meanwhile
         board, state = self._board, self.state
-        transaction = board.keeper.begin(state, self._settings, reason, parameters, calibrations)
+        transaction = board.keeper.begin(state, self.settings, reason, parameters, calibrations)
         written = board.session.result(
             lambda number: board.addressed(Write(number, parameters, calibrations, before=state)),
             _WRITING,
@@ -512,3 +516,77 @@ class Trex:
         end = board.session.clock() + seconds
         while board.session.clock() < end:
             board.pump(end)
+
+
+class LineOptions(TypedDict, total=False):
+    """Arguments of a `Trex` that boards on one line share."""
+
+    baud: int
+    detection: Literal["none", "even", "odd", "crc7"]
+    stop_bits: int
+    polynomial: int
+    reserved: Iterable[int]
+    timeout: float
+
+
+class TrexLine:
+    """Boards on one line that are driven together; use it in a `with` statement.
+
+    One arming and one stop are for all of them: a board that falls silent, restarts or stops by
+    itself stops the others, and the `MotorsStoppedError` or `NoReply` names it. `line[9]` is the
+    `Trex` of a board, whose `stop` and `wait` are for all as well.
+    """
+
+    def __init__(self, url: str, *, boards: Iterable[int], **options: Unpack[LineOptions]) -> None:
+        """Describe the line; `boards` are device numbers, 0 to 127. See `Trex` for the rest."""
+        numbers = tuple(boards)
+        self._boards = {one: Trex(url, device_number=one, **options) for one in numbers}
+        first = next(iter(self._boards.values()), Trex(url))
+        self._settings = first.settings.with_group(numbers)
+        self._session: OpenSession | None = None
+
+    def __enter__(self) -> Self:
+        """Open the port and read every board; this moves nothing."""
+        if self._session is not None and self._session.closed is None:
+            raise PortUnavailable("The line is open already.")
+        session = self._session = OpenSession(self._settings)
+        for number, board in session.boards.items():
+            if number is not None:
+                self._boards[number].use(board)
+        session.open()
+        return self
+
+    def __exit__(self, _kind: object, error: BaseException | None, _traceback: object) -> None:
+        """Stop every motor and close the port; NoReply if a stop was not confirmed."""
+        if self._session is not None:
+            self._session.end(error)
+
+    def __getitem__(self, number: int) -> Trex:
+        return self._boards[number]
+
+    def __iter__(self) -> Iterator[Trex]:
+        return iter(self._boards.values())
+
+    def status(self) -> dict[int, BoardStatus]:
+        """Return what each board measures now, by its number."""
+        return {number: board.status() for number, board in self._boards.items()}
+
+    def drive(
+        self,
+        motor_1: int | None = None,
+        motor_2: int | None = None,
+        *,
+        auxiliary: int | None = None,
+        accelerate: bool = False,
+    ) -> None:
+        """Set the same speeds on every board; see `Trex.drive`."""
+        for board in self:
+            board.drive(motor_1, motor_2, auxiliary=auxiliary, accelerate=accelerate)
+
+    def stop(self) -> None:
+        """Stop every board; NoReply if one does not confirm it."""
+        next(iter(self)).stop()
+
+    def wait(self, seconds: float) -> None:
+        """Let time pass while motors run."""
+        next(iter(self)).wait(seconds)

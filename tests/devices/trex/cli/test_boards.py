@@ -8,6 +8,7 @@ import pytest
 from tests.support.simulator import StartSimulator
 from tests.support.virtual_command import RunCommand, StartCommand
 from tests.support.virtual_devices import VirtualSimulator
+from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.files import save
 
 EXPANDED = ("--protocol", "expanded", "--device", "7")
@@ -125,3 +126,23 @@ def test_file_is_written_to_several_boards(
     assert stored(line, "serial_timeout") == [7, 7, 0]
     assert stored(line, "device_number") == [3, 7, 9]
     assert stored(line, "uart_settings") == [5, 5, 5]
+
+
+def test_motors_of_several_boards_run_and_stop(
+    virtual_time: VirtualRuntime, start: StartCommand, run: RunCommand, line: VirtualSimulator
+) -> None:
+    def directions() -> list[str]:
+        return [line.show(name)["motors"][0]["direction"] for name in ("@3", "@7", "@9")]
+
+    command = start("motor", "1", "40", "--boards", "7,9", "--seconds", "1", url=line.url)
+    assert virtual_time.run_until(lambda: directions()[1:] == ["forward"] * 2, 30)
+    command.ends(0)
+    assert directions()[1:] == ["brake"] * 2
+    for name in ("@7", "@9"):
+        line.do(f"{name} jumper mode serial")
+    result = run("stop", "--boards", "7,9")
+    assert "Stopped." in result.stderr
+    line.do("@9 power off")
+    assert "Board 9: " in run("stop", "--boards", "7,9", exits=1).stderr
+    assert "Board 9: " in run("motor", "1", "40", "--boards", "7,9", exits=1).stderr
+    assert "--boards" in run("motor", "1", "40", "--boards", "7", exits=2).stderr

@@ -206,7 +206,8 @@ def run_sequences(count: int, seed: int) -> list[str]:
     inbox = RandomSequences(stage, count, seed)
     reports = stage.reports
     TrexSession(GROUP, inbox, reports.append, lambda _: stage.transport).run()
-    found, ended = list(inbox.problems), outcomes(reports)
+    every = [one.report if isinstance(one, OfBoard) else one for one in reports]
+    found, ended = list(inbox.problems), outcomes(every)
     found += [f"stop {number} has no outcome" for number in inbox.stops if number not in ended]
     unconfirmed = [one for one in ended.values() if one.error is not None and not str(one.error)]
     return found + [f"stop {one.id} failed without a message" for one in unconfirmed]

@@ -177,7 +177,9 @@ INVALID = {
 
 
 @pytest.mark.parametrize("text", [word + rest for word in INVALID for rest in INVALID[word]])
-def test_invalid_command_gives_one_line_error_and_no_change(line: SimulatedBoards, text: str) -> None:
+def test_invalid_command_gives_one_line_error_and_no_change(
+    line: SimulatedBoards, text: str
+) -> None:
     before = report(line.boards[0])
     answer = control(line, text)
     assert answer.startswith("error ")

@@ -149,7 +149,9 @@ class TestFaults:
         errors = [board.serial.uart_errors for board in line.boards]
         assert errors == [UartError.DATA_OVERRUN] * 2
 
-    def test_muted_line_carries_commands_but_no_replies(self, line: SimulatedBoards, ask: Ask) -> None:
+    def test_muted_line_carries_commands_but_no_replies(
+        self, line: SimulatedBoards, ask: Ask
+    ) -> None:
         line.faults.mute = True
         assert ask("81") == ""
         assert ask("F0 7F") == ""

@@ -30,7 +30,7 @@ from trex_gui.devices.trex.cli.changes import say_warning
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
 from trex_gui.devices.trex.client.reading import DeviceState, query
 from trex_gui.devices.trex.client.telemetry import Control, LatchedStatus, StatusReader
-from trex_gui.devices.trex.driving.motor_driver import MotorDriver
+from trex_gui.devices.trex.driving.motor_driver import MotorDriver, stop_together
 from trex_gui.devices.trex.driving.motor_output import MotorOutput
 from trex_gui.devices.trex.driving.requests import (
     HEARTBEAT_INTERVAL,
@@ -45,7 +45,7 @@ from trex_gui.devices.trex.driving.requests import (
 )
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop, turning_text
 from trex_gui.devices.trex.protocol.commands import GetSerialControl
-from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings, numbers_in
 from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
@@ -54,15 +54,36 @@ from trex_gui.devices.trex.session.messages import (
     Connected,
     GuardianChanged,
     NotResponding,
+    OfBoard,
     ReadReason,
     Report,
     Request,
     SendPacket,
+    ToBoard,
 )
 from trex_gui.devices.trex.settings.board_records import BoardRecord, utc_now
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 
 _SLICE = 0.02  # longest wait in seconds without a look at signals
+
+
+boards_option = click.option(
+    "--boards",
+    metavar="NUMBERS",
+    default="",
+    help="Do it to several boards on the line at once, such as 7,9.",
+)
+
+
+def _grouped(settings: ConnectionSettings, boards: str) -> ConnectionSettings:
+    """Return settings for the boards with these numbers; UsageError if there are none such."""
+    if not boards:
+        return settings
+    try:
+        numbers = tuple(sorted(numbers_in(boards)))
+        return settings.with_group(numbers)
+    except ValueError as error:
+        raise click.UsageError(f"--boards: {error}") from error
 
 
 @click.command(context_settings={"ignore_unknown_options": True})
@@ -72,8 +93,16 @@ _SLICE = 0.02  # longest wait in seconds without a look at signals
 @click.option("--accelerate", is_flag=True, help="Use the acceleration set in the board.")
 @seconds_option
 @click.option("--brake", is_flag=True, help="Brake; SPEED is the braking duty, 0 to 127.")
+@boards_option
 def motor(
-    which: str, speed: int, *, accelerate: bool, seconds: float | None, brake: bool, **options: Any
+    which: str,
+    speed: int,
+    *,
+    accelerate: bool,
+    seconds: float | None,
+    brake: bool,
+    boards: str,
+    **options: Any,
 ) -> None:
     """Run a motor at SPEED, -127 to 127 (auxiliary motor 0 to 127), then stop every motor.
 
@@ -81,7 +110,7 @@ def motor(
     repeated until the board confirms it.
     """
     setpoint = _setpoint(which, speed, accelerate=accelerate, brake=brake)
-    run_motors(link_settings(options), [setpoint], seconds)
+    run_motors(_grouped(link_settings(options), boards), [setpoint], seconds)
 
 
 def run_motors(
@@ -102,8 +131,9 @@ def run_motors(
         clock, wait, open_port = transport.clock, transport.wait, lambda _settings: transport
     with Interruption(precious=True) as interrupted:
         end = math.inf if seconds is None else seconds
-        run = _Run(orders, end, interrupted, clock, wait)
-        run.board.adapter = adapter_key(settings.url)
+        run = _Run(orders, end, interrupted, clock, wait, settings.group or (None,))
+        for board in run.boards.values():
+            board.adapter = adapter_key(settings.url)
         session_at(settings, run, run.take, open_port, clock).run()
     run.conclude()
 
@@ -121,18 +151,19 @@ _UNCONFIRMED = "The stop is not confirmed. If a motor still turns, cut its power
 
 @click.command()
 @link_options
+@boards_option
 @click.option(
     "--robots",
     multiple=True,
     metavar="NAME",
     help="Stop this served board, or all of them; may be repeated.",
 )
-def stop(robots: tuple[str, ...], **options: Any) -> None:
+def stop(robots: tuple[str, ...], boards: str, **options: Any) -> None:
     """Brake both motors and switch the auxiliary motor off; repeat until confirmed."""
     if robots or is_served(options["port"] or ""):
         _stop_served(robots or [options["port"]])
         return
-    settings = link_settings(options)
+    settings = _grouped(link_settings(options), boards)
     try:
         _stop_at(settings)
     except CommandFailed as refusal:
@@ -158,20 +189,28 @@ def _stop_served(names: Sequence[str]) -> None:
 
 
 def _stop_at(settings: ConnectionSettings) -> None:
-    with open_line(settings) as client:
-        motors = MotorOutput(lambda _report: None)
-        driver = MotorDriver(motors, client, StatusReader(client.transport.clock))
-        if not driver.stop_and_confirm(careful=True):
-            try:
-                identify(client, quick=True)  # says why there is no reply
-            except (NoReply, BadReply) as error:
-                raise CommandFailed(f"{_UNCONFIRMED} {error}") from error
-            raise NoReply(
-                "The stop was sent, but the board reports errors on the line each time. "
-                "If a motor still turns, cut its power."
-            )
-        if not query(client.request, GetSerialControl()):
-            raise CommandFailed(BEYOND_A_STOP)
+    with open_line(settings) as first:
+        clients = [first.to_board(settings.of_board(one)) for one in settings.group] or [first]
+        runs = [
+            MotorDriver(
+                MotorOutput(lambda _report: None), one, StatusReader(one.transport.clock)
+            ).final_stop(careful=True)
+            for one in clients
+        ]
+        stop_together(runs)
+        for client, run in zip(clients, runs, strict=True):
+            name = f"Board {client.settings.device_number}: " if settings.group else ""
+            if not run.is_confirmed:
+                try:
+                    identify(client, quick=True)  # says why there is no reply
+                except (NoReply, BadReply) as error:
+                    raise CommandFailed(f"{name}{_UNCONFIRMED} {error}") from error
+                raise NoReply(
+                    f"{name}The stop was sent, but the board reports errors on the line each "
+                    "time. If a motor still turns, cut its power."
+                )
+            if not query(client.request, GetSerialControl()):
+                raise CommandFailed(f"{name}{BEYOND_A_STOP}")
 
 
 def _setpoint(which: str, speed: int, *, accelerate: bool, brake: bool) -> Setpoint:
@@ -210,22 +249,25 @@ class _Run:
     _interrupted: Interruption
     _clock: Callable[[], float]
     _wait: Callable[[float], None]
+    _numbers: Sequence[int | None]  # of a group; `None` for one board alone
     _requests: deque[Request] = field(default_factory=deque)
-    _keeper: Keeper = field(default_factory=lambda: _Reader(say, say_warning))
-    board: BoardMirror = field(init=False)
+    _keepers: dict[int | None, Keeper] = field(init=False)
+    boards: dict[int | None, BoardMirror] = field(init=False)
     _now: float = 0.0
     _end: float = math.inf
     _heartbeat_at: float = math.inf
     _is_running: bool = False
     _is_ending: bool = False
     _is_guarded: bool = False
-    _lost_control: int = 0
+    # By board: replies in a row that say that serial commands do not reach the motors
+    _lost_control: dict[int | None, int] = field(default_factory=dict)
     _reason: str | None = None
     _stop_error: StudioError | None = None
     _line_error: StudioError | None = None
 
     def __post_init__(self) -> None:
-        self.board = BoardMirror(self._keeper.memory)
+        self._keepers = {one: _Reader(say, say_warning) for one in self._numbers}
+        self.boards = {one: BoardMirror(kept.memory) for one, kept in self._keepers.items()}
 
     # --- The inbox ----------------------------------------------------------------------
 
@@ -244,11 +286,19 @@ class _Run:
 
     def _start(self) -> None:
         self._is_running = True
-        self._requests += (Arm(), *self._orders)
+        self._requests += (Arm(), *self._addressed(self._orders))
         self._heartbeat_at = self._now + HEARTBEAT_INTERVAL
         self._end = self._now + self._seconds
         endless = math.isinf(self._seconds)
         say("Running; Ctrl-C stops." if endless else f"Running {self._seconds:g} s.")
+
+    def _addressed(self, orders: Sequence[Setpoint | SendPacket]) -> list[Request]:
+        """Return these orders for each of the boards."""
+        return [
+            order if number is None else ToBoard(number, order)
+            for number in self._numbers
+            for order in orders
+        ]
 
     def _finish(self, reason: str | None = None) -> None:
         """Stop if the motor was armed, and close the line behind that."""
@@ -260,26 +310,32 @@ class _Run:
     # --- Reports ------------------------------------------------------------------------
 
     def take(self, report: Report) -> None:
+        number, inner = self._numbers[0], report
+        if isinstance(report, OfBoard):
+            number, inner = report.number, report.report
+        self._take(number, inner)
+
+    def _take(self, number: int | None, report: Report) -> None:
         if isinstance(report, Connected) and report.occasion is not ReadReason.OPENED:
             is_changed = report.occasion is ReadReason.SETTING_CHANGED
             cause = "A setting of the board changed" if is_changed else "The board was restarted"
             self._finish(f"{cause}, so the motors were stopped.")
             return  # no file is saved while motors may move
-        for event in self.board.take(report, self._now, utc_now()):
+        for event in self.boards[number].take(report, self._now, utc_now()):
             match event:
                 case LatchedStatus():
                     self._take_status(event)
                 case Control(by_serial=by_serial):
-                    self._take_control(by_serial=by_serial)
+                    self._take_control(number, by_serial=by_serial)
         match report:
             case GuardianChanged(is_ready=is_ready):
                 self._is_guarded = is_ready
             case Connected(state=state):
-                self._connected(state)
+                self._connected(number, state)
             case NotResponding(reason=reason):
                 self._finish(f"The board has stopped responding: {reason}")
-            case MotorsStopped(reason=ErrorCode() as code):
-                self._finish(describe(code))
+            case MotorsStopped(reason=ErrorCode() as code, board=left):
+                self._finish(describe(code, (left,)))
             case Outcome():
                 self._take_outcome(report)
             case Closed(error=error):
@@ -297,15 +353,16 @@ class _Run:
             except (click.ClickException, OSError) as error:  # it must not end the session
                 self._finish(str(error))
 
-    def _connected(self, state: DeviceState) -> None:
+    def _connected(self, number: int | None, state: DeviceState) -> None:
+        board = self.boards[number]
         if not state.serial_controls:
-            self._finish(self.board.control_text)
+            self._finish(board.control_text)
             return
         is_ignored = any(isinstance(one, SetMotor) and one.motor == 2 for one in self._orders)
-        if self.board.is_joint and is_ignored:
+        if board.is_joint and is_ignored:
             say("Warning: in joint mode both drivers work as motor 1; motor 2 is ignored.")
-        self._keeper.load()
-        silence = self.board.timeout_stop
+        self._keepers[number].load()
+        silence = board.timeout_stop
         if not silence.is_reliable:
             program = "" if self._is_guarded else ", and also if this program is killed"
             verb = "may keep" if silence is TimeoutStop.DOUBTFUL else "keeps"
@@ -326,13 +383,16 @@ class _Run:
         elif not self._is_ending:
             say(f"The board reports: {names}.")
             if latched.uart:  # the board may have stopped the motors for it
-                self._requests += [one for one in self._orders if not isinstance(one, SendPacket)]
+                again = [one for one in self._orders if not isinstance(one, SendPacket)]
+                self._requests += self._addressed(again)
 
-    def _take_control(self, *, by_serial: bool) -> None:
-        self._lost_control = 0 if by_serial else self._lost_control + 1
-        if by_serial and not self._is_running and not self._is_ending:
+    def _take_control(self, number: int | None, *, by_serial: bool) -> None:
+        lost = self._lost_control
+        lost[number] = 0 if by_serial else lost.get(number, 0) + 1
+        is_known = len(lost) == len(self._numbers) and not any(lost.values())
+        if is_known and not self._is_running and not self._is_ending:
             self._start()
-        elif self._lost_control > 1:  # one reply may be corrupted
+        elif lost[number] > 1:  # one reply may be corrupted
             self._finish("Channel 5 has returned control to the channels.")
 
     # --- The end ------------------------------------------------------------------------
@@ -344,7 +404,8 @@ class _Run:
             text = str(error)
             if self._is_running and isinstance(error, PortUnavailable):
                 motors = {one.motor for one in self._orders if not isinstance(one, SendPacket)}
-                text = f"{turning_text(motors)} {self.board.silence_remedy} {text}"
+                remedy = self.boards[self._numbers[0]].silence_remedy
+                text = f"{turning_text(motors)} {remedy} {text}"
             raise CommandFailed(text) from error
         if self._is_running:
             say("Stopped.")

@@ -1,5 +1,6 @@
 """How to reach one board: which port, how bytes travel on it, how packets are wrapped."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
 from trex_gui.core.errors import BadRequest
@@ -70,6 +71,13 @@ class ConnectionSettings(PortSettings):
         if isinstance(line, LineSettings):
             return replace(self, line=line)
         return PortSettings(self.url, line, name=self.name, timeouts=self.timeouts)
+
+    def with_group(self, numbers: Iterable[int]) -> "ConnectionSettings":
+        """Return the settings of boards that are driven together; BadRequest for no such ones."""
+        group = tuple(seven_bits(one, tr("device number")) for one in numbers)
+        if len(set(group)) < 2 or len(set(group)) < len(group) or self.reserved & set(group):
+            raise BadRequest(tr("Boards that are driven together need numbers of their own."))
+        return replace(self, device_number=group[0], group=group)
 
     def of_board(self, number: int) -> "ConnectionSettings":
         """Return the settings of one board of the group."""

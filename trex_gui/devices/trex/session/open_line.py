@@ -165,6 +165,8 @@ class OpenLine:
         if self.liveness.note_failure(self.now(), topic):
             self.motors.handle(OutputEvent.NOT_RESPONDING, self.now())
             self.driver.stop_without_reply()
+            others = (one for one in self.boards if one is not self)
+            self._stop({one: run for one in others for run in one.due_stops()})
             self.flush()
             self.emit(NotResponding(str(error), replace(self.client.counters)))
 
