@@ -1177,6 +1177,10 @@
         <translation>Befehle ohne Gerätenummer würden mehrere Boards erreichen.</translation></message>
     <message><source>Select one of the boards on this line.</source>
         <translation>Wählen Sie eines der Boards an dieser Leitung aus.</translation></message>
+    <message><source>Board {0}, which is driven with this one, does not follow.</source>
+        <translation>Board {0}, das mit diesem gefahren wird, folgt nicht.</translation></message>
+    <message><source>Its drawing says why. Drive alone uses the other one without it.</source>
+        <translation>Seine Zeichnung sagt, warum. „Allein fahren“ verwendet das andere ohne dieses.</translation></message>
     <message><source>The motors cannot be armed at this moment.</source>
         <translation>Die Motoren können im Moment nicht freigegeben werden.</translation></message>
     <message><source>Stopped. {0}</source>
@@ -1375,6 +1379,8 @@
         <translation>{0}, solange der Eingang {1} liegt</translation></message>
     <message><source>{0}; it is reversed</source>
         <translation>{0}; er ist umgekehrt</translation></message>
+    <message><source>Not connected.</source>
+        <translation>Nicht verbunden.</translation></message>
     <message><source>The board has stopped responding. Is its power on? Waiting for it …</source>
         <translation>Das Board antwortet nicht mehr. Ist es eingeschaltet? Es wird darauf gewartet …</translation></message>
     <message><source>Selecting device {0} …</source>
@@ -1437,6 +1443,8 @@
         <translation>Es wurde nichts geschrieben: Das Board antwortet nicht.</translation></message>
     <message><source>Noise on the line can turn a motor another way for an instant.</source>
         <translation>Störungen auf der Leitung können einen Motor für einen Augenblick in die andere Richtung drehen.</translation></message>
+    <message><source>Board {0}: {1}</source>
+        <translation>Board {0}: {1}</translation></message>
     <message><source>Nothing was written: other settings were read from the board.</source>
         <translation>Es wurde nichts geschrieben: Vom Board wurden andere Einstellungen gelesen.</translation></message>
     <message><source>The network is silent; the server of the robot stops the motors.</source>
@@ -1737,12 +1745,16 @@
         <translation>Er hat gestoppt</translation></message>
     <message><source>It kept turning</source>
         <translation>Er drehte sich weiter</translation></message>
+    <message><source>brake</source>
+        <translation>bremsen</translation></message>
+    <message><source>motor {0}</source>
+        <translation>Motor {0}</translation></message>
+    <message><source>left</source>
+        <translation>links</translation></message>
+    <message><source>right</source>
+        <translation>rechts</translation></message>
     <message><source>auxiliary {0}</source>
         <translation>Hilfsmotor {0}</translation></message>
-    <message><source>motor {0} brake</source>
-        <translation>Motor {0} bremst</translation></message>
-    <message><source>motor {0} {1}</source>
-        <translation>Motor {0} {1}</translation></message>
     <message><source>Hexadecimal, such as 9F 07</source>
         <translation>Hexadezimal, zum Beispiel 9F 07</translation></message>
     <message><source>A stop would not reach that board: address device {0}.</source>
@@ -1973,6 +1985,8 @@
         <translation>{0:#04x} ist kein Modus eines TReX (R, A, r oder a)</translation></message>
     <message><source>device number</source>
         <translation>Gerätenummer</translation></message>
+    <message><source>Boards that are driven together need numbers of their own.</source>
+        <translation>Boards, die gemeinsam gefahren werden, brauchen eigene Nummern.</translation></message>
     <message><source>The board needs a number that no other device has.</source>
         <translation>Das Board braucht eine Nummer, die kein anderes Gerät hat.</translation></message>
     <message><source>{0!r} are no settings of a board</source>
@@ -2153,6 +2167,10 @@
         <translation>Board {0} wurde nicht ausgewählt, da es nicht antwortet. Prüfen Sie, ob es Strom hat. Das vorher ausgewählte Board bleibt ausgewählt.</translation></message>
     <message><source>Another board on this line has the device number {0}. Choose a number that is free.</source>
         <translation>Ein anderes Board an dieser Leitung hat die Gerätenummer {0}. Wählen Sie eine freie Nummer.</translation></message>
+    <message><source>Board {0} does not follow any more: it was silent, was stopped or restarted.</source>
+        <translation>Board {0} folgt nicht mehr: Es antwortete nicht, wurde gestoppt oder startete neu.</translation></message>
+    <message><source>Boards that are driven together keep their numbers, and none can be selected. Connect to this board alone.</source>
+        <translation>Boards, die gemeinsam gefahren werden, behalten ihre Nummern, und keines kann ausgewählt werden. Verbinden Sie sich mit diesem Board allein.</translation></message>
     <message><source>Another user drives this board. Ask to have it handed over.</source>
         <translation>Ein anderer Benutzer fährt dieses Board. Bitten Sie darum, es zu übergeben.</translation></message>
     <message><source>You may watch this board and stop it, but not drive or change it.</source>
@@ -2807,6 +2825,8 @@
         <translation>Rot</translation></message>
     <message><source>Green</source>
         <translation>Grün</translation></message>
+    <message><source>unknown</source>
+        <translation>unbekannt</translation></message>
     <message><source>channels drive</source>
         <translation>Kanäle steuern</translation></message>
     <message><source>not known: move a stick to see</source>
@@ -2847,6 +2867,8 @@
         <translation>Dem ausgewählten Board eine andere Gerätenummer geben</translation></message>
     <message><source>Write a settings file to several boards; each keeps its number</source>
         <translation>Eine Einstellungsdatei auf mehrere Boards schreiben; jedes behält seine Nummer</translation></message>
+    <message><source>Drive several boards as one robot, with one pad and one Stop</source>
+        <translation>Mehrere Boards als einen Roboter fahren, mit einem Feld und einem Stopp</translation></message>
     <message><source>Before it is written, the line is asked for the new number: if another board has it, nothing is written. A board that is off, or has other serial settings, cannot be noticed. The new number takes effect at once, and a snapshot is saved first.</source>
         <translation>Vor dem Schreiben wird die Leitung nach der neuen Nummer abgefragt: Hat ein anderes Board sie, wird nichts geschrieben. Ein ausgeschaltetes Board oder eines mit anderen seriellen Einstellungen kann nicht bemerkt werden. Die neue Nummer gilt sofort; vorher wird eine Sicherungskopie gespeichert.</translation></message>
     <message><source>Progress of the search</source>
@@ -2859,6 +2881,10 @@
         <translation>Nummer ändern…</translation></message>
     <message><source>Apply a file…</source>
         <translation>Datei anwenden…</translation></message>
+    <message><source>Drive together…</source>
+        <translation>Gemeinsam fahren…</translation></message>
+    <message><source>Drive alone</source>
+        <translation>Allein fahren</translation></message>
     <message><source>Boards on this line</source>
         <translation>Boards an dieser Leitung</translation></message>
     <message><source>It replied before. Check its power and its wires.</source>
@@ -2867,6 +2893,10 @@
         <translation>Mehrere Boards scheinen diese Nummer zu haben. Schalten Sie alle bis auf eines aus und geben Sie diesem eine eigene Nummer.</translation></message>
     <message><source>The board has this number already.</source>
         <translation>Das Board hat diese Nummer schon.</translation></message>
+    <message><source>armed</source>
+        <translation>freigegeben</translation></message>
+    <message><source>driven together</source>
+        <translation>gemeinsam gefahren</translation></message>
     <message><source>being left …</source>
         <translation>wird verlassen …</translation></message>
     <message><source>selected, not responding</source>
@@ -2939,8 +2969,6 @@
         <translation>{0} auf mehrere Boards anwenden</translation></message>
     <message><source>File</source>
         <translation>Datei</translation></message>
-    <message><source>Board {0}: {1}</source>
-        <translation>Board {0}: {1}</translation></message>
     <message><source>Board {0}</source>
         <translation>Board {0}</translation></message>
     <message><source>{0}: beyond a limit that no document confirms (inferred). The board decides: it may reject the value, or store another one.</source>
@@ -3247,8 +3275,6 @@
         <translation>Last</translation></message>
     <message><source>{0} to start the boot loader.</source>
         <translation>{0}, um den Bootloader zu starten.</translation></message>
-    <message><source>brake</source>
-        <translation>bremsen</translation></message>
     <message><source>Overrun</source>
         <translation>Überlauf</translation></message>
     <message><source>Input {0}</source>
@@ -3273,6 +3299,28 @@
         <translation>Übernehmen</translation></message>
     <message><source>Show line {0}</source>
         <translation>Zeile {0} zeigen</translation></message>
+    <message><source>One pad, one arming and one Stop drive these boards as one robot. A board that does not follow any more stops the others.</source>
+        <translation>Ein Feld, eine Freigabe und ein Stopp fahren diese Boards als einen Roboter. Ein Board, das nicht mehr folgt, stoppt die anderen.</translation></message>
+    <message><source>&amp;Drive together</source>
+        <translation>Gemeinsam &amp;fahren</translation></message>
+    <message><source>no problem</source>
+        <translation>kein Problem</translation></message>
+    <message><source>Drive to&amp;gether…</source>
+        <translation>&amp;Gemeinsam fahren…</translation></message>
+    <message><source>Arrangement</source>
+        <translation>Anordnung</translation></message>
+    <message><source>Front and back</source>
+        <translation>Vorn und hinten</translation></message>
+    <message><source>Left and right</source>
+        <translation>Links und rechts</translation></message>
+    <message><source>Arran&amp;gement:</source>
+        <translation>&amp;Anordnung:</translation></message>
+    <message><source>reversed</source>
+        <translation>umgekehrt</translation></message>
+    <message><source>not driven</source>
+        <translation>nicht gefahren</translation></message>
+    <message><source>Board {0}, motor {1}</source>
+        <translation>Board {0}, Motor {1}</translation></message>
     <message><source>Search times, boards, adapters (Ctrl+F)</source>
         <translation>Zeiten, Boards, Adapter suchen (Strg+F)</translation></message>
     <message><source>One with a name is kept, however many follow it; a double click, too</source>
@@ -3433,8 +3481,6 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>war nicht umgekehrt</translation></message>
     <message><source>&amp;Reversed</source>
         <translation>&amp;Umgekehrt</translation></message>
-    <message><source>unknown</source>
-        <translation>unbekannt</translation></message>
     <message><source>proposed</source>
         <translation>vorgeschlagen</translation></message>
     <message><source>as it was</source>
@@ -3707,10 +3753,6 @@ bisher {1}</translation></message>
         <translation>Fahrfeld</translation></message>
     <message><source>back</source>
         <translation>zurück</translation></message>
-    <message><source>right</source>
-        <translation>rechts</translation></message>
-    <message><source>left</source>
-        <translation>links</translation></message>
     <message><source>{0} {1:.0%}, {2} {3:.0%}.</source>
         <translation>{0} {1:.0%}, {2} {3:.0%}.</translation></message>
     <message><source>ceiling {0:.0f} %</source>
@@ -3847,6 +3889,10 @@ bisher {1}</translation></message>
         <translation>Was das Board damit macht</translation></message>
     <message><source>Armed: these controls move the motors.</source>
         <translation>Freigegeben: Diese Bedienelemente bewegen die Motoren.</translation></message>
+    <message><source>Left</source>
+        <translation>Links</translation></message>
+    <message><source>Right</source>
+        <translation>Rechts</translation></message>
     <message><source>Motor (joint)</source>
         <translation>Motor (Parallelbetrieb)</translation></message>
     <message><source>Brake with {0}</source>
@@ -4649,8 +4695,6 @@ bisher {1}</translation></message>
         <translation>Wieder mit {0} verbunden. Kein Motor wurde gestartet.</translation></message>
     <message><source>Connected again: the adapter of {1} is {0} now. No motor was started.</source>
         <translation>Wieder verbunden: Der Adapter von {1} ist jetzt {0}. Kein Motor wurde gestartet.</translation></message>
-    <message><source>Not connected.</source>
-        <translation>Nicht verbunden.</translation></message>
     <message><source>{0} also has {1} open and may take replies. Close it there.</source>
         <translation>{0} hat {1} ebenfalls geöffnet und kann Antworten abfangen. Schließen Sie den Port dort.</translation></message>
     <message><source>Connecting to {0} …</source>

@@ -1177,6 +1177,10 @@
         <translation>Des commandes sans numéro d'appareil atteindraient plusieurs cartes.</translation></message>
     <message><source>Select one of the boards on this line.</source>
         <translation>Sélectionnez l'une des cartes de cette liaison.</translation></message>
+    <message><source>Board {0}, which is driven with this one, does not follow.</source>
+        <translation>La carte {0}, conduite avec celle-ci, ne suit pas.</translation></message>
+    <message><source>Its drawing says why. Drive alone uses the other one without it.</source>
+        <translation>Son dessin dit pourquoi. « Conduire seule » utilise l'autre sans elle.</translation></message>
     <message><source>The motors cannot be armed at this moment.</source>
         <translation>Les moteurs ne peuvent pas être activés pour le moment.</translation></message>
     <message><source>Stopped. {0}</source>
@@ -1375,6 +1379,8 @@
         <translation>{0} tant que l'entrée est {1}</translation></message>
     <message><source>{0}; it is reversed</source>
         <translation>{0} ; elle est inversée</translation></message>
+    <message><source>Not connected.</source>
+        <translation>Pas connecté.</translation></message>
     <message><source>The board has stopped responding. Is its power on? Waiting for it …</source>
         <translation>La carte a cessé de répondre. Est-elle sous tension ? Attente …</translation></message>
     <message><source>Selecting device {0} …</source>
@@ -1437,6 +1443,8 @@
         <translation>Rien n'a été écrit : la carte ne répond pas.</translation></message>
     <message><source>Noise on the line can turn a motor another way for an instant.</source>
         <translation>Du bruit sur la liaison peut faire tourner un moteur un instant dans un autre sens.</translation></message>
+    <message><source>Board {0}: {1}</source>
+        <translation>Carte {0} : {1}</translation></message>
     <message><source>Nothing was written: other settings were read from the board.</source>
         <translation>Rien n'a été écrit : d'autres réglages ont été lus dans la carte.</translation></message>
     <message><source>The network is silent; the server of the robot stops the motors.</source>
@@ -1737,12 +1745,16 @@
         <translation>Il s'est arrêté</translation></message>
     <message><source>It kept turning</source>
         <translation>Il a continué de tourner</translation></message>
+    <message><source>brake</source>
+        <translation>freinage</translation></message>
+    <message><source>motor {0}</source>
+        <translation>moteur {0}</translation></message>
+    <message><source>left</source>
+        <translation>gauche</translation></message>
+    <message><source>right</source>
+        <translation>droite</translation></message>
     <message><source>auxiliary {0}</source>
         <translation>auxiliaire {0}</translation></message>
-    <message><source>motor {0} brake</source>
-        <translation>moteur {0} freinage</translation></message>
-    <message><source>motor {0} {1}</source>
-        <translation>moteur {0} {1}</translation></message>
     <message><source>Hexadecimal, such as 9F 07</source>
         <translation>Hexadécimal, par exemple 9F 07</translation></message>
     <message><source>A stop would not reach that board: address device {0}.</source>
@@ -1973,6 +1985,8 @@
         <translation>{0:#04x} n'est pas un mode du TReX (R, A, r ou a)</translation></message>
     <message><source>device number</source>
         <translation>numéro d'appareil</translation></message>
+    <message><source>Boards that are driven together need numbers of their own.</source>
+        <translation>Des cartes conduites ensemble ont besoin de numéros différents.</translation></message>
     <message><source>The board needs a number that no other device has.</source>
         <translation>Il faut à la carte un numéro qu'aucun autre appareil n'a.</translation></message>
     <message><source>{0!r} are no settings of a board</source>
@@ -2153,6 +2167,10 @@
         <translation>La carte {0} n'a pas été sélectionnée, car elle ne répond pas. Vérifiez qu'elle est alimentée. La carte sélectionnée auparavant le reste.</translation></message>
     <message><source>Another board on this line has the device number {0}. Choose a number that is free.</source>
         <translation>Une autre carte de cette liaison a le numéro d'appareil {0}. Choisissez un numéro libre.</translation></message>
+    <message><source>Board {0} does not follow any more: it was silent, was stopped or restarted.</source>
+        <translation>La carte {0} ne suit plus : elle ne répondait pas, a été arrêtée ou a redémarré.</translation></message>
+    <message><source>Boards that are driven together keep their numbers, and none can be selected. Connect to this board alone.</source>
+        <translation>Les cartes conduites ensemble gardent leurs numéros, et aucune ne peut être choisie. Connectez-vous à cette carte seule.</translation></message>
     <message><source>Another user drives this board. Ask to have it handed over.</source>
         <translation>Un autre utilisateur pilote cette carte. Demandez qu'il la cède.</translation></message>
     <message><source>You may watch this board and stop it, but not drive or change it.</source>
@@ -2807,6 +2825,8 @@
         <translation>Rouge</translation></message>
     <message><source>Green</source>
         <translation>Vert</translation></message>
+    <message><source>unknown</source>
+        <translation>inconnu</translation></message>
     <message><source>channels drive</source>
         <translation>les voies commandent</translation></message>
     <message><source>not known: move a stick to see</source>
@@ -2847,6 +2867,8 @@
         <translation>Donner un autre numéro d'appareil à la carte sélectionnée</translation></message>
     <message><source>Write a settings file to several boards; each keeps its number</source>
         <translation>Écrire un fichier de réglages dans plusieurs cartes ; chacune garde son numéro</translation></message>
+    <message><source>Drive several boards as one robot, with one pad and one Stop</source>
+        <translation>Conduire plusieurs cartes comme un seul robot, avec une zone et un arrêt</translation></message>
     <message><source>Before it is written, the line is asked for the new number: if another board has it, nothing is written. A board that is off, or has other serial settings, cannot be noticed. The new number takes effect at once, and a snapshot is saved first.</source>
         <translation>Avant l'écriture, le nouveau numéro est demandé sur la liaison : si une autre carte le possède, rien n'est écrit. Une carte hors tension, ou qui a d'autres réglages série, ne peut pas être détectée. Le nouveau numéro prend effet immédiatement, et un instantané est enregistré d'abord.</translation></message>
     <message><source>Progress of the search</source>
@@ -2859,6 +2881,10 @@
         <translation>Modifier le numéro…</translation></message>
     <message><source>Apply a file…</source>
         <translation>Appliquer un fichier…</translation></message>
+    <message><source>Drive together…</source>
+        <translation>Conduire ensemble…</translation></message>
+    <message><source>Drive alone</source>
+        <translation>Conduire seule</translation></message>
     <message><source>Boards on this line</source>
         <translation>Cartes sur cette liaison</translation></message>
     <message><source>It replied before. Check its power and its wires.</source>
@@ -2867,6 +2893,10 @@
         <translation>Plusieurs cartes semblent avoir ce numéro. Coupez l'alimentation de toutes sauf une, et donnez à celle-ci son propre numéro.</translation></message>
     <message><source>The board has this number already.</source>
         <translation>La carte a déjà ce numéro.</translation></message>
+    <message><source>armed</source>
+        <translation>moteurs activés</translation></message>
+    <message><source>driven together</source>
+        <translation>conduite ensemble</translation></message>
     <message><source>being left …</source>
         <translation>changement de carte …</translation></message>
     <message><source>selected, not responding</source>
@@ -2939,8 +2969,6 @@
         <translation>Appliquer {0} à plusieurs cartes</translation></message>
     <message><source>File</source>
         <translation>Fichier</translation></message>
-    <message><source>Board {0}: {1}</source>
-        <translation>Carte {0} : {1}</translation></message>
     <message><source>Board {0}</source>
         <translation>Carte {0}</translation></message>
     <message><source>{0}: beyond a limit that no document confirms (inferred). The board decides: it may reject the value, or store another one.</source>
@@ -3247,8 +3275,6 @@
         <translation>Charge</translation></message>
     <message><source>{0} to start the boot loader.</source>
         <translation>{0} pour démarrer le chargeur d'amorçage.</translation></message>
-    <message><source>brake</source>
-        <translation>freinage</translation></message>
     <message><source>Overrun</source>
         <translation>Débordement</translation></message>
     <message><source>Input {0}</source>
@@ -3273,6 +3299,28 @@
         <translation>Accepter</translation></message>
     <message><source>Show line {0}</source>
         <translation>Afficher la ligne {0}</translation></message>
+    <message><source>One pad, one arming and one Stop drive these boards as one robot. A board that does not follow any more stops the others.</source>
+        <translation>Une zone, une activation et un arrêt conduisent ces cartes comme un seul robot. Une carte qui ne suit plus arrête les autres.</translation></message>
+    <message><source>&amp;Drive together</source>
+        <translation>&amp;Conduire ensemble</translation></message>
+    <message><source>no problem</source>
+        <translation>aucun problème</translation></message>
+    <message><source>Drive to&amp;gether…</source>
+        <translation>Conduire &amp;ensemble…</translation></message>
+    <message><source>Arrangement</source>
+        <translation>Disposition</translation></message>
+    <message><source>Front and back</source>
+        <translation>Avant et arrière</translation></message>
+    <message><source>Left and right</source>
+        <translation>Gauche et droite</translation></message>
+    <message><source>Arran&amp;gement:</source>
+        <translation>&amp;Disposition :</translation></message>
+    <message><source>reversed</source>
+        <translation>inversé</translation></message>
+    <message><source>not driven</source>
+        <translation>non conduit</translation></message>
+    <message><source>Board {0}, motor {1}</source>
+        <translation>Carte {0}, moteur {1}</translation></message>
     <message><source>Search times, boards, adapters (Ctrl+F)</source>
         <translation>Rechercher heures, cartes, adaptateurs (Ctrl+F)</translation></message>
     <message><source>One with a name is kept, however many follow it; a double click, too</source>
@@ -3433,8 +3481,6 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>n'était pas inversée</translation></message>
     <message><source>&amp;Reversed</source>
         <translation>&amp;Inversée</translation></message>
-    <message><source>unknown</source>
-        <translation>inconnu</translation></message>
     <message><source>proposed</source>
         <translation>proposé</translation></message>
     <message><source>as it was</source>
@@ -3707,10 +3753,6 @@ avant {1}</translation></message>
         <translation>Pavé de conduite</translation></message>
     <message><source>back</source>
         <translation>arrière</translation></message>
-    <message><source>right</source>
-        <translation>droite</translation></message>
-    <message><source>left</source>
-        <translation>gauche</translation></message>
     <message><source>{0} {1:.0%}, {2} {3:.0%}.</source>
         <translation>{0} {1:.0%}, {2} {3:.0%}.</translation></message>
     <message><source>ceiling {0:.0f} %</source>
@@ -3847,6 +3889,10 @@ avant {1}</translation></message>
         <translation>Ce que la carte en fait</translation></message>
     <message><source>Armed: these controls move the motors.</source>
         <translation>Moteurs activés : ces commandes les font tourner.</translation></message>
+    <message><source>Left</source>
+        <translation>Gauche</translation></message>
+    <message><source>Right</source>
+        <translation>Droite</translation></message>
     <message><source>Motor (joint)</source>
         <translation>Moteur (jumelé)</translation></message>
     <message><source>Brake with {0}</source>
@@ -4649,8 +4695,6 @@ avant {1}</translation></message>
         <translation>De nouveau connecté à {0}. Aucun moteur n'a été démarré.</translation></message>
     <message><source>Connected again: the adapter of {1} is {0} now. No motor was started.</source>
         <translation>De nouveau connecté : l'adaptateur de {1} est maintenant {0}. Aucun moteur n'a été démarré.</translation></message>
-    <message><source>Not connected.</source>
-        <translation>Pas connecté.</translation></message>
     <message><source>{0} also has {1} open and may take replies. Close it there.</source>
         <translation>{0} a aussi ouvert {1} et peut intercepter des réponses. Fermez-le dans ce programme.</translation></message>
     <message><source>Connecting to {0} …</source>

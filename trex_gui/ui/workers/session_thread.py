@@ -177,10 +177,8 @@ class SessionThread(QObject):
         if worker is None or worker not in {self._worker, self._late}:
             return  # from an orphaned session; another one may have started
         match report:
-            case Outcome(id=number):
-                self._writes.discard(number)
-                if then := self._waiting.pop(number, None):
-                    then(report)
+            case Outcome():
+                self.answer(report)
             case Closed() if self._worker is None:
                 self.last = report
             case _ if self._worker is None:
@@ -189,6 +187,12 @@ class SessionThread(QObject):
                 self._end(report)
             case _:
                 self.reported.emit(report)
+
+    def answer(self, outcome: Outcome) -> None:
+        """Pass an outcome on to who has made the request."""
+        self._writes.discard(outcome.id)
+        if then := self._waiting.pop(outcome.id, None):
+            then(outcome)
 
     def _forget_requests(self) -> None:
         self._waiting.clear()

@@ -35,7 +35,7 @@ def test_neutral_or_inconsistent_values_give_no_result() -> None:
 
 
 def test_mix_result_needs_several_values_and_survives_neutral(qtbot: QtBot) -> None:
-    jumper, seen = MixJumper(SettingsDraft(), Telemetry(Motors(), Newest())), []
+    jumper, seen = MixJumper(SettingsDraft(), Telemetry(Motors().drive, Newest())), []
     for times, outputs, answered in (
         (1, (80, 0), (80, -80)),
         (3, (80, 0), (80, -80)),

@@ -28,7 +28,7 @@ def motors(qtbot: QtBot) -> Motors:
 
 @pytest.fixture
 def telemetry(motors: Motors) -> Telemetry:
-    telemetry = Telemetry(motors, Newest())
+    telemetry = Telemetry(motors.drive, Newest())
     telemetry.begin(0.15)
     return telemetry
 

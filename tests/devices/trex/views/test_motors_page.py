@@ -12,6 +12,7 @@ from tests.support.simulator import StartSimulator
 from tests.support.virtual_time import VirtualRuntime
 from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.group import BoardGroup
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.views.pages.motors.drive_control import SpeedSlider
 from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
@@ -26,7 +27,7 @@ class MotorsPageDriver(WidgetDriver):
 
     def __init__(self, device: Device, qtbot: QtBot) -> None:
         self.device = device
-        self.page = MotorsPage(device)
+        self.page = MotorsPage(device, BoardGroup(device))
         self.area = ScrollBox(self.page)
         super().__init__(self.page, qtbot)
         qtbot.addWidget(self.area)

@@ -28,6 +28,7 @@ class DriveInputs:
     silence_remedy: str = ""  # what to do if the board is lost while it is driven
     other_driver: str = ""  # the user who drives a served board in place of this program
     other_speeds: tuple[int, int, int] = (0, 0, 0)  # that this user has set
+    lacks_board: int | None = None  # number of one in the group that cannot be driven
     reaches_several: bool = False  # whether a command would reach several boards
     locked_for: float = 0.0  # seconds
     is_available: bool = True
@@ -128,6 +129,8 @@ def _own_reasons(now: DriveInputs, *, by_serial: bool) -> Iterator[Reason]:
         yield Reason(DriveBlocker.OTHER_DRIVES, (now.other_driver,))
     elif now.reaches_several:
         yield Reason(DriveBlocker.SEVERAL_BOARDS)
+    elif now.lacks_board is not None:
+        yield Reason(DriveBlocker.GROUP, (now.lacks_board,))
     elif not now.is_available:
         yield Reason(DriveBlocker.NOT_ALLOWED)
     elif now.stop_reason:

@@ -130,6 +130,11 @@ class DriveBlocker(Enum):
         tr_noop("Commands without a device number would reach several boards."),
         tr_noop("Select one of the boards on this line."),
     )
+    GROUP = (
+        Effect.BLOCKS,
+        tr_noop("Board {0}, which is driven with this one, does not follow."),
+        tr_noop("Its drawing says why. Drive alone uses the other one without it."),
+    )
     NOT_ALLOWED = (Effect.BLOCKS, tr_noop("The motors cannot be armed at this moment."))
     STOPPED = (Effect.BLOCKS, tr_noop("Stopped. {0}"), tr_noop("Arm the motors again to go on."))
     NOT_ARMED = (

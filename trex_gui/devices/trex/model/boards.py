@@ -108,6 +108,7 @@ class BoardList(QObject):
             device.link in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}
             and not device.writer.running
             and not self.is_selecting
+            and not self._is_group
         )
 
     @property
@@ -120,7 +121,13 @@ class BoardList(QObject):
         """Whether other boards may be asked: not while motors are driven."""
         device = self._device
         is_driven = device.motors.armed or device.may_move
-        return device.is_writable and not is_driven and not self.is_selecting
+        is_busy = is_driven or self.is_selecting or self._is_group
+        return device.is_writable and not is_busy
+
+    @property
+    def _is_group(self) -> bool:
+        """Whether several boards are driven together: all of them are polled."""
+        return self._device.settings is not None and bool(self._device.settings.group)
 
     # --- Finding ------------------------------------------------------------------------
 

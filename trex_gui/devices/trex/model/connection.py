@@ -2,6 +2,7 @@
 
 import logging
 from collections.abc import Callable
+from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -27,15 +28,18 @@ from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,
     GuardianChanged,
+    Job,
     LeaseChanged,
     NetworkDelay,
     NotResponding,
+    OfBoard,
     ProbeProgress,
     SelectBoard,
     SendPacket,
     SetpointsChanged,
     SetReconnectCandidates,
     SetWatched,
+    ToBoard,
     Traffic,
     Write,
 )
@@ -59,6 +63,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
     commands_repeated = Signal(object)  # a `CommandsRepeated`
     sampled = Signal(object)  # a `Batch`
     served = Signal(object)  # of a served board: what only its server reports
+    of_board = Signal(int, object)  # number of another board of the group, and its report
     progressed = Signal(int, int, str)  # steps done, steps in all, the next step
 
     def __init__(self, parent: QObject | None = None) -> None:
@@ -86,11 +91,15 @@ class Connection(DeviceConnection[ConnectionSettings]):
         self.submit(SetReconnectCandidates(settings))
 
     def moves(self, request: object) -> bool:
+        if isinstance(request, ToBoard):
+            return self.moves(request.request)
         if isinstance(request, SendPacket):
             return request.packet.moves
         return isinstance(request, SetpointRequest)
 
     def writes(self, request: object) -> bool:
+        if isinstance(request, ToBoard):
+            return self.writes(request.request)
         return isinstance(request, Write)
 
     def new_session(self, settings: ConnectionSettings, *, may_move: bool) -> MakeSession:
@@ -138,6 +147,8 @@ class Connection(DeviceConnection[ConnectionSettings]):
         match report:
             case Batch():
                 self.sampled.emit(report)
+            case OfBoard():
+                self._take_of_board(report)
             case GuardianChanged(is_ready=is_ready):
                 self.is_guarded = is_ready
                 self.guardian_changed.emit()
@@ -166,6 +177,13 @@ class Connection(DeviceConnection[ConnectionSettings]):
                 text = tr("The board has stopped responding. Is its power on? Waiting for it …")
                 self._set_state(ConnectionState.NOT_RESPONDING, text)
 
+    def _take_of_board(self, of_board: OfBoard) -> None:
+        """Take a report of another board of the group."""
+        if isinstance(of_board.report, Outcome):
+            self.answer(of_board.report)
+        else:
+            self.of_board.emit(of_board.number, of_board.report)
+
     def _take_served(
         self, report: LeaseChanged | SetpointsChanged | NetworkDelay | Traffic
     ) -> None:
@@ -188,6 +206,45 @@ class Connection(DeviceConnection[ConnectionSettings]):
         self.device_read.emit(report)
         self._set_state(ConnectionState.CONNECTED, tr("Connected to {0}.").format(signature))
         self.ready.emit()
+
+
+class MemberConnection(Connection):
+    """Connection to another board of the group, over the line that `main` has opened."""
+
+    def __init__(self, main: Connection, number: int, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._main, self._number = main, number
+        main.of_board.connect(self._on_report)
+        main.line_closed.connect(self._on_line_closed)
+
+    @property
+    def is_open(self) -> bool:
+        return self._main.is_open
+
+    def submit(self, request: object) -> bool:
+        """Queue a request for this board; those for its motors are made for the whole group."""
+        if isinstance(request, Job):
+            return self._main.submit(ToBoard(self._number, request))
+        return False
+
+    def request(self, make: Callable[[int], object], then: Callable[[Outcome], None]) -> bool:
+        request = make(0)
+        if not isinstance(request, Job):
+            return False
+        return self._main.request(
+            lambda number: ToBoard(self._number, replace(request, id=number)), then
+        )
+
+    @Slot(int, object)
+    def _on_report(self, number: int, report: object) -> None:
+        if number == self._number:
+            self.take(report)
+            self.reported.emit(report)
+
+    @Slot(object)
+    def _on_line_closed(self, last: object) -> None:
+        self.line_closed.emit(last)
+        self._set_state(ConnectionState.DISCONNECTED, tr("Not connected."))
 
 
 def remedies_for(error: StudioError) -> Remedies:

@@ -13,6 +13,7 @@ from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.trex.driving.board_reasons import NOISE_COUNTS
 from trex_gui.devices.trex.model.demo import DemoBoard
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.group import BoardGroup
 from trex_gui.devices.trex.model.loss_while_driven import LossWhileDriven
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings, numbers_in
 from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
@@ -52,6 +53,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         self._default = ConnectionSettings("", timeouts=timeouts)
         super().__init__(plugin, device, ports, scanner, self._default)
         device.setParent(self)
+        self.group = BoardGroup(device, self)
         self.show_searches_in(device.connection.traffic)
         self._store = Preferences()
         self.settings = self._read_settings()
@@ -65,6 +67,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.simulator.ended.connect(self._on_simulator_ended)
         self.demo_board.factory_reset.connect(self._on_demo_factory_reset)
         device.stop_wanted.connect(self._on_stop_wanted)
+        device.connection.failed.connect(self._on_failed)
         device.link_changed.connect(self._note_settings)
         device.line_judged.connect(self.changed)
         device.motors.arming_changed.connect(self.changed)
@@ -92,9 +95,20 @@ class TrexController(DeviceController[ConnectionSettings]):
 
     def connect_to(self, port: Port) -> None:
         if not self.may_move:  # else that is where the motors are
+            if port != self._last:
+                self._leave_group()
             self._last = port
         self.device.motors.adapter = "" if port.adapter is None else port.adapter.key
         super().connect_to(port)
+
+    def _leave_group(self) -> None:
+        """Connect to one board from now on."""
+        self.settings = replace(self.settings, group=())
+
+    @Slot(object)
+    def _on_failed(self, error: StudioError) -> None:
+        if isinstance(error, TrexError) and error.code is ErrorCode.OF_BOARD and not self.may_move:
+            self._leave_group()  # else nothing can be connected without the board that is missing
 
     def connect_with(self, port: Port, settings: PortSettings) -> None:
         self.choose(port)

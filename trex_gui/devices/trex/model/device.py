@@ -14,8 +14,9 @@ from trex_gui.devices.trex.board.mirror import BoardMirror, BoardRead, LineJudge
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import Sample
 from trex_gui.devices.trex.driving.timeout_stop import turning_text
+from trex_gui.devices.trex.driving.wheels import Wheel
 from trex_gui.devices.trex.model.board_events import BoardEvents
-from trex_gui.devices.trex.model.connection import Connection, remedies_for
+from trex_gui.devices.trex.model.connection import Connection, MemberConnection, remedies_for
 from trex_gui.devices.trex.model.drive_controller import DriveController
 from trex_gui.devices.trex.model.mix_jumper import MixJumper
 from trex_gui.devices.trex.model.motors import Motors
@@ -25,6 +26,7 @@ from trex_gui.devices.trex.model.settings.kept_files import KeptFiles
 from trex_gui.devices.trex.model.settings.writer import SettingsWriter
 from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
 from trex_gui.devices.trex.session.messages import (
     Batch,
@@ -59,10 +61,20 @@ class Device(QObject):
     sampled = Signal(object)  # a `Batch`, after the models have taken it
     stop_wanted = Signal()  # Stop was pressed while motors may turn behind a closed line
 
-    def __init__(self, notifier: Notifier | None = None, parent: QObject | None = None) -> None:
+    def __init__(
+        self,
+        notifier: Notifier | None = None,
+        parent: QObject | None = None,
+        *,
+        main: "Device | None" = None,
+        number: int = 0,
+    ) -> None:
+        """`main` is the device of the line, for another board of its group with this number."""
         super().__init__(parent)
         self.notifier = notifier or Notifier(self)
         self.motors = Motors(self)
+        self.main = main or self  # whose motors the user arms, drives and stops
+        self.wheels: dict[int, Wheel] = {}  # by motor, while it is driven with other boards
         self.draft = SettingsDraft(self)  # what the board stores, and its edits
         self.parameters = self.draft.parameters
         self.calibrations = self.draft.calibrations
@@ -70,9 +82,11 @@ class Device(QObject):
         self.edit_backup = EditBackup(self.draft, self)
         self.kept = KeptFiles(self.draft, self)
         self.board = BoardMirror(self.kept.memory, self.errors_changed.emit)
-        self.telemetry = Telemetry(self.motors, self.board.newest, self)
+        self.telemetry = Telemetry(self.drive_of, self.board.newest, self)
         self.mix_jumper = MixJumper(self.draft, self.telemetry, self)
-        self.connection = Connection(self)
+        self.connection: Connection = (
+            Connection(self) if main is None else MemberConnection(main.connection, number, self)
+        )
         self.driving = DriveController(
             self.motors, self.board, self.connection, self.notifier, self
         )
@@ -135,6 +149,13 @@ class Device(QObject):
         name = str(self.state.signature)
         return name if number is None else tr("{0}, device {1}").format(name, number)
 
+    def named(self, text: str) -> str:
+        """Return a text with the number of this board, where several are driven together."""
+        settings = self.connection.settings
+        if settings is None or not self.wheels:
+            return text
+        return tr("Board {0}: {1}").format(settings.device_number, text)
+
     @property
     def settings(self) -> ConnectionSettings | None:
         return self.connection.settings
@@ -146,7 +167,14 @@ class Device(QObject):
 
     @property
     def may_move(self) -> bool:
-        return self.driving.may_move
+        return self.main.driving.may_move
+
+    def drive_of(self, motor: int) -> Drive | None:
+        """Return the setpoint of motor 1 or 2; `None` if there was none since arming."""
+        if not self.wheels:
+            return self.main.motors.drive(motor)
+        wheel = self.wheels.get(motor)
+        return None if wheel is None else wheel.turned(self.main.motors.drive(wheel.side))
 
     def current_limit(self, motor: int) -> float | None:
         """Return the limit in A that the board stores; `None` when off or not known."""
@@ -256,8 +284,8 @@ class Device(QObject):
                 case BoardRead():
                     self._on_read(event)
                 case MotorsShutDown(reason=reason):
-                    if self.motors.text:
-                        self.motors.stop(reason)
+                    if self.main.motors.text:
+                        self.main.motors.stop(self.named(reason))
                 case LineJudged():
                     self.line_judged.emit()
 

@@ -77,6 +77,9 @@ class DriveController(QObject):
         self._lost_with: ConnectionSettings | None = None  # the line behind which motors may turn
         self._lost_place = ""  # of that line
         self._board: Connected | None = None  # the board at the line, as far as it is known
+        # In a group: what each board gets for setpoints; the number of one that cannot be driven
+        self.routed: Callable[[SetpointRequest], Sequence[object]] = lambda request: (request,)
+        self.lacking: Callable[[], int | None] = lambda: None
         self.reaches_several = False  # whether commands without a number reach several boards
         self._was_read = False  # since the line was opened
         self._is_identified = False  # and since it was quiet: `_board` is at the line
@@ -110,7 +113,7 @@ class DriveController(QObject):
         what was meant for now would start later.
         """
         reaches_one = self._is_connected and not self.reaches_several
-        allowed = reaches_one and bool(self._mirror.serial_controls)
+        allowed = reaches_one and bool(self._mirror.serial_controls) and self.lacking() is None
         if allowed != self._motors.is_available:
             if self._motors.armed and self._is_connected and not allowed:
                 self._motors.stop(tr("Serial commands no longer reach the motors."))
@@ -146,7 +149,7 @@ class DriveController(QObject):
 
     @Slot(object)
     def _on_drive_requested(self, request: SetpointRequest) -> None:
-        if self._connection.submit(request):
+        if all(self._connection.submit(one) for one in self.routed(request)):
             self.may_move = True
             self.driven.update(each.motor for each in setpoints_in(request) if not is_idle(each))
 
@@ -233,7 +236,7 @@ class DriveController(QObject):
     @Slot(object)
     def _on_motors_stopped(self, report: MotorsStopped) -> None:
         if report.reason is not None:
-            reason = describe(report.reason, translate=tr)
+            reason = describe(report.reason, (report.board,), translate=tr)
             if report.reason in _REFUSALS:
                 text = "{0}"
             elif report.confirmed:

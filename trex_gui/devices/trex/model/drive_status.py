@@ -24,7 +24,7 @@ _LINKS = {
 
 
 def drive_inputs(device: Device) -> DriveInputs:
-    motors, link = device.motors, _LINKS[device.link]
+    motors, link = device.main.motors, _LINKS[device.link]
     return DriveInputs(
         board=device.board.inputs(now()),
         link=device.board.silence if link is DriveBlocker.SILENT else link,
@@ -34,6 +34,7 @@ def drive_inputs(device: Device) -> DriveInputs:
         silence_remedy=device.board.silence_remedy,
         other_driver=device.board.other_driver,
         other_speeds=device.board.other_speeds,
+        lacks_board=device.main.driving.lacking(),
         reaches_several=device.driving.reaches_several,
         locked_for=motors.locked_for,
         is_available=motors.is_available,
@@ -44,8 +45,11 @@ def drive_inputs(device: Device) -> DriveInputs:
 
 def setpoint_of(device: Device, motor: int, inputs: DriveInputs) -> MotorSetpoint:
     """Return the setpoint of a motor: 1, 2 or `AUXILIARY`."""
-    drive = device.motors.drive(motor)
-    sent = device.motors.auxiliary if motor == AUXILIARY else drive.signed if drive else 0
+    if motor == AUXILIARY:
+        sent = 0 if device.main is not device else device.motors.auxiliary
+    else:
+        drive = device.drive_of(motor)
+        sent = drive.signed if drive else 0
     return motor_setpoint(motor, inputs, device.board.newest, sent)
 
 

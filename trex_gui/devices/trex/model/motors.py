@@ -74,6 +74,7 @@ class Motors(QObject):
         self.ceiling = FIRST_CEILING  # greatest speed that is sent, 1-127
         # The one when the motors were acquired, if lower: no stick that is paused speeds them up
         self.ceiling_in_force = FIRST_CEILING
+        self.are_sides = False  # whether motors 1 and 2 are the left and the right of a group
         self.linked = False  # whether a setpoint of one motor applies to both
         self.release_brake = FULL_SCALE  # duty when a momentary control ends, 0 (coast) to 127
         self._drives: dict[int, Drive] = {}
@@ -95,10 +96,11 @@ class Motors(QObject):
         """The setpoints in short: `motor 1 +90, motor 2 brake, auxiliary 40`."""
         parts = []
         for motor, drive in sorted(self._drives.items()):
-            if drive.is_brake:
-                parts.append(tr("motor {0} brake").format(motor))
-            else:
-                parts.append(tr("motor {0} {1}").format(motor, signed_text(drive.signed)))
+            value = tr("brake") if drive.is_brake else signed_text(drive.signed)
+            name = tr("motor {0}").format(motor)
+            if self.are_sides:
+                name = tr("left") if motor == 1 else tr("right")
+            parts.append(f"{name} {value}")
         if self.auxiliary:
             parts.append(tr("auxiliary {0}").format(self.auxiliary))
         return ", ".join(parts)

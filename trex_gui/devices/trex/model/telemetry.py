@@ -11,7 +11,6 @@ from PySide6.QtCore import QObject, Signal
 from trex_gui.core.timing import TEXT_INTERVAL
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.client.telemetry import Currents, Newest, Raw, Remapped, Sample
-from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.ui.plotting.traces import TraceInfo
@@ -94,7 +93,13 @@ class Telemetry(QObject):
     frame_due = Signal()
     text_due = Signal()  # for what is shown as text, at most once in `TEXT_INTERVAL`
 
-    def __init__(self, motors: Motors, newest: Newest, parent: QObject | None = None) -> None:
+    def __init__(
+        self,
+        drive_of: Callable[[int], Drive | None],
+        newest: Newest,
+        parent: QObject | None = None,
+    ) -> None:
+        """`drive_of` returns the setpoint of motor 1 or 2."""
         super().__init__(parent)
         self.newest = newest  # of the board's mirror
         self.latest: float = 0.0
@@ -102,7 +107,7 @@ class Telemetry(QObject):
         self._is_seen = True
         self._text_at = -math.inf
         self.ampere = 0.15  # A a count; that of a TReX before a board was read
-        self._motors = motors
+        self._drive_of = drive_of
 
     @cached_property
     def currents(self) -> "SampleHistory":
@@ -130,7 +135,7 @@ class Telemetry(QObject):
             values = (math.nan if count is None else count for count in sample.counts)
             self.inputs.append(sample.time, *values)
         elif isinstance(sample, Currents):
-            row = values_of_series(self.newest, self._motors.drive, self.ampere)
+            row = values_of_series(self.newest, self._drive_of, self.ampere)
             self.currents.append(sample.time, *row)
         self.latest = sample.time
         self.samples += 1

@@ -113,8 +113,7 @@ class ErrorCode(Enum):
         "Another board on this line has the device number {0}. Choose a number that is free."
     )
     LEFT_GROUP = tr_noop(
-        "Board {0} does not drive any more: it was silent, stopped or restarted. The boards that "
-        "are driven with it were stopped, too."
+        "Board {0} does not follow any more: it was silent, was stopped or restarted."
     )
     OF_BOARD = tr_noop("Board {0}: {1}")
     IN_GROUP = tr_noop(

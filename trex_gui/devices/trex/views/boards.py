@@ -15,9 +15,11 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.discovery import NUMBERS
 from trex_gui.devices.trex.model.boards import BoardList, LineBoard, Presence
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.group import BoardGroup
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.comparison import Comparison, compare, settings_after
 from trex_gui.devices.trex.views.changes.dialog import Changes, ChangesDialog, Names, Rows, TickedOf
+from trex_gui.devices.trex.views.group import GroupDialog
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.theme import follow_theme
 from trex_gui.ui.widgets import builders as ui
@@ -32,10 +34,18 @@ class BoardPanel(QWidget):
 
     file_requested = Signal()
 
-    def __init__(self, boards: BoardList, device: Device, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        boards: BoardList,
+        device: Device,
+        group: BoardGroup,
+        parent: QWidget | None = None,
+    ) -> None:
         super().__init__(parent)
         self.setObjectName("boardPanel")
         self._boards = boards
+        self._group = group
+        self._joining: GroupDialog | None = None
         self._device = device
         self._number: NumberDialog | None = None
 
@@ -59,10 +69,21 @@ class BoardPanel(QWidget):
         self._change = button("changeNumberButton", tr("Change number…"), icon="edited", tip=tip)
         tip = tr("Write a settings file to several boards; each keeps its number")
         self._file = button("fileToBoardsButton", tr("Apply a file…"), icon="apply", tip=tip)
+        tip = tr("Drive several boards as one robot, with one pad and one Stop")
+        self._together = button("groupButton", tr("Drive together…"), icon="motor", tip=tip)
+        self._alone = button("partButton", tr("Drive alone"), icon="motor")
 
         title = ui.label(self, "boardsTitle", tr("Boards on this line"), bold=True, wrap=True)
         search = self._scanned, self._progress, self._scan, self._cancel
-        items = title, (self._list, 1), *search, self._change, self._file
+        items = (
+            title,
+            (self._list, 1),
+            *search,
+            self._change,
+            self._file,
+            self._together,
+            self._alone,
+        )
         ui.column(*items, into=self, margins=(8, 8, 0, 8))
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
         follow_theme(self, "width", self._take_width)
@@ -71,6 +92,9 @@ class BoardPanel(QWidget):
         self._cancel.clicked.connect(boards.cancel_scan)
         self._change.clicked.connect(self.change_number)
         self._file.clicked.connect(self.file_requested)
+        self._together.clicked.connect(self._on_together)
+        self._alone.clicked.connect(group.part)
+        group.changed.connect(self._update)
         for changed in (boards.changed, device.link_changed, device.motors.arming_changed):
             changed.connect(self._update)
         self._update()
@@ -81,8 +105,14 @@ class BoardPanel(QWidget):
             self._number = NumberDialog(self._boards, self._device, self.window())
         self._number.ask()
 
+    @Slot()
+    def _on_together(self) -> None:
+        if self._joining is None:
+            self._joining = GroupDialog(self._device, self._boards, self._group, self.window())
+        self._joining.ask()
+
     def _take_width(self) -> None:
-        texts = (_WIDEST, *(button.text() for button in (self._scan, self._change, self._file)))
+        texts = (_WIDEST, *(button.text() for button in (self._scan, self._change, self._together)))
         width = max(map(self.fontMetrics().horizontalAdvance, texts))
         self.setFixedWidth(width + 5 * self.fontMetrics().height())
 
@@ -108,6 +138,11 @@ class BoardPanel(QWidget):
         self._change.setEnabled(can_change and not is_scanning)
         self._file.setEnabled(device.is_writable and not is_scanning and boards.has_several)
         self._list.setEnabled(boards.can_select)
+        is_group = bool(self._group.devices)
+        self._together.setVisible(not is_group)
+        self._together.setEnabled(can_change and not is_scanning)
+        self._alone.setVisible(is_group)
+        self._alone.setEnabled(device.is_writable and not device.motors.armed)
 
     def _show_boards(self) -> None:
         """Show each board in its place. The list keeps focus and scroll position."""
@@ -137,6 +172,11 @@ class BoardPanel(QWidget):
 
     def _state_text(self, board: LineBoard) -> str:
         device = self._device
+        member = self._group.devices.get(board.number)
+        if member is not None:
+            if member.link is ConnectionState.NOT_RESPONDING:
+                return tr("not responding")
+            return tr("armed") if device.motors.armed else tr("driven together")
         match board.presence:
             case Presence.SELECTED if self._boards.is_selecting:
                 return tr("being left …")

@@ -77,7 +77,7 @@ class TrexWorkspace(Workspace):
         self.log.follow(device.events)
 
         self._boards = boards = BoardList(device, self)
-        self._panel = panel = BoardPanel(boards, device, self)
+        self._panel = panel = BoardPanel(boards, device, controller.group, self)
         panel.file_requested.connect(self._apply_to_boards)
         tabs = ui.named(self.pages, "tabs", accessible=tr("Pages"))
         ui.tab_order(panel, tabs.tabBar())
@@ -87,7 +87,7 @@ class TrexWorkspace(Workspace):
                 PageInfo("board", tr("B&oard"), self._make_board_page, "board"),
                 PageInfo("channels", tr("&Channels"), self._make_channels_page, "channels"),
                 PageInfo("motors", tr("&Motors"), self._make_motors_page, "motor"),
-                PageInfo("currents", tr("C&urrents"), partial(CurrentsPage, device), "plot"),
+                PageInfo("currents", tr("C&urrents"), self._make_currents_page, "plot"),
                 PageInfo("parameters", tr("&Parameters"), self._make_parameters_page, "settings"),
                 *diagnostics.pages(partial(ErrorsPage, device), self._make_traffic_page),
             )
@@ -134,7 +134,7 @@ class TrexWorkspace(Workspace):
 
     def _make_board_page(self, parent: QWidget) -> QWidget:
         start = partial(StartPanel, start_texts(), self._frame, self)
-        page = BoardPage(self._device, start, parent)
+        page = BoardPage(self._device, self._controller.group, start, parent)
         page.setup_requested.connect(self._set_up)
         page.page_wanted.connect(self.show_page)
         return page
@@ -151,10 +151,13 @@ class TrexWorkspace(Workspace):
     def _make_motors_page(self, parent: QWidget) -> QWidget:
         from trex_gui.devices.trex.views.pages.motors.page import MotorsPage  # noqa: PLC0415 - later
 
-        page = MotorsPage(self._device, parent)
+        page = MotorsPage(self._device, self._controller.group, parent)
         page.parameter_wanted.connect(self._show_parameter)
         page.plot_wanted.connect(partial(self.show_page, "currents"))
         return page
+
+    def _make_currents_page(self, parent: QWidget) -> QWidget:
+        return CurrentsPage(self._device, self._controller.group, parent)
 
     def _make_parameters_page(self, parent: QWidget) -> QWidget:
         page = ParametersPage(self._device, self._linter, parent)

@@ -3,8 +3,8 @@
 from collections.abc import Callable
 
 from PySide6.QtCore import Qt, Signal, Slot
-from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtGui import QResizeEvent, QShowEvent
+from PySide6.QtWidgets import QBoxLayout, QWidget
 
 from trex_gui.core.texts import title_of
 from trex_gui.core.translation import Number, tr
@@ -14,6 +14,7 @@ from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.driving.blockers import DriveBlocker, Effect
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import drive_inputs
+from trex_gui.devices.trex.model.group import BoardGroup
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.views.board.view import BoardView
@@ -60,7 +61,11 @@ class BoardPage(QWidget):
     page_wanted = Signal(str)  # the key of the page
 
     def __init__(
-        self, device: Device, start: Callable[[QWidget], QWidget], parent: QWidget | None = None
+        self,
+        device: Device,
+        group: BoardGroup,
+        start: Callable[[QWidget], QWidget],
+        parent: QWidget | None = None,
     ) -> None:
         """`start` makes what is shown while nothing is connected."""
         super().__init__(parent)
@@ -71,9 +76,14 @@ class BoardPage(QWidget):
         self._reasons = Reasons(self._report)
         self._facts = ui.named(Muted("", self._report), "boardFacts")
         drawing = ui.named(ui.Card("", self._report), "boardDrawing", accessible=tr("The board"))
+        self._drawing = drawing
         self._view = BoardView(device, drawing)
         self._view.page_wanted.connect(self.page_wanted)
-        ui.column((self._view, 1), self._facts, into=drawing)
+        self._group, self._others = group, dict[BoardView, Device]()
+        self._views = ui.column((self._view, 1), margins=0)
+        ui.column((self._views, 1), self._facts, into=drawing)
+        group.changed.connect(self._on_group_changed)
+        self._on_group_changed()
 
         set_up = ui.Card(tr("Set up my robot"), self._report)
         self._open = ui.named(Note(1, set_up), "setUpOpen")
@@ -100,6 +110,32 @@ class BoardPage(QWidget):
         device.motors.arming_changed.connect(self._show_motors)
         device.errors_changed.connect(self._show_problems)
         self._on_device_changed()
+
+    @Slot()
+    def _on_group_changed(self) -> None:
+        """Draw every board of a group beside the first one."""
+        for view in self._others:
+            view.deleteLater()
+        others = [one for one in self._group.devices.values() if one is not self._device]
+        self._others = {BoardView(one, self._drawing): one for one in others}
+        for view, device in self._others.items():
+            view.page_wanted.connect(self.page_wanted)
+            self._views.addWidget(view, 1)
+            device.telemetry.text_due.connect(self._on_text_due)
+            device.link_changed.connect(self._on_text_due)
+        self._place_views()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._place_views()
+
+    def _place_views(self) -> None:
+        """Draw boards side by side where there is room, else one below the other."""
+        views = [self._view, *self._others]
+        room = sum(view.minimumSizeHint().width() + 40 for view in views)
+        directions = QBoxLayout.Direction
+        is_wide = len(views) > 1 and self.width() >= room
+        self._views.setDirection(directions.LeftToRight if is_wide else directions.TopToBottom)
 
     @Slot()
     def _on_device_changed(self) -> None:
@@ -166,6 +202,8 @@ class BoardPage(QWidget):
         inputs, _ = self._show_motors()
         if self._report.isVisible():
             self._view.show_board(inputs)
+            for view, device in self._others.items():
+                view.show_board(drive_inputs(device))
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

@@ -185,8 +185,11 @@ class BoardView(QWidget):
                 paint_block(painter, QRectF(body.right() - line, y - line, 1.7 * line, 2 * line))
 
     def _name(self) -> str:
-        state = self._device.state
-        return "TReX" if state is None else state.signature.model.name
+        state, settings = self._device.state, self._device.settings
+        name = "TReX" if state is None else state.signature.model.name
+        if settings is None or not settings.group:
+            return name
+        return f"{name} · {settings.device_number}"
 
     # --- What the board reports ---------------------------------------------------------
 
@@ -200,7 +203,7 @@ class BoardView(QWidget):
         patterns = ("", "") if board is None else led_patterns(board)
         for led, name, pattern in zip(self._leds, (tr("Red"), tr("Green")), patterns, strict=True):
             led.pattern = pattern
-            words = tr(LED_TEXTS[pattern], "LED") if pattern else tr("not known")
+            words = tr(LED_TEXTS[pattern], "LED") if pattern else tr("unknown")
             led.show_lines(name, tr("flickers") if pattern == PACKETS else words)
         quality, is_connected = device.board.quality, device.is_connected
         text = quality_text(quality) if is_connected else tr("not responding")
@@ -265,9 +268,9 @@ class BoardView(QWidget):
             self._so_ground.show_jumper(so_ground, tr("SO–G: off"), words)
 
     def _show_motors(self, inputs: DriveInputs) -> None:
-        device, motors = self._device, self._device.motors
+        device = self._device
         for number, part in self._motors.items():
-            drive = motors.drive(number)
+            drive = device.drive_of(number)
             setpoint = setpoint_of(device, number, inputs)
             is_off = inputs.board is not None and number in inputs.board.shut_down
             speed = 0 if is_off else setpoint.speed

@@ -3,16 +3,18 @@
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.group import BoardGroup
+from trex_gui.devices.trex.views.group import GroupCards
 from trex_gui.ui.plotting.page import PlotPage
-from trex_gui.ui.widgets.builders import column
+from trex_gui.ui.widgets.builders import column, row
 from trex_gui.ui.widgets.labels import PAGE_MARGINS
 
 
 class CurrentsPage(PlotPage):
-    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
+    def __init__(self, device: Device, group: BoardGroup, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("currentsPage")
-        self._device = device
+        self._device, self._group = device, group
 
     def add_plot(self) -> None:
         from trex_gui.devices.trex.views.pages.currents_panel import (  # noqa: PLC0415
@@ -21,7 +23,21 @@ class CurrentsPage(PlotPage):
 
         panel = CurrentsPanel(self._device, self)
         self._show_moment = panel.show_moment
-        column(panel, into=self, margins=PAGE_MARGINS)
+        others: list[QWidget] = []
+        plots = row((panel, 1), margins=0)
+
+        def follow_group() -> None:
+            while others:
+                others.pop().deleteLater()
+            for number, device in self._group.devices.items():
+                if device is not self._device:
+                    others.append(CurrentsPanel(device, self, key=f"currents{number}"))
+                    plots.addWidget(others[-1], 1)
+
+        self._group.changed.connect(follow_group)
+        follow_group()
+        cards = GroupCards(self._group, self)
+        column(cards, (plots, 1), into=self, margins=PAGE_MARGINS)
 
     def show_moment(self, time: float, text: str) -> None:
         self._show_moment(time, text)

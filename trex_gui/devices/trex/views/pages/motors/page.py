@@ -25,10 +25,12 @@ from trex_gui.devices.trex.model.drive_texts import (
     share_text,
     timeout_warning,
 )
+from trex_gui.devices.trex.model.group import BoardGroup
 from trex_gui.devices.trex.model.momentary_drive import MomentaryDrive
 from trex_gui.devices.trex.model.setup.wiring import Side
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.views.group import GroupCards
 from trex_gui.devices.trex.views.motor_controls import LostPanel, focus_stop
 from trex_gui.devices.trex.views.pages.motors.current_strip import CurrentStrip
 from trex_gui.devices.trex.views.pages.motors.drive_control import DriveControl
@@ -53,9 +55,10 @@ class MotorsPage(QWidget):
     parameter_wanted = Signal(str)  # the key of a parameter that the user wants to see or change
     plot_wanted = Signal()
 
-    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
+    def __init__(self, device: Device, group: BoardGroup, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("motorsPage")
+        self._group = group
         self._device = device
         self._motors = device.motors
         self._pad_drive = MomentaryDrive(device.motors, "drive pad")
@@ -105,7 +108,7 @@ class MotorsPage(QWidget):
         ui.row((self._stored, 3), (ceiling, 2), into=stored, margins=0, spacing=24)
         self._body = ui.grid(margins=0, spacing=(_GAP, _GAP), stretch=((0, 5), (1, 2)))
         self._body.setRowStretch(0, 1)
-        parts = self._head, (self._body, 1), stored
+        parts = self._head, GroupCards(group, self), (self._body, 1), stored
         ui.column(*parts, into=self, margins=PAGE_MARGINS, spacing=_GAP)
         self._place_side()
 
@@ -133,6 +136,7 @@ class MotorsPage(QWidget):
         motors.stop_requested.connect(self._on_stop_requested)
         device.link_changed.connect(self._show_stored)
         device.state_changed.connect(self._on_state_changed)
+        group.changed.connect(self._on_state_changed)
         theme().changed.connect(self._on_state_changed)
         device.telemetry.frame_due.connect(self._on_frame_due)
         device.telemetry.text_due.connect(self._on_text_due)
@@ -227,7 +231,9 @@ class MotorsPage(QWidget):
         joint = self._device.board.is_joint
         for drive in (self._pad_drive, self._key_drive):
             drive.joint = joint
-        self._controls[1].set_title(tr("Motor (joint)") if joint else tr("Motor 1"))
+        titles = (tr("Left"), tr("Right")) if self._group.wheels else (tr("Motor 1"), tr("Motor 2"))
+        self._controls[1].set_title(tr("Motor (joint)") if joint else titles[0])
+        self._controls[2].set_title(titles[1])
         self._show_stored()
         self._show_options()
 
@@ -304,6 +310,9 @@ class MotorsPage(QWidget):
     def _setpoint_of(self, number: int, inputs: DriveInputs) -> tuple[int, str]:
         """Return the speed at which a motor is set to turn, and words for it."""
         telemetry, setpoint = self._device.telemetry, setpoint_of(self._device, number, inputs)
+        if self._group.wheels and number != AUXILIARY and inputs.armed:  # of a side
+            drive = self._motors.drive(number)
+            return drive.signed if drive else 0, setpoint_text(drive)
         match setpoint.source:
             case SetpointSource.JOINT:
                 return self._setpoint_of(1, inputs)[0], tr("works with motor 1")
@@ -336,6 +345,8 @@ class MotorsPage(QWidget):
             report = "" if self._is_unused(number) else report_text(device, number)
             usual = tr("one way") if number == AUXILIARY else limit_text(device, number)
             amps = currents.get(number) if is_sensed else None
+            if self._group.wheels and number != AUXILIARY:  # the cards above show each motor
+                amps, report, usual = None, "", ""
             is_off = board is not None and number in board.shut_down
             limit = device.current_limit(number)
             control.show_current(amps, limit, report or usual, alarming=is_off)

@@ -1,0 +1,59 @@
+"""Motors of several boards as the wheels of one robot."""
+
+import pytest
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.trex.driving.requests import SetMotor, SetMotors
+from trex_gui.devices.trex.driving.wheels import (
+    LEFT,
+    RIGHT,
+    Wheel,
+    front_and_back,
+    left_and_right,
+    packed,
+    setpoints_of,
+    unpacked,
+)
+from trex_gui.devices.trex.protocol.driving import Drive
+
+BOTH = SetMotors((SetMotor(LEFT, Drive.at(30), True), SetMotor(RIGHT, Drive.at(-20), True)))
+
+
+def speeds(found: dict[int, SetMotor | SetMotors]) -> dict[int, dict[int, int]]:
+    """Return the speed of each motor by board."""
+    return {
+        board: {
+            one.motor: one.drive.signed
+            for one in (request.drives if isinstance(request, SetMotors) else (request,))
+        }
+        for board, request in found.items()
+    }
+
+
+def test_sides_go_to_the_motors_of_each_arrangement() -> None:
+    assert speeds(setpoints_of(front_and_back((7, 9)), BOTH)) == {
+        7: {1: 30, 2: -20},
+        9: {1: 30, 2: -20},
+    }
+    assert speeds(setpoints_of(left_and_right((7, 9)), BOTH)) == {
+        7: {1: 30, 2: 30},
+        9: {1: -20, 2: -20},
+    }
+
+
+def test_reversed_motor_turns_the_other_way_and_brakes_alike() -> None:
+    wheels = (Wheel(7, 1, LEFT), Wheel(7, 2, LEFT, is_reversed=True))
+    assert speeds(setpoints_of(wheels, SetMotor(LEFT, Drive.at(30)))) == {7: {1: 30, 2: -30}}
+    assert setpoints_of(wheels, SetMotor(RIGHT, Drive.at(30))) == {}
+    brake = Drive.brake(50)
+    (found,) = setpoints_of(wheels[1:], SetMotor(LEFT, brake)).values()
+    assert found == SetMotor(2, brake)
+
+
+def test_wheels_are_kept_as_text() -> None:
+    wheels = (*left_and_right((0, 127)), Wheel(9, 2, RIGHT, is_reversed=True))
+    assert unpacked(packed(wheels)) == wheels
+    assert unpacked("") == ()
+    for text in ("7.3.1+", "7.1+", "x", "7.1.1"):
+        with pytest.raises(BadRequest):
+            unpacked(text)

@@ -1,0 +1,75 @@
+"""Two boards driven as one robot in the window: joined, driven, stopped, one of them lost."""
+
+import pytest
+
+from tests.end_to_end.test_boards_on_one_line import connect
+from tests.support.pages.motors import MotorsPage
+from tests.support.simulator import StartSimulator
+from tests.support.virtual_devices import VirtualSimulator
+from tests.support.window import WindowDriver
+
+
+@pytest.fixture
+def boards(window: WindowDriver, start_simulator: StartSimulator) -> VirtualSimulator:
+    """Boards 7 and 9 on one line, found and joined: 7 turns the left wheels, 9 the right ones."""
+    started = start_simulator("--unpaced", "--device", "7", "--device", "9:trexjr")
+    assert isinstance(started, VirtualSimulator)
+    connect(window, started.url, 7)
+    window.trigger("boards")
+    window.wait(lambda: window.has("boardsProgress"))
+    window.wait(lambda: not window.has("boardsProgress"))
+    window.click("groupButton")
+    dialog = window.dialog("groupDialog")
+    preset = dialog.combo("groupPreset")
+    preset.setCurrentIndex(1)
+    preset.activated.emit(1)
+    dialog.click("joinBoards")
+    window.wait(lambda: window.device.is_connected and window.motors.is_available)
+    return started
+
+
+def speeds(boards: VirtualSimulator) -> list[int]:
+    motors = [motor for name in ("@7", "@9") for motor in boards.show(name)["motors"]]
+    signs = {"forward": 1, "reverse": -1, "brake": 0}
+    return [signs[one["direction"]] * one["speed"] for one in motors]
+
+
+def test_two_boards_are_driven_with_one_pad(window: WindowDriver, boards: VirtualSimulator) -> None:
+    page = MotorsPage(window, boards)
+    page.arm()
+    window.motors.set_speeds(20, -10)
+    window.wait(lambda: speeds(boards) == [20, 20, -10, -10])
+    window.click("stopButton")
+    window.wait(lambda: speeds(boards) == [0, 0, 0, 0])
+    window.wait(lambda: not window.device.may_move)
+
+
+def test_board_that_is_lost_stops_the_other_and_is_named(
+    window: WindowDriver, boards: VirtualSimulator
+) -> None:
+    page = MotorsPage(window, boards)
+    page.arm()
+    window.motors.set_speeds(20, 20)
+    window.wait(lambda: speeds(boards) == [20, 20, 20, 20])
+    boards.do("@9 power off")
+    window.wait(lambda: speeds(boards)[:2] == [0, 0])
+    window.wait_for_text("bannerText", "Board 9")
+    assert not window.motors.armed
+    assert not window.motors.can_arm
+    boards.do("@9 power on")
+    window.wait(lambda: window.motors.is_available)
+
+
+def test_group_that_lacks_a_board_can_be_left(
+    window: WindowDriver, boards: VirtualSimulator
+) -> None:
+    window.disconnect()
+    boards.do("@9 power off")
+    window.click("connectButton")
+    window.wait_for_text("bannerText", "Board 9")
+    window.click("connectButton")
+    window.wait(lambda: window.device.is_connected)
+    assert not window.has("groupCards")
+    MotorsPage(window, boards).arm()
+    window.motors.set_speeds(20, -10)
+    window.wait(lambda: speeds(boards)[:2] == [20, -10])

@@ -1,0 +1,78 @@
+"""Motors of several boards as the wheels of one robot: where each is, and which way it turns."""
+
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.trex.driving.requests import (
+    SetAuxiliary,
+    SetMotor,
+    SetMotors,
+    SetpointRequest,
+    setpoints_in,
+)
+from trex_gui.devices.trex.protocol.driving import Drive
+
+_WHEEL = re.compile(r"(\d{1,3})\.([12])\.([12])([+-])")
+
+LEFT, RIGHT = 1, 2  # the sides, as the motors of one board alone
+
+
+@dataclass(frozen=True, slots=True)
+class Wheel:
+    """Motor 1 or 2 of a board, at a side; `is_reversed`: forward is backward for the motor."""
+
+    board: int
+    motor: int
+    side: int
+    is_reversed: bool = False
+
+    def turned(self, drive: Drive | None) -> Drive | None:
+        """Return the setpoint of the motor for one of its side."""
+        if drive is None or drive.is_brake or not self.is_reversed:
+            return drive
+        return Drive.at(-drive.signed)
+
+
+def front_and_back(boards: Iterable[int]) -> tuple[Wheel, ...]:
+    """Return the wheels of boards that each drive both sides."""
+    return tuple(Wheel(board, side, side) for board in boards for side in (LEFT, RIGHT))
+
+
+def left_and_right(boards: Iterable[int]) -> tuple[Wheel, ...]:
+    """Return the wheels of two boards that each drive one side."""
+    sides = zip(boards, (LEFT, RIGHT), strict=True)
+    return tuple(Wheel(board, motor, side) for board, side in sides for motor in (1, 2))
+
+
+def packed(wheels: Iterable[Wheel]) -> str:
+    """Return wheels as a text for the preferences: `7.1.1+ 7.2.2-`."""
+    return " ".join(f"{w.board}.{w.motor}.{w.side}{'-' if w.is_reversed else '+'}" for w in wheels)
+
+
+def unpacked(text: str) -> tuple[Wheel, ...]:
+    """Return the wheels that were packed; BadRequest if the text is another one."""
+    found = [_WHEEL.fullmatch(word) for word in text.split()]
+    wheels = [Wheel(int(m[1]), int(m[2]), int(m[3]), m[4] == "-") for m in found if m is not None]
+    if len(wheels) < len(found):
+        raise BadRequest(f"{text!r} are no wheels")
+    return tuple(wheels)
+
+
+def setpoints_of(
+    wheels: Sequence[Wheel], request: SetpointRequest
+) -> dict[int, SetMotor | SetMotors]:
+    """Return what each board gets for setpoints of the sides."""
+    wanted = {one.motor: one for one in setpoints_in(request)}
+    found: dict[int, list[SetMotor]] = {}
+    for wheel in wheels:
+        setpoint = wanted.get(wheel.side)
+        if setpoint is None or isinstance(setpoint, SetAuxiliary):
+            continue
+        drive = wheel.turned(setpoint.drive) or setpoint.drive
+        found.setdefault(wheel.board, []).append(replace(setpoint, motor=wheel.motor, drive=drive))
+    return {
+        board: SetMotors((one[0], one[1])) if len(one) == 2 else one[0]
+        for board, one in found.items()
+    }

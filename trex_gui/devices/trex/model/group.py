@@ -1,0 +1,144 @@
+"""Boards of one line that are driven together: their devices, and which motor turns what."""
+
+from collections.abc import Iterable, Sequence
+from contextlib import suppress
+from dataclasses import replace
+from urllib.parse import quote
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
+from trex_gui.devices.trex.client.telemetry import LatchedStatus
+from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetpointRequest
+from trex_gui.devices.trex.driving.wheels import (
+    Wheel,
+    front_and_back,
+    packed,
+    setpoints_of,
+    unpacked,
+)
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.protocol.flags import MOTOR_FAULTS, bit_names
+from trex_gui.devices.trex.session.messages import Batch, ToBoard
+from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.preferences import Preferences
+
+
+class BoardGroup(QObject):
+    """The boards that are driven with the one of `device`: one arming, one stop, one ceiling.
+
+    The setpoints of motors 1 and 2 are those of the left and of the right side.
+    """
+
+    changed = Signal()  # `devices` or `wheels`
+
+    def __init__(self, device: Device, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._device = device
+        self._others: dict[int, Device] = {}
+        self.wheels: tuple[Wheel, ...] = ()
+        device.driving.routed = self._routed
+        device.driving.lacking = self._lacking
+        device.connection.started.connect(self._on_started)
+        device.sampled.connect(self._on_sampled)
+
+    @property
+    def devices(self) -> dict[int, Device]:
+        """The device of each board by its number, in their order; empty for one board alone."""
+        if not self._others:
+            return {}
+        first = self._device.connection.settings
+        assert first is not None  # noqa: S101 - a line was opened
+        assert first.device_number is not None  # noqa: S101 - it is in a group
+        return {first.device_number: self._device, **self._others}
+
+    def proposed(self, numbers: Iterable[int]) -> tuple[Wheel, ...]:
+        """Return the wheels that were chosen last for these boards on this line."""
+        boards = sorted(numbers)
+        with suppress(BadRequest):
+            kept = unpacked(Preferences().text(self._key(boards)))
+            if {wheel.board for wheel in kept} == set(boards):
+                return kept
+        return front_and_back(boards)
+
+    def join(self, wheels: Sequence[Wheel]) -> None:
+        """Drive the boards of these wheels together from now on: the line is opened anew."""
+        settings, numbers = self._device.settings, sorted({wheel.board for wheel in wheels})
+        if settings is not None:
+            Preferences().set(self._key(numbers), packed(wheels))
+            self._device.connect_to(settings.with_group(numbers))
+
+    def part(self) -> None:
+        """Drive the first board alone."""
+        if (settings := self._device.settings) is not None:
+            self._device.connect_to(replace(settings, group=()))
+
+    def _key(self, numbers: Sequence[int]) -> str:
+        settings = self._device.settings
+        url = "" if settings is None else quote(settings.url, safe="")
+        return f"wheels/{url}/{'-'.join(map(str, numbers))}"
+
+    # --- The motors -----------------------------------------------------------------------
+
+    def _routed(self, request: SetpointRequest) -> Sequence[object]:
+        if not self.wheels or isinstance(request, SetAuxiliary):
+            return (request,)
+        found = setpoints_of(self.wheels, request)
+        return [ToBoard(board, setpoint) for board, setpoint in found.items()]
+
+    def _lacking(self) -> int | None:
+        """Return the number of another board that cannot be driven; `None`: all can."""
+        for number, device in self._others.items():
+            if not device.is_connected or not device.board.serial_controls:
+                return number
+        return None
+
+    @Slot(object)
+    def _on_sampled(self, batch: Batch) -> None:
+        self._watch(self._device, batch)
+
+    def _watch(self, device: Device, batch: Batch) -> None:
+        """Stop every board if this one can drive no more."""
+        if not self._others or not self._device.motors.armed:
+            return
+        for sample in batch.samples:
+            if isinstance(sample, LatchedStatus) and not sample.is_earlier:
+                faults = [bit for bit in MOTOR_FAULTS.values() if sample.status & bit]
+                if faults:
+                    names = ", ".join(tr(name) for bit in faults for name in bit_names(bit))
+                    self._device.motors.stop(device.named(f"{names}."))
+        if device.board.serial_controls is False:
+            text = tr("Serial commands no longer reach the motors.")
+            self._device.motors.stop(device.named(text))
+
+    # --- The boards -----------------------------------------------------------------------
+
+    @Slot()
+    def _on_started(self) -> None:
+        """Make the devices of the group for which the line was opened."""
+        settings = self._device.settings
+        numbers = () if settings is None else settings.group
+        for number in self._others.keys() - set(numbers[1:]):
+            self._others.pop(number).deleteLater()
+        for number in numbers[1:]:
+            if number not in self._others:
+                self._others[number] = self._new_device(number)
+        self.wheels = self.proposed(numbers) if numbers else ()
+        self._device.motors.are_sides = bool(numbers)
+        for number, device in (self.devices or {0: self._device}).items():
+            device.wheels = {one.motor: one for one in self.wheels if one.board == number}
+        self.changed.emit()
+
+    def _new_device(self, number: int) -> Device:
+        device = Device(self._device.notifier, self, main=self._device, number=number)
+        device.sampled.connect(lambda batch: self._watch(device, batch))
+        device.events.happened.connect(lambda: self._pass_on(device))
+        return device
+
+    def _pass_on(self, device: Device) -> None:
+        """Log what happens to another board with its number."""
+        if device.link is ConnectionState.DISCONNECTED:
+            return
+        newest = device.events.all[-1]
+        self._device.events.put(replace(newest, text=device.named(newest.text)))

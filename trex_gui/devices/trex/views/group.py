@@ -1,0 +1,185 @@
+"""Boards that are driven together: the dialog that joins them, and what each of them does."""
+
+from dataclasses import replace
+
+from PySide6.QtCore import Slot
+from PySide6.QtWidgets import QBoxLayout, QCheckBox, QComboBox, QWidget
+
+from trex_gui.core.texts import title_of
+from trex_gui.core.translation import Number, tr
+from trex_gui.devices.trex.board.drive_status import drive_statuses
+from trex_gui.devices.trex.driving.blockers import DriveBlocker, Effect
+from trex_gui.devices.trex.driving.wheels import (
+    LEFT,
+    RIGHT,
+    Wheel,
+    front_and_back,
+    left_and_right,
+)
+from trex_gui.devices.trex.model.boards import BoardList
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.drive_status import drive_inputs
+from trex_gui.devices.trex.model.group import BoardGroup
+from trex_gui.devices.trex.views.motor_controls import MotorBar
+from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import ReusedDialog
+from trex_gui.ui.widgets.labels import Muted, Note
+from trex_gui.ui.widgets.placement import resize_with_font
+
+_NOT_DRIVEN = 0
+
+
+class GroupDialog(ReusedDialog):
+    """Asks where each motor of the boards on the line is, and which way it turns."""
+
+    def __init__(
+        self, device: Device, boards: BoardList, group: BoardGroup, parent: QWidget
+    ) -> None:
+        super().__init__(parent)
+        self._boards, self._group = boards, group
+        self._rows: dict[tuple[int, int], tuple[QComboBox, QCheckBox]] = {}
+        self.setObjectName("groupDialog")
+        self.setWindowTitle(title_of(tr("Drive to&gether…")))
+        resize_with_font(self, 560, 360)
+        about = tr(
+            "One pad, one arming and one Stop drive these boards as one robot. A board that does "
+            "not follow any more stops the others."
+        )
+        self._preset = ui.named(QComboBox(self), "groupPreset", accessible=tr("Arrangement"))
+        self._preset.addItems([tr("Front and back"), tr("Left and right")])
+        label = ui.label(self, text=tr("Arran&gement:"), buddy=self._preset)
+        self._table = QWidget(self)
+        self._grid = ui.grid(self._table, margins=0)
+        bar = MotorBar(device, "groupStopButton", self)
+        self._join = ui.button(
+            bar, "joinBoards", tr("&Drive together"), default=True, on_click=self._on_join
+        )
+        close = ui.button(bar, "closeGroup", tr("Close"), default=False, on_click=self.close)
+        bar.fill(bar.armed, 1, close, self._join)
+        preset = ui.row(label, (self._preset, 1))
+        ui.column(Muted(about, self), preset, self._table, (QWidget(self), 1), bar, into=self)
+        self._preset.activated.connect(self._on_preset)
+
+    def ask(self) -> None:
+        numbers = [one.number for one in self._boards.boards]
+        self._make_rows(numbers)
+        wheels = self._group.proposed(numbers)
+        self._show_wheels(wheels)
+        self._preset.setCurrentIndex(int({one.side for one in wheels if one.motor == 1} == {1, 2}))
+        self._preset.setEnabled(len(numbers) == 2)
+        self.show_in_front()
+
+    def _make_rows(self, numbers: list[int]) -> None:
+        wanted = [(number, motor) for number in numbers for motor in (1, 2)]
+        if wanted == list(self._rows):
+            return
+        for row, number_and_motor in enumerate(wanted, len(self._rows)):
+            if number_and_motor in self._rows:
+                continue
+            number, motor = number_and_motor
+            name, key = tr("Board {0}, motor {1}").format(number, motor), f"wheel{number}{motor}"
+            side = ui.named(QComboBox(self._table), f"{key}Side", accessible=name)
+            for text, value in (
+                (tr("left"), LEFT),
+                (tr("right"), RIGHT),
+                (tr("not driven"), _NOT_DRIVEN),
+            ):
+                side.addItem(text, value)
+            turns = QCheckBox(tr("reversed"), self._table)
+            ui.named(turns, f"{key}Reversed", accessible=f"{name}, {tr('reversed')}")
+            side.currentIndexChanged.connect(self._on_changed)
+            for column, widget in enumerate((ui.label(self._table, text=name), side, turns)):
+                self._grid.addWidget(widget, row, column)
+            self._rows[number_and_motor] = side, turns
+        for number_and_motor, widgets in self._rows.items():
+            for widget in widgets:
+                widget.setVisible(number_and_motor in wanted)
+
+    def _show_wheels(self, wheels: tuple[Wheel, ...]) -> None:
+        known = {(one.board, one.motor): one for one in wheels}
+        for place, (side, turns) in self._rows.items():
+            wheel = known.get(place)
+            side.setCurrentIndex(side.findData(_NOT_DRIVEN if wheel is None else wheel.side))
+            turns.setChecked(wheel is not None and wheel.is_reversed)
+
+    @property
+    def wheels(self) -> tuple[Wheel, ...]:
+        """The wheels as they are chosen."""
+        shown = {one.number for one in self._boards.boards}
+        return tuple(
+            Wheel(board, motor, side.currentData(), turns.isChecked())
+            for (board, motor), (side, turns) in self._rows.items()
+            if board in shown and side.currentData() != _NOT_DRIVEN
+        )
+
+    @Slot(int)
+    def _on_preset(self, index: int) -> None:
+        numbers = sorted({number for number, _ in self._rows})
+        wanted = (front_and_back, left_and_right)[index](numbers)
+        turned = {(one.board, one.motor) for one in self.wheels if one.is_reversed}
+        self._show_wheels(
+            tuple(replace(w, is_reversed=(w.board, w.motor) in turned) for w in wanted)
+        )
+
+    @Slot(int)
+    def _on_changed(self, _index: int) -> None:
+        self._join.setEnabled(len({one.board for one in self.wheels}) > 1)
+
+    @Slot()
+    def _on_join(self) -> None:
+        self.close()
+        self._group.join(self.wheels)
+
+
+class GroupCards(QWidget):
+    """Shows currents and problems of each board of a group side by side; hidden without one."""
+
+    def __init__(self, group: BoardGroup, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setObjectName("groupCards")
+        self._group = group
+        self._cards: list[_BoardCard] = []
+        self._row = QBoxLayout(QBoxLayout.Direction.LeftToRight, self)
+        self._row.setContentsMargins(0, 0, 0, 0)
+        group.changed.connect(self._on_group_changed)
+        self._on_group_changed()
+
+    @Slot()
+    def _on_group_changed(self) -> None:
+        for card in self._cards:
+            card.deleteLater()
+        self._cards = [
+            _BoardCard(number, device, self) for number, device in self._group.devices.items()
+        ]
+        for card in self._cards:
+            self._row.addWidget(card, 1)
+        self.setVisible(bool(self._cards))
+
+
+class _BoardCard(ui.Card):
+    def __init__(self, number: int, device: Device, parent: QWidget) -> None:
+        super().__init__(tr("Board {0}").format(number), parent)
+        ui.named(self, f"groupBoard{number}", accessible=tr("Board {0}").format(number))
+        self._device = device
+        self._currents = [ui.label(self, f"groupBoard{number}Motor{m}") for m in (1, 2)]
+        self._problem = ui.named(Note(1, self), f"groupBoard{number}Problem")
+        ui.column(ui.row(*((one, 1) for one in self._currents)), self._problem, into=self)
+        device.telemetry.text_due.connect(self._show)
+        device.link_changed.connect(self._show)
+        device.main.motors.arming_changed.connect(self._show)
+        self._show()
+
+    @Slot()
+    def _show(self) -> None:
+        device = self._device
+        currents = device.telemetry.motor_currents if device.is_connected else None
+        for motor, label in enumerate(self._currents, 1):
+            wheel = device.wheels.get(motor)
+            sides = {LEFT: tr("left"), RIGHT: tr("right")}
+            place = tr("not driven") if wheel is None else sides[wheel.side]
+            text = "–" if currents is None else f"{Number(currents[motor - 1]):.2f} A"
+            label.setText(f"{tr('Motor {0}').format(motor)} ({place}): {text}")
+        status = drive_statuses(drive_inputs(device))[0]
+        is_usual = status.blocker in {DriveBlocker.RUNNING, DriveBlocker.NOT_ARMED}
+        text = tr("no problem") if is_usual else status.text
+        self._problem.show_note(text, alarming=status.blocker.effect is Effect.STOPS)
