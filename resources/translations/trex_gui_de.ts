@@ -3305,8 +3305,6 @@
         <translation>Gemeinsam &amp;fahren</translation></message>
     <message><source>no problem</source>
         <translation>kein Problem</translation></message>
-    <message><source>Drive to&amp;gether…</source>
-        <translation>&amp;Gemeinsam fahren…</translation></message>
     <message><source>Arrangement</source>
         <translation>Anordnung</translation></message>
     <message><source>Front and back</source>

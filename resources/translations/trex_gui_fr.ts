@@ -3305,8 +3305,6 @@
         <translation>&amp;Conduire ensemble</translation></message>
     <message><source>no problem</source>
         <translation>aucun problème</translation></message>
-    <message><source>Drive to&amp;gether…</source>
-        <translation>Conduire &amp;ensemble…</translation></message>
     <message><source>Arrangement</source>
         <translation>Disposition</translation></message>
     <message><source>Front and back</source>

@@ -84,6 +84,7 @@ FOCUSED = {
     "numberDialog": "newNumberField",
     "provisionDialog": "provisionProfile",
     "robotsDialog": "robotsTable",
+    "groupDialog": "joinBoards",
     "applyToBoardsDialog": "closeBoardsButton",  # nothing can be written in this test
     # The first control: the primary button is disabled at the board of this test.
     "checkDialog": "checkNextButton",

@@ -26,7 +26,7 @@ from trex_gui.ui.runtime import runtime
 
 DIALOGS = (
     "test_sticks", "find", "check_board", "preferences", "report", "new", "power",
-    "number", "to_boards", "defaults", "robots",
+    "number", "to_boards", "group", "defaults", "robots",
 )  # fmt: skip
 """Menu entries that open a dialog."""
 

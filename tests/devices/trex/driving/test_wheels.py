@@ -2,7 +2,6 @@
 
 import pytest
 
-from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.driving.requests import SetMotor, SetMotors
 from trex_gui.devices.trex.driving.wheels import (
     LEFT,
@@ -55,5 +54,5 @@ def test_wheels_are_kept_as_text() -> None:
     assert unpacked(packed(wheels)) == wheels
     assert unpacked("") == ()
     for text in ("7.3.1+", "7.1+", "x", "7.1.1"):
-        with pytest.raises(BadRequest):
+        with pytest.raises(ValueError, match="no wheels"):
             unpacked(text)

@@ -50,7 +50,7 @@ def test_nothing_is_said_that_is_not_known(drawing: Drawing) -> None:
     for jumper in ("ModeJumper", "MixJumper", "SoGroundJumper"):
         assert "not known" in drawing.said(jumper)
         assert drawing.find(JumperPart, f"boardPart{jumper}").is_on is None
-    assert drawing.said("RedLed") == "Red LED: not known"
+    assert drawing.said("RedLed") == "Red LED: unknown"
     assert "not known" in drawing.said("Motor1")
     assert drawing.said("Serial") == "Serial line: not responding"
 

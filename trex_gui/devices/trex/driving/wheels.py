@@ -4,7 +4,6 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.driving.requests import (
     SetAuxiliary,
     SetMotor,
@@ -52,11 +51,11 @@ def packed(wheels: Iterable[Wheel]) -> str:
 
 
 def unpacked(text: str) -> tuple[Wheel, ...]:
-    """Return the wheels that were packed; BadRequest if the text is another one."""
+    """Return the wheels that were packed; ValueError if the text is another one."""
     found = [_WHEEL.fullmatch(word) for word in text.split()]
     wheels = [Wheel(int(m[1]), int(m[2]), int(m[3]), m[4] == "-") for m in found if m is not None]
     if len(wheels) < len(found):
-        raise BadRequest(f"{text!r} are no wheels")
+        raise ValueError(f"{text!r} are no wheels")
     return tuple(wheels)
 
 

@@ -7,8 +7,8 @@ from urllib.parse import quote
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
+from trex_gui.core.transport.urls import is_served
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetpointRequest
 from trex_gui.devices.trex.driving.wheels import (
@@ -40,7 +40,8 @@ class BoardGroup(QObject):
         self.wheels: tuple[Wheel, ...] = ()
         device.driving.routed = self._routed
         device.driving.lacking = self._lacking
-        device.connection.started.connect(self._on_started)
+        device.connection.started.connect(self._follow)
+        device.connection.device_read.connect(self._follow)  # a server has a group of its own
         device.sampled.connect(self._on_sampled)
 
     @property
@@ -56,7 +57,7 @@ class BoardGroup(QObject):
     def proposed(self, numbers: Iterable[int]) -> tuple[Wheel, ...]:
         """Return the wheels that were chosen last for these boards on this line."""
         boards = sorted(numbers)
-        with suppress(BadRequest):
+        with suppress(ValueError):
             kept = unpacked(Preferences().text(self._key(boards)))
             if {wheel.board for wheel in kept} == set(boards):
                 return kept
@@ -68,6 +69,12 @@ class BoardGroup(QObject):
         if settings is not None:
             Preferences().set(self._key(numbers), packed(wheels))
             self._device.connect_to(settings.with_group(numbers))
+
+    @property
+    def can_change(self) -> bool:
+        """Whether boards can be joined or parted here: a server serves those that it was told."""
+        settings = self._device.settings
+        return settings is not None and not is_served(settings.url)
 
     def part(self) -> None:
         """Drive the first board alone."""
@@ -115,16 +122,19 @@ class BoardGroup(QObject):
     # --- The boards -----------------------------------------------------------------------
 
     @Slot()
-    def _on_started(self) -> None:
+    def _follow(self) -> None:
         """Make the devices of the group for which the line was opened."""
         settings = self._device.settings
         numbers = () if settings is None else settings.group
+        wheels = self.proposed(numbers) if numbers else ()
+        if set(self._others) == set(numbers[1:]) and self.wheels == wheels:
+            return
         for number in self._others.keys() - set(numbers[1:]):
             self._others.pop(number).deleteLater()
         for number in numbers[1:]:
             if number not in self._others:
                 self._others[number] = self._new_device(number)
-        self.wheels = self.proposed(numbers) if numbers else ()
+        self.wheels = wheels
         self._device.motors.are_sides = bool(numbers)
         for number, device in (self.devices or {0: self._device}).items():
             device.wheels = {one.motor: one for one in self.wheels if one.board == number}

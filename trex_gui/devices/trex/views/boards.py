@@ -92,7 +92,7 @@ class BoardPanel(QWidget):
         self._cancel.clicked.connect(boards.cancel_scan)
         self._change.clicked.connect(self.change_number)
         self._file.clicked.connect(self.file_requested)
-        self._together.clicked.connect(self._on_together)
+        self._together.clicked.connect(self.join_boards)
         self._alone.clicked.connect(group.part)
         group.changed.connect(self._update)
         for changed in (boards.changed, device.link_changed, device.motors.arming_changed):
@@ -105,8 +105,15 @@ class BoardPanel(QWidget):
             self._number = NumberDialog(self._boards, self._device, self.window())
         self._number.ask()
 
+    @property
+    def can_join(self) -> bool:
+        """Whether boards can be driven together from now on."""
+        boards, group = self._boards, self._group
+        may_ask = boards.can_change_number and boards.scanned is None
+        return may_ask and boards.has_several and group.can_change and not group.devices
+
     @Slot()
-    def _on_together(self) -> None:
+    def join_boards(self) -> None:
         if self._joining is None:
             self._joining = GroupDialog(self._device, self._boards, self._group, self.window())
         self._joining.ask()
@@ -139,9 +146,9 @@ class BoardPanel(QWidget):
         self._file.setEnabled(device.is_writable and not is_scanning and boards.has_several)
         self._list.setEnabled(boards.can_select)
         is_group = bool(self._group.devices)
-        self._together.setVisible(not is_group)
-        self._together.setEnabled(can_change and not is_scanning)
-        self._alone.setVisible(is_group)
+        self._together.setVisible(not is_group and self._group.can_change)
+        self._together.setEnabled(self.can_join)
+        self._alone.setVisible(is_group and self._group.can_change)
         self._alone.setEnabled(device.is_writable and not device.motors.armed)
 
     def _show_boards(self) -> None:

@@ -39,7 +39,7 @@ class GroupDialog(ReusedDialog):
         self._boards, self._group = boards, group
         self._rows: dict[tuple[int, int], tuple[QComboBox, QCheckBox]] = {}
         self.setObjectName("groupDialog")
-        self.setWindowTitle(title_of(tr("Drive to&gether…")))
+        self.setWindowTitle(title_of(tr("Drive together…")))
         resize_with_font(self, 560, 360)
         about = tr(
             "One pad, one arming and one Stop drive these boards as one robot. A board that does "

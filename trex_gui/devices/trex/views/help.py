@@ -49,6 +49,7 @@ TOPICS = {  # by object names
     "powerCycleDialog": "settings.md#edit-review-apply",
     "printPreviewDialog": "settings.md#settings-files",
     "robotsDialog": "remote.md#many-robots",
+    "groupDialog": "connecting.md#boards-that-are-driven-together",
     "provisionDialog": "command_line.md#boards-in-turn",
     "reviewDialog": "settings.md#edit-review-apply",
     "settingsEditor": "settings.md#settings-files",
