@@ -134,7 +134,8 @@ class OpenSession:
         while report is not None:
             boards = list(self.boards.values())
             if isinstance(report, OfBoard):
-                boards, report = [self.boards[report.number]], report.report
+                of_board, report = self.boards.get(report.number), report.report
+                boards = [] if of_board is None else [of_board]
             elif not isinstance(report, Closed):
                 del boards[1:]
             for board in boards:

@@ -18,7 +18,7 @@ import pytest
 import zenoh
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
-from trex_gui import Trex
+from trex_gui import Trex, TrexLine
 from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable, StudioError
 from trex_gui.core.resource_files import resource
 from trex_gui.core.transport.urls import Address
@@ -256,6 +256,29 @@ def test_robot_is_stopped_by_name_and_confirms(
     server.simulator.do("power off")
     (error,) = stop_robots([server.url()]).values()
     assert error
+
+
+def test_line_of_two_boards_is_driven_as_one(start_simulator: StartSimulator) -> None:
+    simulator = start_simulator("--device", "7", "--device", "9")
+
+    def speeds() -> list[int]:
+        return [simulator.show(name)["motors"][0]["target_speed"] for name in ("@7", "@9")]
+
+    with served(simulator, "--boards", "7,9") as server:
+        server.wait_for_board()
+        with TrexLine(server.url(), boards=(7, 9)) as line:
+            line.drive(40)
+            line.wait(0.3)
+            assert speeds() == [40, 40]
+            line[9].drive(20)
+            line.wait(0.3)
+            assert speeds() == [40, 20]
+            assert line[9].status().product == "TReX"
+            line.stop()
+            for name in ("@7", "@9"):
+                assert simulator.show(name)["motors"][0]["target_direction"] == "brake"
+            line[9].set_parameters(serial_timeout=5)
+            assert simulator.show("@9")["parameters"]["serial_timeout"] == 5
 
 
 # --- Users --------------------------------------------------------------------------------

@@ -54,6 +54,7 @@ from trex_gui.devices.trex.session.messages import (
     HandOver,
     LeaseChanged,
     NotResponding,
+    OfBoard,
     ProbeNumber,
     ReadReason,
     Reload,
@@ -62,6 +63,7 @@ from trex_gui.devices.trex.session.messages import (
     SetpointsChanged,
     SetWatched,
     TakeLease,
+    ToBoard,
     Traffic,
     Write,
     Written,
@@ -230,6 +232,61 @@ def test_silent_client_is_removed(served: ServedDriver) -> None:
         served.send("bob", Alive())
         served.server.step()
     assert served.server.users == ("bob",)
+
+
+# --- Several boards -----------------------------------------------------------------------
+
+GROUP = replace(CONNECTED, settings=CONNECTED.settings.with_group((7, 9)))
+NINTH = replace(CONNECTED, settings=CONNECTED.settings.of_board(9))
+
+
+@pytest.fixture
+def line() -> ServedDriver:
+    driver = ServedDriver()
+    driver.server.report(GROUP)
+    driver.server.report(OfBoard(9, NINTH))
+    driver.join("alice")
+    driver.join("watcher", Role.WATCH)
+    return driver
+
+
+def test_client_learns_of_every_board_of_a_line(line: ServedDriver) -> None:
+    first, other = line.received["watcher"][2:4]
+    assert first.settings.group == (7, 9)
+    assert other.number == 9
+    assert other.report.occasion is ReadReason.OPENED
+    line.server.report(OfBoard(9, Batch((), Counters())))
+    assert line.received["watcher"][-1] == OfBoard(9, Batch((), Counters()))
+    line.send("watcher", SetWatched(False))
+    before = len(line.received["watcher"])
+    line.server.report(OfBoard(9, Batch((), Counters())))
+    assert len(line.received["watcher"]) == before
+
+
+def test_driver_drives_each_board_of_a_line(line: ServedDriver) -> None:
+    setpoint = ToBoard(9, SetMotor(1, Drive.at(-40)))
+    line.send("watcher", AskLease(), setpoint)
+    line.send("alice", setpoint)
+    assert line.kinds() == []
+    line.send("alice", AskLease(), Arm(), setpoint)
+    assert line.session[-1] == setpoint
+    line.send("alice", ToBoard(9, SetMotor(3, Drive.at(1))), ToBoard(5, setpoint.request))
+    assert line.session[-1] == setpoint, "no such motor, no such board"
+    line.send("watcher", ToBoard(9, Stop(4)))
+    assert isinstance(line.session[-1], Stop), "it is for all"
+
+
+def test_what_another_board_stores_is_kept_for_late_clients(line: ServedDriver) -> None:
+    line.send("alice", AskLease(), ToBoard(9, Write(7, (("serial_timeout", 5),))))
+    job: Any = line.session[-1]
+    state = replace(STATE, parameters={"serial_timeout": 5})
+    written = Written((), state, NINTH.settings)
+    line.server.report(OfBoard(9, Outcome(job.request.id, written)))
+    assert line.received["alice"][-1] == OfBoard(9, Outcome(7, written))
+    assert line.received["watcher"][-1].report.state == state
+    line.join("late")
+    assert line.received["late"][-1].report.state == state
+    assert line.received["late"][2].state == STATE
 
 
 # --- What a client may do -----------------------------------------------------------------

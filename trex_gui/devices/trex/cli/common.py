@@ -142,6 +142,25 @@ def link_settings(options: Mapping[str, Any], url: str | None = None) -> Connect
     return settings
 
 
+boards_option = click.option(
+    "--boards",
+    metavar="NUMBERS",
+    default="",
+    help="Do it to several boards on the line at once, such as 7,9.",
+)
+
+
+def grouped(settings: ConnectionSettings, boards: str) -> ConnectionSettings:
+    """Return settings for the boards with these numbers; UsageError if there are none such."""
+    if not boards:
+        return settings
+    try:
+        numbers = tuple(sorted(numbers_in(boards)))
+        return settings.with_group(numbers)
+    except ValueError as error:
+        raise click.UsageError(f"--boards: {error}") from error
+
+
 def as_options(settings: ConnectionSettings) -> str:
     """Return link settings as options of this program, to paste behind a command."""
     line = settings.line

@@ -27,7 +27,14 @@ from trex_gui.core.transport.urls import is_served
 from trex_gui.devices.trex.board.keeper import Keeper
 from trex_gui.devices.trex.board.mirror import BoardMirror
 from trex_gui.devices.trex.cli.changes import say_warning
-from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
+from trex_gui.devices.trex.cli.common import (
+    boards_option,
+    grouped,
+    identify,
+    link_options,
+    link_settings,
+    open_line,
+)
 from trex_gui.devices.trex.client.reading import DeviceState, query
 from trex_gui.devices.trex.client.telemetry import Control, LatchedStatus, StatusReader
 from trex_gui.devices.trex.driving.motor_driver import MotorDriver, stop_together
@@ -45,7 +52,7 @@ from trex_gui.devices.trex.driving.requests import (
 )
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop, turning_text
 from trex_gui.devices.trex.protocol.commands import GetSerialControl
-from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings, numbers_in
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
@@ -65,25 +72,6 @@ from trex_gui.devices.trex.settings.board_records import BoardRecord, utc_now
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 
 _SLICE = 0.02  # longest wait in seconds without a look at signals
-
-
-boards_option = click.option(
-    "--boards",
-    metavar="NUMBERS",
-    default="",
-    help="Do it to several boards on the line at once, such as 7,9.",
-)
-
-
-def _grouped(settings: ConnectionSettings, boards: str) -> ConnectionSettings:
-    """Return settings for the boards with these numbers; UsageError if there are none such."""
-    if not boards:
-        return settings
-    try:
-        numbers = tuple(sorted(numbers_in(boards)))
-        return settings.with_group(numbers)
-    except ValueError as error:
-        raise click.UsageError(f"--boards: {error}") from error
 
 
 @click.command(context_settings={"ignore_unknown_options": True})
@@ -110,7 +98,7 @@ def motor(
     repeated until the board confirms it.
     """
     setpoint = _setpoint(which, speed, accelerate=accelerate, brake=brake)
-    run_motors(_grouped(link_settings(options), boards), [setpoint], seconds)
+    run_motors(grouped(link_settings(options), boards), [setpoint], seconds)
 
 
 def run_motors(
@@ -163,7 +151,7 @@ def stop(robots: tuple[str, ...], boards: str, **options: Any) -> None:
     if robots or is_served(options["port"] or ""):
         _stop_served(robots or [options["port"]])
         return
-    settings = _grouped(link_settings(options), boards)
+    settings = grouped(link_settings(options), boards)
     try:
         _stop_at(settings)
     except CommandFailed as refusal:

@@ -17,7 +17,7 @@ from trex_gui.core.transport.urls import (
     Address,
     is_name,
 )
-from trex_gui.devices.trex.cli.common import link_options, link_settings
+from trex_gui.devices.trex.cli.common import boards_option, grouped, link_options, link_settings
 from trex_gui.devices.trex.cli.users import ROLES, add_user, read_users
 from trex_gui.devices.trex.library import Trex
 from trex_gui.devices.trex.serve.robots import Robots, require_network
@@ -65,6 +65,7 @@ _EVERYWHERE = "0.0.0.0"  # noqa: S104 - users are checked
     metavar="CERT KEY",
     help="Encrypt with the certificate and the key in these files.",
 )
+@boards_option
 @click.option("--install", is_flag=True, help="Print how to start it with the computer, and end.")
 def serve(
     name: str,
@@ -75,6 +76,7 @@ def serve(
     role: str,
     tls: tuple[str, str] | None,
     install: bool,
+    boards: str,
     **options: Any,
 ) -> None:
     """Serve the board to the window, trexcmd and programs of other computers.
@@ -92,7 +94,7 @@ def serve(
         return
     if not is_name(name):
         raise click.UsageError(f"A name has letters, digits, and -_. between them, not {name!r}.")
-    settings = link_settings(options)
+    settings = grouped(link_settings(options), boards)
     with refusals():
         users = read_users(Path(users_file)) if users_file else ()
         address = Address.of_host(listen or (_EVERYWHERE if users else "127.0.0.1"))

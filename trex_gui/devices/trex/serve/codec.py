@@ -6,6 +6,7 @@ type, and knows no other types than those of the tables here.
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from enum import Enum, IntEnum, StrEnum
 from functools import cache
 from typing import Any, get_args
@@ -43,12 +44,12 @@ from trex_gui.devices.trex.protocol.errors import (
     TrexNoReplyError,
     TrexRequestError,
 )
-from trex_gui.devices.trex.protocol.flags import Status, UartError
+from trex_gui.devices.trex.protocol.flags import Status, UartError, seven_bits
 from trex_gui.devices.trex.protocol.framing import Malformed
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.protocol.raw_packets import RawPacket
 from trex_gui.devices.trex.serve.messages import ClientRequest, ServerReport
-from trex_gui.devices.trex.session.messages import ProbeProgress, Written
+from trex_gui.devices.trex.session.messages import BoardReport, BoardRequest, ProbeProgress, Written
 from trex_gui.devices.trex.session.messages import Report as SessionReport
 from trex_gui.devices.trex.session.messages import Request as SessionRequest
 
@@ -59,6 +60,9 @@ Request = SessionRequest | ClientRequest
 Report = SessionReport | ServerReport
 _REQUESTS: Any = Request
 _REPORTS: Any = Report | ProbeProgress
+
+_TO_BOARD: Any = BoardRequest  # within a message for one board of several
+_OF_BOARD: Any = BoardReport
 
 _VALUES: Any = Written | Signature
 """Types that the value of an `Outcome` may have, beside bytes and none."""
@@ -139,11 +143,10 @@ def _codec() -> cattrs.Converter:
     codec.register_structure_hook(Model, lambda key, _: _model(key))
     codec.register_unstructure_hook(LineSettings, lambda line: line.to_wire())
     codec.register_structure_hook(LineSettings, lambda wire, _: LineSettings.from_wire(wire))
-    codec.register_unstructure_hook(ConnectionSettings, lambda one: [one.url, one.name, one.packed])
-    codec.register_structure_hook(
-        ConnectionSettings,
-        lambda parts, _: ConnectionSettings(parts[0], name=parts[1]).unpacked(parts[2]),
+    codec.register_unstructure_hook(
+        ConnectionSettings, lambda one: [one.url, one.name, one.packed, *one.group]
     )
+    codec.register_structure_hook(ConnectionSettings, lambda parts, _: _settings(*parts))
     codec.register_unstructure_hook(
         TrafficEvent, lambda one: [one.time, one.direction.name, one.data, one.text]
     )
@@ -158,7 +161,7 @@ def _codec() -> cattrs.Converter:
     codec.register_unstructure_hook(Outcome, lambda one: _outcome_form(one, codec))
     codec.register_structure_hook(Outcome, lambda form, _: _outcome_of(form, codec))
     include_subclasses(Sample, codec, union_strategy=configure_tagged_union)
-    for union in (_VALUES, _REQUESTS, _REPORTS):
+    for union in (_VALUES, _OF_BOARD, _TO_BOARD, _REQUESTS, _REPORTS):
         configure_tagged_union(union, codec)
     return codec
 
@@ -189,6 +192,11 @@ _BY_NAME = {"ErrorCode", "ReadReason", "Mode"}
 
 def _traffic_event(time: float, direction: str, data: bytes, text: str) -> TrafficEvent:
     return TrafficEvent(float(time), TrafficDirection[direction], bytes(data), str(text))
+
+
+def _settings(url: str, name: str, packed: str, *group: object) -> ConnectionSettings:
+    numbers = tuple(seven_bits(_strict(int)(one, int), "device number") for one in group)
+    return replace(ConnectionSettings(url, name=name).unpacked(packed), group=numbers)
 
 
 def _model(key: object) -> Model:

@@ -20,6 +20,7 @@ from trex_gui.devices.trex.driving.requests import (
     SetAuxiliary,
     SetMotor,
     SetMotors,
+    SetpointRequest,
     Stop,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -40,11 +41,13 @@ from trex_gui.devices.trex.serve.network import ClientLink
 from trex_gui.devices.trex.session.messages import (
     AskLease,
     Batch,
+    BoardReport,
     Connected,
     LeaseChanged,
     LeaseRequest,
     NetworkDelay,
     NotResponding,
+    OfBoard,
     ProbeNumber,
     ReadReason,
     Reload,
@@ -53,6 +56,7 @@ from trex_gui.devices.trex.session.messages import (
     SelectBoard,
     SendPacket,
     SetWatched,
+    ToBoard,
     Traffic,
     Write,
     Written,
@@ -207,13 +211,13 @@ class RemoteSession:
             request = self._inbox.get(0.0)
 
     def _take(self, request: Request) -> None:
-        match request:
+        match _inner(request):
             case Close():
                 raise Closing
-            case SetWatched():
-                self._watched = request
+            case SetWatched() as watched:
+                self._watched = watched
                 if self._welcome is not None:
-                    self._send(request)
+                    self._send(watched)
             case Stop():
                 self._waiting = None
                 self._pass_on(request)
@@ -225,21 +229,23 @@ class RemoteSession:
                 self._wait_for_lease(request)
 
     def _may_pass(self, request: Request) -> bool:
-        if isinstance(request, SendPacket) and request.packet.is_query:
+        inner = _inner(request)
+        if isinstance(inner, SendPacket) and inner.packet.is_query:
             return True
         return self._lease.is_mine
 
     def _pass_on(self, request: Request) -> None:
-        if isinstance(request, Heartbeat):
+        inner = _inner(request)
+        if isinstance(inner, Heartbeat):
             request = Heartbeat()
-        if isinstance(request, Stop):
+        if isinstance(inner, Stop):
             self._has_armed = False
-            self._stops.add(request.id)
-        elif isinstance(request, Arm):
+            self._stops.add(inner.id)
+        elif isinstance(inner, Arm):
             self._has_armed = True
-        if number := getattr(request, "id", 0):
+        if number := getattr(inner, "id", 0):
             self._unanswered.add(number)
-        self._may_move = self._may_move or isinstance(request, SetMotor | SetMotors | SetAuxiliary)
+        self._may_move = self._may_move or isinstance(inner, SetpointRequest)
         self._send(request)
 
     def _wait_for_lease(self, request: Request) -> None:
@@ -253,7 +259,7 @@ class RemoteSession:
         waiting, self._waiting = self._waiting, None
         code = ErrorCode.OTHER_DRIVES if self._lease.may_drive else ErrorCode.MAY_NOT_DRIVE
         for request in waiting.requests if waiting else ():
-            if number := getattr(request, "id", 0):
+            if number := getattr(_inner(request), "id", 0):
                 self._emit(Outcome(number, error=TrexRequestError(code)))
             elif isinstance(request, Arm):
                 self._emit(MotorsStopped(code, confirmed=True))
@@ -307,45 +313,60 @@ class RemoteSession:
             case _:
                 self._pass_back(report)
 
-    def _pass_back(self, report: Report | ServerReport) -> None:
-        """Pass on a report of the board's session, with the clock of this computer."""
+    def _pass_back(self, report: Report | ServerReport, board: int | None = None) -> None:
+        """Pass on a report of the board's session, with the clock of this computer.
+
+        `board` is the number of one that is driven with the first.
+        """
+
+        def emit(own: BoardReport) -> None:
+            self._emit(own if board is None else OfBoard(board, own))
+
         match report:
-            case Outcome(id=number):
-                self._unanswered.discard(number)
-                if number in self._stops and report.error is None:
-                    self._may_move = False
-                self._stops.discard(number)
-                if isinstance(written := report.value, Written):
-                    written = replace(written, settings=self._as_here(written.settings))
-                    report = replace(report, value=written)
-                    if self._board is not None:
-                        self._board = replace(
-                            self._board, state=written.state, settings=written.settings
-                        )
-                if number != _LAST_STOP:
-                    self._emit(report)
+            case OfBoard(number=number, report=inner):
+                self._pass_back(inner, number)
+            case Outcome():
+                report = self._here(report, board)
+                if report.id != _LAST_STOP:
+                    emit(report)
             case Connected():
-                self._board = replace(report, settings=self._as_here(report.settings))
-                self._may_move = report.may_move
-                self._emit(self._board)
+                report = replace(report, settings=self._as_here(report.settings))
+                if board is None:
+                    self._board, self._may_move = report, report.may_move
+                emit(report)
             case Batch():
                 self._counters = report.counters
                 samples = tuple(
                     replace(one, time=one.time + self._offset) for one in report.samples
                 )
-                self._emit(replace(report, samples=samples))
+                emit(replace(report, samples=samples))
             case Traffic(events=events):
                 moved = (replace(one, time=one.time + self._offset) for one in events)
                 self._emit(Traffic(tuple(moved)))
             case MotorsStopped(reason=reason, confirmed=confirmed):
-                self._may_move = self._may_move and not confirmed
+                is_alone = self._board is None or not self._board.settings.group
+                self._may_move = self._may_move and not (confirmed and is_alone)
                 if self._has_armed or reason is None:  # else those of another client
-                    self._emit(report)
-                self._has_armed = self._has_armed and reason is None
+                    emit(report)
+                if is_alone:  # else those of the other boards follow
+                    self._has_armed = self._has_armed and reason is None
             case Welcome() | Refused() | Tick():
                 pass
             case _:
-                self._emit(report)
+                emit(report)
+
+    def _here(self, outcome: Outcome, board: int | None) -> Outcome:
+        """Take an outcome, and return it as it is for this computer."""
+        self._unanswered.discard(outcome.id)
+        if outcome.id in self._stops and outcome.error is None:
+            self._may_move = False
+        self._stops.discard(outcome.id)
+        if not isinstance(written := outcome.value, Written):
+            return outcome
+        written = replace(written, settings=self._as_here(written.settings))
+        if self._board is not None and board is None:
+            self._board = replace(self._board, state=written.state, settings=written.settings)
+        return replace(outcome, value=written)
 
     def _as_here(self, settings: ConnectionSettings) -> ConnectionSettings:
         """Return settings of the server's line with the URL by which it is reached from here."""
@@ -362,3 +383,8 @@ class RemoteSession:
                 self._pass_on(request)
         elif report.driver or not report.may_drive:
             self._reject_waiting()
+
+
+def _inner(request: Request) -> Request:
+    """Return what a request is, whichever board it is for."""
+    return request.request if isinstance(request, ToBoard) else request

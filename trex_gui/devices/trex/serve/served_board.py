@@ -26,6 +26,7 @@ from trex_gui.devices.trex.serve.server import BoardServer
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,
+    OfBoard,
     Report,
     SetReconnectCandidates,
     Traffic,
@@ -195,6 +196,9 @@ class ServedBoard:
 
     def _report(self, report: Report) -> None:
         """Take a report of the session, in its thread."""
+        if isinstance(report, OfBoard):
+            self.server.report(report)
+            return
         for event in self._board.take(report, self._computer.clock(), utc_now()):
             if isinstance(event, Sample):
                 self._publish(event)

@@ -55,6 +55,7 @@ from trex_gui.devices.trex.session.messages import (
     Job,
     LeaseChanged,
     NotResponding,
+    OfBoard,
     ProbeNumber,
     ReadReason,
     ReturnLease,
@@ -62,6 +63,7 @@ from trex_gui.devices.trex.session.messages import (
     SetpointsChanged,
     SetWatched,
     TakeLease,
+    ToBoard,
     Traffic,
     Written,
 )
@@ -97,7 +99,9 @@ class _Client:
     sent: int = 0
     sent_at: float = 0.0
     watched: SetWatched = _WATCHES
-    jobs: deque[Job] = field(default_factory=deque)  # that wait until the one in flight is done
+    jobs: deque[Job | ToBoard] = field(
+        default_factory=deque
+    )  # that wait until the one in flight is done
     in_flight: int = 0  # id of a job that was requested; 0: none was
 
 
@@ -134,6 +138,7 @@ class BoardServer:
         self._watched_stops: dict[int, Callable[[Outcome], None]] = {}  # by id
         self._lease_stop = 0  # id of the stop at the end of a lease
         self._speeds: dict[int, int] = {}  # set by the driver since the last stop, by motor
+        self._others: dict[int, Connected | None] = {}  # other boards of the line, by number
 
     # --- Time ---------------------------------------------------------------------------
 
@@ -249,6 +254,7 @@ class BoardServer:
             Welcome(self.name),
             self._lease_for(client),
             *self._newest.values(),
+            *(OfBoard(number, one) for number, one in self._others.items() if one is not None),
         ]
         for report in news:
             self._post(client, encode_report(report), now)
@@ -291,13 +297,22 @@ class BoardServer:
             case _:
                 self._serve_board(client, request, age)
 
-    def _serve_board(self, client: _Client, request: Request, age: float) -> None:
+    def _serve_board(
+        self, client: _Client, request: Request, age: float, number: int | None = None
+    ) -> None:
+        """Serve a request for the board with this number, of several; `None` is the first one."""
+        if isinstance(request, ToBoard):
+            if request.number in self._others or request.number in self._first:
+                self._serve_board(client, request.request, age, request.number)
+            else:
+                self._reject(client, request.request)
+            return
         if isinstance(request, SendPacket):
             request = SendPacket(request.id, self._cut(request.packet))
         if not self._may_send(client, request):
             self._reject(client, request)
         elif isinstance(request, Job):
-            client.jobs.append(request)
+            client.jobs.append(request if number is None else ToBoard(number, request))
             self._request_next_job(client)
         elif isinstance(request, _STALE) and age > LEASE_TIMEOUT:
             self._refuse("too old")
@@ -305,8 +320,17 @@ class BoardServer:
             self._refuse("impossible setpoint")
         elif isinstance(request, Heartbeat):
             self._request(Heartbeat())  # on the clock of this computer
+        elif number is not None and isinstance(request, SetpointRequest):
+            self._pending_stop = 0
+            self._request(ToBoard(number, request))
         else:
             self._forward(client, request)
+
+    @property
+    def _first(self) -> tuple[int, ...]:
+        """The number of the first board, of several."""
+        connected = self._newest.get(Connected)
+        return connected.settings.group[:1] if isinstance(connected, Connected) else ()
 
     def _may_send(self, client: _Client, request: Request) -> bool:
         if isinstance(request, Stop):
@@ -325,18 +349,21 @@ class BoardServer:
         """Let each client have one job in flight: the others end with its lease."""
         if client.jobs and not client.in_flight:
             request = client.jobs.popleft()
-            if isinstance(request, SendPacket) and request.packet.moves:
+            job = request.request if isinstance(request, ToBoard) else request
+            assert isinstance(job, Job)  # noqa: S101 - nothing else is queued
+            if isinstance(job, SendPacket) and job.packet.moves:
                 self._pending_stop = 0
             client.in_flight = own = next(self._ids)
-            self._outcomes[own] = [(client.party, request.id)]
-            self._request(_numbered(request, own))
+            self._outcomes[own] = [(client.party, job.id)]
+            job = _numbered(job, own)
+            self._request(replace(request, request=job) if isinstance(request, ToBoard) else job)
 
     def _drop_jobs(self, party: Party) -> None:
         """Reject what a client has requested that does not drive any more."""
         if (client := self._clients.get(party)) is not None:
             jobs, client.jobs = client.jobs, deque()
             for job in jobs:
-                self._reject(client, job)
+                self._reject(client, job.request if isinstance(job, ToBoard) else job)
 
     def _change(self, change: Callable[[], bool]) -> None:
         """Stop the motors of one driver before another one may arm them."""
@@ -412,20 +439,27 @@ class BoardServer:
                 case Outcome():
                     self._report_outcome(report, now)
                     return
+                case OfBoard(number=number, report=Outcome() as outcome):
+                    self._report_outcome(outcome, now, number)
+                    return
+                case OfBoard(number=number, report=Connected() as board):
+                    self._others[number] = replace(board, occasion=ReadReason.OPENED)
                 case Connected():
                     self.polynomial = report.settings.framing.polynomial
                     first = replace(report, occasion=ReadReason.OPENED)
                     lasting = {GuardianChanged, SetpointsChanged} & self._newest.keys()
                     kept = {kind: self._newest[kind] for kind in lasting}
                     self._newest = {Connected: first, **kept}
+                    others = report.settings.group[1:]
+                    self._others = {one: self._others.get(one) for one in others}
                 case GuardianChanged() | NotResponding() | SetpointsChanged():
                     self._newest[type(report)] = report
-                case MotorsStopped():
+                case MotorsStopped() | OfBoard(report=MotorsStopped()):
                     self._speeds.clear()
                 case Batch():
                     self._report_setpoints()
                 case Closed():
-                    self._newest = {Closed: report}
+                    self._newest, self._others = {Closed: report}, {}
             self._post_all(report, (one for one in self._all if _is_for(report, one.watched)))
 
     def _report_lease_stop(self, *, confirmed: bool) -> None:
@@ -440,30 +474,38 @@ class BoardServer:
         if setpoints != self._newest.get(SetpointsChanged, SetpointsChanged()):
             self.report(setpoints)
 
-    def _report_outcome(self, outcome: Outcome, now: float) -> None:
-        """Pass an outcome on to those that wait for it; its client may have the next job."""
+    def _report_outcome(self, outcome: Outcome, now: float, board: int | None = None) -> None:
+        """Pass an outcome on to those that wait for it; its client may have the next job.
+
+        `board` is the number of another board than the first one.
+        """
         waiting = self._outcomes.pop(outcome.id, [])
         if isinstance(outcome.value, Written):
-            self._report_written(outcome.value, [party for party, _ in waiting], now)
+            self._report_written(outcome.value, [party for party, _ in waiting], board)
         for party, number in waiting[:_MOST_WAITING]:
             if client := self._clients.get(party):
-                self._post(client, encode_report(_numbered(outcome, number)), now)
+                own = _numbered(outcome, number)
+                report = own if board is None else OfBoard(board, own)
+                self._post(client, encode_report(report), now)
         for client in self._clients.values():
             if client.in_flight == outcome.id:
                 client.in_flight = 0
                 self._request_next_job(client)
 
-    def _report_written(self, written: Written, writers: list[Party], now: float) -> None:
-        """Let everybody but its writer know what the board stores now."""
-        connected = self._newest.get(Connected)
+    def _report_written(self, written: Written, writers: list[Party], board: int | None) -> None:
+        """Let everybody but its writer know what a board stores now."""
+        connected = self._newest.get(Connected) if board is None else self._others.get(board)
         if not isinstance(connected, Connected):
             return
         connected = replace(connected, state=written.state, settings=written.settings)
-        self._newest[Connected] = connected
-        form = encode_report(replace(connected, occasion=ReadReason.RELOADED))
-        for client in self._clients.values():
-            if client.party not in writers:
-                self._post(client, form, now)
+        reloaded = replace(connected, occasion=ReadReason.RELOADED)
+        others = (one for one in self._all if one.party not in writers)
+        if board is None:
+            self._newest[Connected] = connected
+            self._post_all(reloaded, others)
+        else:
+            self._others[board] = connected
+            self._post_all(OfBoard(board, reloaded), others)
 
     def end(self, error: StudioError | None, *, may_move: bool) -> None:
         """Tell every client that the line was closed."""
@@ -510,6 +552,8 @@ class BoardServer:
 
 def _is_for(report: Report, watched: SetWatched) -> bool:
     """Return whether a client that watches like this gets a report."""
+    if isinstance(report, OfBoard):
+        return _is_for(report.report, watched)
     if isinstance(report, Traffic):
         return watched.traffic
     return watched.watched or not isinstance(report, Batch)
