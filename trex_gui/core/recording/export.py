@@ -3,13 +3,14 @@
 import csv
 import io
 import json
+from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, BinaryIO
 
 from trex_gui.core.files import atomic_file
-from trex_gui.core.recording.kinds import SampleKind, Value
+from trex_gui.core.recording.kinds import SOURCE, SampleKind, Value
 from trex_gui.core.recording.store import CHUNK, NOT_WRITTEN, ExportRow, Recording, reported
 
 MCAP_SUFFIX = ".mcap"
@@ -69,17 +70,21 @@ def _write_csv(
     names = list(dict.fromkeys(name for kind in recording.kinds for name in kind.exported))
     places = {name: place for place, name in enumerate(names)}
     columns = {kind.name: [places[name] for name in kind.exported] for kind in recording.kinds}
-    held: list[Value] = [None] * len(names)
+    # By source: what one of them has measured is held for that one
+    held_of: dict[Value, list[Value]] = defaultdict(lambda: [None] * len(names))
     text = io.TextIOWrapper(file, encoding="utf-8", errors="surrogatepass", newline="")
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(["time_s", "sample", *names])
-    cells = held.copy()
+    cells: list[Value] = [None] * len(names)
     cells[places["text"]] = json.dumps(header)
     writer.writerow(["0.000000", "header", *cells])
     for rows in _rows(recording, span, progress):
         lines = []
         for time, index, values in rows:
             kind = recording.kinds[index]
+            exported = kind.exported
+            source = values[exported.index(SOURCE)] if SOURCE in exported else None
+            held = held_of[source]
             for cleared in kind.clears & columns.keys():
                 for place in columns[cleared]:
                     held[place] = None

@@ -4,13 +4,15 @@ The store, the exports and `trexcmd stream` take names, units and values from he
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Any, Generic, Literal, Protocol, TypeVar
 
 from trex_gui.core.errors import StudioError
 
 Value = int | float | str | None
+
+SOURCE = "board"  # column that tells the devices of a recording apart, if it has several
 
 LONGEST_TEXT = 60_000  # characters kept of a text; the settings of a board take 4,000
 
@@ -56,11 +58,15 @@ def marker(time: float, kind: str, text: str) -> Marker:
 
 @dataclass(frozen=True, slots=True)
 class Physical:
-    """A column computed from a stored one: `scale` times its value, to so many decimals."""
+    """A column computed from a stored one: `scale` times its value, to so many decimals.
+
+    `scales` are those of rows with another `SOURCE` than the one of the header, by it.
+    """
 
     name: str
     scale: float
     digits: int
+    scales: Mapping[int, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,11 +138,13 @@ class RecordingFormat(Generic[HeaderT]):
     """Content of the recordings of a device. `device` is its key in the header table.
 
     `read_header` makes the header of its rows; it raises ValueError where they are damaged.
+    `type_of` returns the type of the kind of a record.
     """
 
     device: str
     read_header: Callable[[Mapping[str, Any]], HeaderT]
     kinds: Callable[[HeaderT], Sequence[SampleKind]]
+    type_of: Callable[[Any], type[object]] = type
 
 
 class RecordingError(StudioError):

@@ -23,6 +23,7 @@ from trex_gui.core.files import atomic_file, check_ordinary, open_ordinary
 from trex_gui.core.recording.kinds import (
     LONGEST_TEXT,
     MARKERS,
+    SOURCE,
     HeaderT,
     Marker,
     RecordingError,
@@ -87,7 +88,7 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
     """
 
     def __init__(self, path: Path, fmt: RecordingFormat[HeaderT], header: HeaderT) -> None:
-        self._path = path
+        self._path, self._type_of = path, fmt.type_of
         self._count = 0
         self._kinds: dict[type[object], tuple[SampleKind, str]] = {}
         with reported(path, NOT_WRITTEN):
@@ -140,8 +141,9 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
         number = self._count
         for record in records:
             number += 1
-            kind = self._kinds[type(record)][0]
-            rows.setdefault(type(record), []).append((number, record.time, *kind.pack(record)))
+            record_type = self._type_of(record)
+            kind = self._kinds[record_type][0]
+            rows.setdefault(record_type, []).append((number, record.time, *kind.pack(record)))
         with reported(self._path, NOT_WRITTEN):
             if not self._database.in_transaction:
                 self._database.execute("BEGIN")
@@ -213,7 +215,11 @@ def _create_table(kind: SampleKind, start: float) -> str:
         null = "" if column.optional else " NOT NULL"
         lines.append((f"{column.name} {column.type}{null}", column.description))
         if (physical := column.physical) is not None:
-            expression = f"{column.name} * {physical.scale!r}"
+            scale = repr(physical.scale)
+            if physical.scales:
+                others = (f"WHEN {key} THEN {value!r}" for key, value in physical.scales.items())
+                scale = f"CASE {SOURCE} {' '.join(others)} ELSE {scale} END"
+            expression = f"{column.name} * {scale}"
             generated = _generated(physical.name, expression, physical.digits)
             lines.append((generated, column.description))
     body = "".join(

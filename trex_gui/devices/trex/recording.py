@@ -1,7 +1,8 @@
 """Recordings of a board: header, sample kinds, and rows of measurements."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from typing import Any, Self
 
@@ -9,6 +10,7 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.core.recording.kinds import (
     LONGEST_TEXT,
     MARKERS,
+    SOURCE,
     Column,
     Marker,
     RecordingFormat,
@@ -60,7 +62,22 @@ class SettingsSnapshot:
     text: str
 
 
-Record = Sample | SetpointRecord | AuxiliarySetpointRecord | Marker | SettingsSnapshot
+OwnRecord = Sample | SetpointRecord | AuxiliarySetpointRecord | Marker | SettingsSnapshot
+
+
+@dataclass(frozen=True, slots=True)
+class OfBoardRecord:
+    """A record of another board that is driven with the one of the header, by its number."""
+
+    board: int
+    record: OwnRecord
+
+    @property
+    def time(self) -> float:
+        return self.record.time
+
+
+Record = OwnRecord | OfBoardRecord
 """Times are seconds on the session's clock."""
 
 
@@ -86,13 +103,27 @@ class Header:
     settings: str = ""  # what the board stored at the start, as the text of a settings file
     device_number: int | None = None  # `None` where the board was addressed without one
     program: str = f"TReX Studio {__version__}"
+    # Other boards in the recording: ampere per count, by number
+    others: Mapping[int, float] = field(default_factory=dict)
 
     @classmethod
-    def of(cls, state: DeviceState, clock: float, device_number: int | None) -> "Header":
+    def of(
+        cls,
+        state: DeviceState,
+        clock: float,
+        device_number: int | None,
+        others: Mapping[int, float] | None = None,
+    ) -> "Header":
         signature, settings = state.signature, settings_text(state)
-        started = datetime.now(UTC)
         return cls(
-            started, clock, signature.model, signature.firmware, state.mode, settings, device_number
+            datetime.now(UTC),
+            clock,
+            signature.model,
+            signature.firmware,
+            state.mode,
+            settings,
+            device_number,
+            others=others or {},
         )
 
     @property
@@ -114,6 +145,7 @@ class Header:
             "device_number": self.device_number,
             "settings": self.settings,
             "program": self.program,
+            **({"other_boards": json.dumps(self.others)} if self.others else {}),
         }
 
     @classmethod
@@ -129,8 +161,12 @@ class Header:
                 settings=str(values["settings"]),
                 device_number=None if number is None else int(number),
                 program=str(values["program"]),
+                others={
+                    int(board): float(unit)
+                    for board, unit in json.loads(values.get("other_boards", "{}")).items()
+                },
             )
-        except (KeyError, TypeError, OverflowError, BadRequest) as error:
+        except (KeyError, TypeError, AttributeError, OverflowError, BadRequest) as error:
             raise ValueError(f"the header is incomplete ({error})") from error
 
 
@@ -180,6 +216,41 @@ def sample_kinds(source: InputSource, current_unit: float) -> tuple[SampleKind, 
     )
 
 
+def _with_board(kind: SampleKind, own: int | None, others: Mapping[int, float]) -> SampleKind:
+    """Return a kind of samples with a column for the board; `own` is that of the header."""
+
+    def pack(record: OwnRecord | OfBoardRecord) -> Sequence[Value]:
+        if isinstance(record, OfBoardRecord):
+            return (*kind.pack(record.record), record.board)
+        return (*kind.pack(record), own)
+
+    def unpack(time: float, *values: Any) -> Record:
+        *inner, board = values
+        record: OwnRecord = kind.unpack(time, *inner)
+        return record if board == own else OfBoardRecord(board, record)
+
+    columns = kind.columns
+    if kind.type is Currents:
+        columns = tuple(
+            replace(one, physical=one.physical and replace(one.physical, scales=others))
+            for one in columns
+        )
+    board = Column(SOURCE, "INTEGER", "device number", optional=own is None)
+    return replace(kind, columns=(*columns, board), pack=pack, unpack=unpack)
+
+
+def _kinds(header: Header) -> tuple[SampleKind, ...]:
+    kinds = sample_kinds(header.mode.source, header.model.current_unit)
+    if not header.others:
+        return kinds
+    number, others = header.device_number, header.others
+    return tuple(one if one is MARKERS else _with_board(one, number, others) for one in kinds)
+
+
+def _type_of(record: Record) -> type[object]:
+    return type(record.record if isinstance(record, OfBoardRecord) else record)
+
+
 def _setpoint(  # noqa: PLR0917 - a value for each column
     time: float, motor: int, direction: str, speed: int, brake: int | None, accelerate: int
 ) -> SetpointRecord:
@@ -187,11 +258,7 @@ def _setpoint(  # noqa: PLR0917 - a value for each column
     return SetpointRecord(time, motor, drive, bool(accelerate))
 
 
-FORMAT = RecordingFormat(
-    "trex",
-    Header.from_values,
-    lambda header: sample_kinds(header.mode.source, header.model.current_unit),
-)
+FORMAT = RecordingFormat("trex", Header.from_values, _kinds, _type_of)
 
 
 Row = dict[str, float | int | str | None]

@@ -1,5 +1,7 @@
 """Recording a session while it runs."""
 
+import csv
+import math
 import re
 import shutil
 from collections.abc import Callable, Iterator
@@ -10,18 +12,20 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.recording.samples import open_recording, read_file
-from tests.support.simulator import SimulatedDevice
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.core.events import EventKind
 from trex_gui.core.recording.backlog import Backlog
+from trex_gui.core.recording.export import export_span
 from trex_gui.core.recording.kept import kept_path, make_kept_folder, make_room
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.trex.client.telemetry import Control, Currents, Raw, Remapped, Sample
 from trex_gui.devices.trex.model import recorder
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.group import BoardGroup
 from trex_gui.devices.trex.model.recorder import EventRecorder, Recorder
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
-from trex_gui.devices.trex.recording import Record, SetpointRecord, SettingsSnapshot
+from trex_gui.devices.trex.recording import OfBoardRecord, Record, SetpointRecord, SettingsSnapshot
 from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now
@@ -339,3 +343,36 @@ def test_slow_disk_drops_samples_and_marks_the_gap() -> None:
     assert backlog.get(0) == [Marker(20.0, "note", text), Control(20.0, by_serial=True)]
     backlog.close(21.0)
     assert backlog.get(0) is None
+
+
+def test_recording_of_two_boards_tells_them_apart(
+    start_simulator: StartSimulator, qtbot: QtBot, tmp_path: Path
+) -> None:
+    simulator = start_simulator("--unpaced", "--device", "7", "--device", "9:trexjr")
+    device, path = Device(), tmp_path / "both.trexrec"
+    group, recorder = BoardGroup(device), Recorder(device)
+    settings = ConnectionSettings(simulator.url).with_group((7, 9))
+    device.connect_to(settings)
+    qtbot.waitUntil(lambda: device.motors.is_available)
+    recorder.start(path)
+    device.motors.arm()
+    device.motors.set_speeds(40, -20)
+    qtbot.waitUntil(lambda: group.devices[9].board.newest[Currents].counts[0] > 0)
+    with qtbot.waitSignal(recorder.ended):
+        recorder.stop()
+    device.shut_down()
+    recording = open_recording(path)
+    records = recording.read(1, recording.count)
+    others = [one for one in records if isinstance(one, OfBoardRecord)]
+    assert {one.board for one in others} == {9}
+    assert any(isinstance(one.record, SetpointRecord) for one in others)
+    assert any(isinstance(one, Currents) for one in records)
+    export = tmp_path / "both.csv"
+    export_span(recording, export, (0, math.inf), {})
+    recording.close()
+    with export.open(encoding="utf-8", newline="") as file:
+        rows = [row for row in csv.DictReader(file) if row["sample"] == "currents"]
+    for row in rows:
+        counts = {"7": 0.15, "9": 0.04}[row["board"]] * int(row["motor_1_current_counts"])
+        assert float(row["motor_1_current_A"]) == pytest.approx(counts)
+    assert {row["board"] for row in rows} == {"7", "9"}

@@ -27,6 +27,7 @@ from trex_gui.devices.trex.recording import (
     FORMAT,
     AuxiliarySetpointRecord,
     Header,
+    OfBoardRecord,
     Record,
     SetpointRecord,
     SettingsSnapshot,
@@ -127,7 +128,7 @@ def write_an_hour(path: Path, minutes: int = 60) -> int:
 
     Return the number of samples of the currents.
     """
-    minute = list(an_hour(60))
+    minute = [record for record in an_hour(60) if not isinstance(record, OfBoardRecord)]
     writer = RecordingWriter[Header, Record](path, FORMAT, HEADER)
     for number in range(minutes):
         writer.write([replace(record, time=record.time + 60 * number) for record in minute])

@@ -33,13 +33,16 @@ from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.protocol.raw_packets import RawPacket
-from trex_gui.devices.trex.session.messages import Connected, ReadReason, SendPacket
+from trex_gui.devices.trex.session.messages import Connected, ReadReason, SendPacket, ToBoard
 from trex_gui.devices.trex.settings.document import settings_of
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier, never
 from trex_gui.ui.runtime import new_timer, now
+
+Routed = Sequence[tuple[int | None, SetpointRequest]]
+"""Setpoints for each board of a group, by number; `None` is the one board."""
 
 AfterStop = Callable[[StudioError | None], None]
 """Gets `None` if a stop is confirmed, else why it is not."""
@@ -78,7 +81,7 @@ class DriveController(QObject):
         self._lost_place = ""  # of that line
         self._board: Connected | None = None  # the board at the line, as far as it is known
         # In a group: what each board gets for setpoints; the number of one that cannot be driven
-        self.routed: Callable[[SetpointRequest], Sequence[object]] = lambda request: (request,)
+        self.routed: Callable[[SetpointRequest], Routed] = lambda request: ((None, request),)
         self.lacking: Callable[[], int | None] = lambda: None
         self.reaches_several = False  # whether commands without a number reach several boards
         self._was_read = False  # since the line was opened
@@ -149,7 +152,10 @@ class DriveController(QObject):
 
     @Slot(object)
     def _on_drive_requested(self, request: SetpointRequest) -> None:
-        if all(self._connection.submit(one) for one in self.routed(request)):
+        routed = (
+            one if number is None else ToBoard(number, one) for number, one in self.routed(request)
+        )
+        if all(map(self._connection.submit, routed)):
             self.may_move = True
             self.driven.update(each.motor for each in setpoints_in(request) if not is_idle(each))
 

@@ -19,8 +19,9 @@ from trex_gui.devices.trex.driving.wheels import (
     unpacked,
 )
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.drive_controller import Routed
 from trex_gui.devices.trex.protocol.flags import MOTOR_FAULTS, bit_names
-from trex_gui.devices.trex.session.messages import Batch, ToBoard
+from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.preferences import Preferences
 
@@ -88,11 +89,10 @@ class BoardGroup(QObject):
 
     # --- The motors -----------------------------------------------------------------------
 
-    def _routed(self, request: SetpointRequest) -> Sequence[object]:
+    def _routed(self, request: SetpointRequest) -> Routed:
         if not self.wheels or isinstance(request, SetAuxiliary):
-            return (request,)
-        found = setpoints_of(self.wheels, request)
-        return [ToBoard(board, setpoint) for board, setpoint in found.items()]
+            return ((None, request),)
+        return tuple(setpoints_of(self.wheels, request).items())
 
     def _lacking(self) -> int | None:
         """Return the number of another board that cannot be driven; `None`: all can."""

@@ -19,13 +19,14 @@ from trex_gui.devices.trex.recording import (
     AuxiliarySetpointRecord,
     BoardSnapshot,
     Header,
+    OfBoardRecord,
     Record,
     SetpointRecord,
     SettingsSnapshot,
     setpoint_record,
     settings_text,
 )
-from trex_gui.devices.trex.session.messages import Batch
+from trex_gui.devices.trex.session.messages import Batch, Connected, Report
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer, now
@@ -49,8 +50,11 @@ class Recorder(RecordThread[Record]):
         self._device = device
         self._board: tuple[object, ...] = ()
         self._settings = ""
+        self._others: dict[int, float] = {}  # of the group: ampere per count, by number
 
         device.sampled.connect(self._on_sampled)
+        device.connection.of_board.connect(self._on_other_board)
+        device.connection.started.connect(self._others.clear)
         device.events.happened.connect(self.put_event)
         device.motors.requested.connect(self._on_requested)
         device.state_changed.connect(self._on_state_changed)
@@ -72,7 +76,7 @@ class Recorder(RecordThread[Record]):
         """Return the header of a recording that starts now, which is of this board only."""
         settings = self._device.settings
         number = settings.device_number if settings is not None else None
-        header = Header.of(state, now(), number)
+        header = Header.of(state, now(), number, self._others.copy())
         self._board, self._settings = self._identity(state), header.settings
         return header
 
@@ -80,10 +84,21 @@ class Recorder(RecordThread[Record]):
     def _on_sampled(self, batch: Batch) -> None:
         self.put(*batch.samples)
 
+    @Slot(int, object)
+    def _on_other_board(self, number: int, report: Report) -> None:
+        if isinstance(report, Connected):
+            self._others[number] = report.state.signature.model.current_unit
+        elif isinstance(report, Batch):
+            self.put(*(OfBoardRecord(number, sample) for sample in report.samples))
+
     @Slot(object)
     def _on_requested(self, request: SetpointRequest) -> None:
-        time = now()
-        self.put(*(setpoint_record(setpoint, time) for setpoint in setpoints_in(request)))
+        time, settings = now(), self._device.settings
+        own = None if settings is None else settings.device_number
+        for number, routed in self._device.driving.routed(request):
+            for setpoint in setpoints_in(routed):
+                record = setpoint_record(setpoint, time)
+                self.put(record if number in {None, own} else OfBoardRecord(number, record))
 
     @Slot()
     def _on_state_changed(self) -> None:
