@@ -95,11 +95,14 @@ class TrexController(DeviceController[ConnectionSettings]):
 
     def connect_to(self, port: Port) -> None:
         if not self.may_move:  # else that is where the motors are
-            if port != self._last:
-                self._leave_group()
             self._last = port
         self.device.motors.adapter = "" if port.adapter is None else port.adapter.key
         super().connect_to(port)
+
+    def choose(self, port: Port) -> None:
+        if self._chosen is not None and not self._chosen.is_same(port) and not self.may_move:
+            self._leave_group()
+        super().choose(port)
 
     def _leave_group(self) -> None:
         """Connect to one board from now on."""

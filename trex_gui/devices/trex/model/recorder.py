@@ -50,7 +50,9 @@ class Recorder(RecordThread[Record]):
         self._device = device
         self._board: tuple[object, ...] = ()
         self._settings = ""
-        self._others: dict[int, float] = {}  # of the group: ampere per count, by number
+        # Of the group, by number: ampere per count; and those that the header has
+        self._others: dict[int, float] = {}
+        self._recorded: dict[int, float] = {}
 
         device.sampled.connect(self._on_sampled)
         device.connection.of_board.connect(self._on_other_board)
@@ -76,7 +78,8 @@ class Recorder(RecordThread[Record]):
         """Return the header of a recording that starts now, which is of this board only."""
         settings = self._device.settings
         number = settings.device_number if settings is not None else None
-        header = Header.of(state, now(), number, self._others.copy())
+        self._recorded = self._others.copy()
+        header = Header.of(state, now(), number, self._recorded)
         self._board, self._settings = self._identity(state), header.settings
         return header
 
@@ -87,8 +90,8 @@ class Recorder(RecordThread[Record]):
     @Slot(int, object)
     def _on_other_board(self, number: int, report: Report) -> None:
         if isinstance(report, Connected):
-            self._others[number] = report.state.signature.model.current_unit
-        elif isinstance(report, Batch):
+            self._others.setdefault(number, report.state.signature.model.current_unit)
+        elif isinstance(report, Batch) and number in self._recorded:
             self.put(*(OfBoardRecord(number, sample) for sample in report.samples))
 
     @Slot(object)
@@ -98,7 +101,10 @@ class Recorder(RecordThread[Record]):
         for number, routed in self._device.driving.routed(request):
             for setpoint in setpoints_in(routed):
                 record = setpoint_record(setpoint, time)
-                self.put(record if number in {None, own} else OfBoardRecord(number, record))
+                if number in {None, own}:
+                    self.put(record)
+                elif number in self._recorded:
+                    self.put(OfBoardRecord(number, record))
 
     @Slot()
     def _on_state_changed(self) -> None:
@@ -161,6 +167,12 @@ class EventRecorder(Recorder):
         self.is_on = on
         Preferences().set(_KEEP, on)
 
+    @Slot(int, object)
+    def _on_other_board(self, number: int, report: Report) -> None:
+        super()._on_other_board(number, report)
+        if not self.recording:  # the next header has every board that is there
+            self._recorded = self._others
+
     @property
     def cause(self) -> str:
         return "" if self._event is None else self._event.text
@@ -214,7 +226,14 @@ class EventRecorder(Recorder):
         start = self._recent[0].time if self._recent else now()
         started = datetime.now(UTC) - timedelta(seconds=now() - start)
         mode = before[ModeSample].mode
-        header = replace(header, started=started, clock=start, mode=mode, settings=before.settings)
+        header = replace(
+            header,
+            started=started,
+            clock=start,
+            mode=mode,
+            settings=before.settings,
+            others=self._recorded.copy(),
+        )
         first: list[Record] = [
             SetpointRecord(start, motor, drive) for motor, drive in before.setpoints.items()
         ]

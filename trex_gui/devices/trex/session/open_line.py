@@ -26,6 +26,11 @@ from trex_gui.devices.trex.session.polling import Topic
 from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
 from trex_gui.devices.trex.session.request_queue import BoardQueue, TrexRequestQueue
 
+_PATIENCE = 3
+"""Unanswered rounds in a row after which one board of several counts as silent.
+
+A stop is repeated with every attempt to find it again."""
+
 
 class SampleBatcher:
     def __init__(self, report: Callable[[Batch], None]) -> None:
@@ -93,11 +98,16 @@ class OpenLine:
 
     def serve_motors(self) -> bool:
         """Stop boards or drive one if that is due; return whether the line was used."""
-        runs = [(board, run) for board in self.boards for run in board.due_stops()]
-        if not runs:
-            return any(board.drive() for board in self.boards)
-        self._stop(dict(runs))
-        return True
+        return self.serve_stops() or self.drive_next()
+
+    def serve_stops(self) -> bool:
+        runs = {board: run for board in self.boards for run in board.due_stops()}
+        if runs:
+            self._stop(runs)
+        return bool(runs)
+
+    def drive_next(self) -> bool:
+        return any(board.drive() for board in self.boards)
 
     def stop_and_confirm(self) -> bool:
         """Stop this board unprompted, for good; return whether it has confirmed it."""
@@ -112,12 +122,16 @@ class OpenLine:
             self.requests.collect()
             others = [one for one in self.boards if one not in runs]
             more = {one: run for one in others for run in one.due_stops()}
+            for run in more.values():
+                run.patience = _PATIENCE
             runs.update(more)
             return list(more.values())
 
         if len(self.boards) == 1:
             stop_together(list(runs.values()))
             return
+        for run in runs.values():
+            run.patience = _PATIENCE
         stop_together(list(runs.values()), due)
         for board, run in runs.items():
             for error in run.unanswered:  # nothing may drive the others before it responds again

@@ -53,6 +53,11 @@ class LivenessMonitor:
         self._failures_of.clear()
         self._has_probed = False
 
+    @property
+    def is_failing(self) -> bool:
+        """Whether the last transaction failed, and the board does not count as silent yet."""
+        return self._failures > 0 and not self.silent
+
     def note_answer(self, topic: Topic) -> None:
         self._failures = self._failures_of[topic] = 0
 

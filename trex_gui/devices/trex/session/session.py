@@ -94,6 +94,7 @@ class TrexSession:
         self._boards = [self._board(*one, may_move) for one in boards.items()] or [
             self._board(None, settings, may_move)
         ]
+        self._has_driven = False  # and not polled since, with several boards
         self._in_turn = list(self._boards)  # who was served least recently comes first
         self._requests = TrexRequestQueue(inbox, {one.number: one.queue for one in self._boards})
 
@@ -307,13 +308,21 @@ class TrexSession:
             board.line.batcher.interval = FRAME if watched else UNWATCHED_INTERVAL
             board.line.has_driven = board.line.has_driven or board.motors.may_move
             board.line.flush_if_due(now)
-        if first.serve_motors():
+        if first.serve_stops():
             return
-        for board in self._in_turn:
+        if not self._has_driven and first.drive_next():
+            # Where several boards share the line, a poll that is due has its turn first
+            self._has_driven = len(self._boards) > 1
+            return
+        has_driven, self._has_driven = self._has_driven, False
+        # One that may have fallen silent comes first: it stops the others
+        for board in sorted(self._in_turn, key=lambda one: not one.liveness.is_failing):
             if self._serve(board, now, watched=watched):
                 self._in_turn.remove(board)
                 self._in_turn.append(board)
                 return
+        if has_driven:
+            return  # what is due to be driven comes next
         first.collect(self._seconds_to_wait(now))
 
     def _serve(self, board: _Board, now: float, *, watched: bool) -> bool:
