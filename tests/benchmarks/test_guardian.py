@@ -5,6 +5,7 @@ some 10 ms.
 """
 
 import signal
+import subprocess
 import sys
 import time
 from pathlib import Path
@@ -12,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from tests.benchmarks.conftest import ReportFigure, fast_board
+from tests.devices.trex.test_library import DRIVES_TWO
 from tests.end_to_end.test_every_stop_cause import DrivingProcess
 from tests.support.pages.motors import is_stopped
 from tests.support.simulator import SimulatorProcess
@@ -83,3 +85,28 @@ def test_motors_stop_soon_after_a_fault(
             window.end()
             simulator.end()
     figure(f"{fault}, {place}: until the stop, worst of {_ROUNDS}", worst, "s", at_most=limit)
+
+
+@pytest.mark.timeout(600)
+def test_two_boards_stop_soon_after_the_death_of_their_program(figure: ReportFigure) -> None:
+    worst = 0.0
+    for _ in range(4 * _ROUNDS):
+        simulator = SimulatorProcess("--device", "7", "--device", "9")
+        command = [sys.executable, "-c", DRIVES_TWO, simulator.url]
+        with subprocess.Popen(command, stdout=subprocess.PIPE) as program:
+            assert program.stdout is not None
+            assert program.stdout.readline() == b"drives\n"
+            begun = time.perf_counter()
+            program.kill()
+        moving = ["@7", "@9"]
+        while moving:
+            moving = [one for one in moving if _turns(simulator, one)]
+            assert time.perf_counter() - begun < 10
+        worst = max(worst, time.perf_counter() - begun)
+        simulator.end()
+    name = f"killed, two boards at 19200 baud: until both stop, worst of {4 * _ROUNDS}"
+    figure(name, worst, "s", at_most=_DEATH_S)
+
+
+def _turns(simulator: SimulatorProcess, board: str) -> bool:
+    return any(motor["target_direction"] != "brake" for motor in simulator.show(board)["motors"])

@@ -444,3 +444,32 @@ def test_board_that_is_lost_stops_the_others_and_is_named(
 def test_boards_of_a_line_have_numbers_of_their_own(boards: tuple[int, ...]) -> None:
     with pytest.raises(BadRequest):
         TrexLine("/dev/ttyUSB0", boards=boards)
+
+
+DRIVES_TWO = """
+import sys
+from trex_gui import TrexLine
+with TrexLine(sys.argv[1], boards=(7, 9)) as line:
+    line.drive(60, -60)
+    line.wait(0.5)
+    print("drives", flush=True)
+    line.wait(60)
+"""
+
+
+@pytest.mark.realtime
+def test_every_board_of_a_program_that_is_killed_is_stopped(
+    start_simulator: StartSimulator,
+) -> None:
+    boards = start_simulator("--device", "7", "--device", "9")
+    command = [sys.executable, "-c", DRIVES_TWO, boards.url]
+    with subprocess.Popen(command, stdout=subprocess.PIPE) as program:
+        assert program.stdout is not None
+        assert program.stdout.readline() == b"drives\n"
+        program.kill()
+
+    def directions() -> set[str]:
+        return {boards.show(name)["motors"][0]["direction"] for name in ("@7", "@9")}
+
+    assert comes_true(lambda: directions() == {"brake"})
+    assert comes_true(lambda: [how for _, how in logged_stops(0)[1]] == [StopResult.CONFIRMED])
