@@ -2,11 +2,12 @@
 
 import pytest
 
-from tests.end_to_end.test_boards_on_one_line import connect
+from tests.end_to_end.test_boards_on_one_line import connect, rows
 from tests.support.pages.motors import MotorsPage
 from tests.support.simulator import StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 
 
 @pytest.fixture
@@ -58,6 +59,20 @@ def test_board_that_is_lost_stops_the_other_and_is_named(
     assert not window.motors.can_arm
     boards.do("@9 power on")
     window.wait(lambda: window.motors.is_available)
+
+
+def test_group_is_left_where_no_other_board_was_sought(
+    window: WindowDriver, start_simulator: StartSimulator
+) -> None:
+    line = start_simulator("--unpaced", "--device", "7", "--device", "9")
+    settings = ConnectionSettings(line.url).with_group((7, 9))
+    port = window.program.ports.add_typed(line.url)
+    window.program.device_manager.connect_with(port, settings)
+    window.wait(lambda: window.device.is_connected and window.motors.is_available)
+    assert [name for name, *_ in rows(window)] == ["7 · TReX 1.2", "9"]
+    window.click("partButton")
+    window.wait(lambda: window.has("groupButton"))
+    assert not window.has("groupCards")
 
 
 def test_group_that_lacks_a_board_can_be_left(

@@ -306,6 +306,9 @@ class BoardList(QObject):
         known = [one for one in self.boards if one.presence is not Presence.UNKNOWN]
         if not self.is_addressed and not known:
             self.boards = ()  # a single board is expected
+        numbers = {one.number for one in self.boards}
+        joined = [one for one in device.settings.group if one not in numbers]
+        self.boards += tuple(LineBoard(one, None, Presence.UNKNOWN) for one in joined)
         selected, before = self.selected, self.boards
         if before and selected is not None and self.is_addressed:
             others = [one for one in before if one.number != selected]

@@ -310,7 +310,8 @@ class TrexSession:
             board.line.flush_if_due(now)
         if first.serve_stops():
             return
-        if not self._has_driven and first.drive_next():
+        failing = len(self._boards) > 1 and any(one.liveness.is_failing for one in self._boards)
+        if not self._has_driven and not failing and first.drive_next():
             # Where several boards share the line, a poll that is due has its turn first
             self._has_driven = len(self._boards) > 1
             return
