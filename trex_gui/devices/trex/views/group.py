@@ -2,7 +2,8 @@
 
 from dataclasses import replace
 
-from PySide6.QtCore import Slot
+from PySide6.QtCore import QSize, Slot
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QBoxLayout, QCheckBox, QComboBox, QWidget
 
 from trex_gui.core.texts import title_of
@@ -27,6 +28,7 @@ from trex_gui.ui.widgets.labels import Muted, Note
 from trex_gui.ui.widgets.placement import resize_with_font
 
 _NOT_DRIVEN = 0
+_GAP = 40  # pixels between two boards, at least
 
 
 class GroupDialog(ReusedDialog):
@@ -129,6 +131,43 @@ class GroupDialog(ReusedDialog):
     def _on_join(self) -> None:
         self.close()
         self._group.join(self.wheels)
+
+
+class SideBySide(QWidget):
+    """Shows one widget for each board, side by side where there is room, else in a column."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._widgets: list[QWidget] = []
+        self._box = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)
+        self._box.setContentsMargins(0, 0, 0, 0)
+
+    def add(self, widget: QWidget) -> None:
+        self._widgets.append(widget)
+        self._box.addWidget(widget, 1)
+        self._place()
+
+    def remove(self, widget: QWidget) -> None:
+        self._widgets.remove(widget)
+        self._box.removeWidget(widget)
+        widget.deleteLater()
+        self._place()
+
+    def minimumSizeHint(self) -> QSize:
+        """Return the size of the column: it is made where a row does not fit."""
+        widths = [one.minimumSizeHint().width() for one in self._widgets]
+        return QSize(max(widths, default=0), self._box.minimumSize().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._place()
+
+    def _place(self) -> None:
+        room = sum(one.minimumSizeHint().width() + _GAP for one in self._widgets)
+        is_wide = len(self._widgets) > 1 and self.width() >= room
+        directions = QBoxLayout.Direction
+        self._box.setDirection(directions.LeftToRight if is_wide else directions.TopToBottom)
+        self.updateGeometry()
 
 
 class GroupCards(QWidget):

@@ -3,8 +3,8 @@
 from collections.abc import Callable
 
 from PySide6.QtCore import Qt, Signal, Slot
-from PySide6.QtGui import QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QBoxLayout, QWidget
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.texts import title_of
 from trex_gui.core.translation import Number, tr
@@ -18,6 +18,7 @@ from trex_gui.devices.trex.model.group import BoardGroup
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.views.board.view import BoardView
+from trex_gui.devices.trex.views.group import SideBySide
 from trex_gui.devices.trex.views.motor_controls import LostPanel, TimeoutNotice
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets import builders as ui
@@ -76,11 +77,11 @@ class BoardPage(QWidget):
         self._reasons = Reasons(self._report)
         self._facts = ui.named(Muted("", self._report), "boardFacts")
         drawing = ui.named(ui.Card("", self._report), "boardDrawing", accessible=tr("The board"))
-        self._drawing = drawing
-        self._view = BoardView(device, drawing)
+        self._views = SideBySide(drawing)
+        self._view = BoardView(device, self._views)
         self._view.page_wanted.connect(self.page_wanted)
+        self._views.add(self._view)
         self._group, self._others = group, dict[BoardView, Device]()
-        self._views = ui.column((self._view, 1), margins=0)
         ui.column((self._views, 1), self._facts, into=drawing)
         group.changed.connect(self._on_group_changed)
         self._on_group_changed()
@@ -115,27 +116,14 @@ class BoardPage(QWidget):
     def _on_group_changed(self) -> None:
         """Draw every board of a group beside the first one."""
         for view in self._others:
-            view.deleteLater()
+            self._views.remove(view)
         others = [one for one in self._group.devices.values() if one is not self._device]
-        self._others = {BoardView(one, self._drawing): one for one in others}
+        self._others = {BoardView(one, self._views): one for one in others}
         for view, device in self._others.items():
             view.page_wanted.connect(self.page_wanted)
-            self._views.addWidget(view, 1)
+            self._views.add(view)
             device.telemetry.text_due.connect(self._on_text_due)
             device.link_changed.connect(self._on_text_due)
-        self._place_views()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._place_views()
-
-    def _place_views(self) -> None:
-        """Draw boards side by side where there is room, else one below the other."""
-        views = [self._view, *self._others]
-        room = sum(view.minimumSizeHint().width() + 40 for view in views)
-        directions = QBoxLayout.Direction
-        is_wide = len(views) > 1 and self.width() >= room
-        self._views.setDirection(directions.LeftToRight if is_wide else directions.TopToBottom)
 
     @Slot()
     def _on_device_changed(self) -> None:

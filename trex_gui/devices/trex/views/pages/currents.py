@@ -4,9 +4,9 @@ from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.group import BoardGroup
-from trex_gui.devices.trex.views.group import GroupCards
+from trex_gui.devices.trex.views.group import GroupCards, SideBySide
 from trex_gui.ui.plotting.page import PlotPage
-from trex_gui.ui.widgets.builders import column, row
+from trex_gui.ui.widgets.builders import column
 from trex_gui.ui.widgets.labels import PAGE_MARGINS
 
 
@@ -21,18 +21,19 @@ class CurrentsPage(PlotPage):
             CurrentsPanel,
         )
 
-        panel = CurrentsPanel(self._device, self)
+        plots = SideBySide(self)
+        panel = CurrentsPanel(self._device, plots)
         self._show_moment = panel.show_moment
+        plots.add(panel)
         others: list[QWidget] = []
-        plots = row((panel, 1), margins=0)
 
         def follow_group() -> None:
             while others:
-                others.pop().deleteLater()
+                plots.remove(others.pop())
             for number, device in self._group.devices.items():
                 if device is not self._device:
-                    others.append(CurrentsPanel(device, self, key=f"currents{number}"))
-                    plots.addWidget(others[-1], 1)
+                    others.append(CurrentsPanel(device, plots, key=f"currents{number}"))
+                    plots.add(others[-1])
 
         self._group.changed.connect(follow_group)
         follow_group()
