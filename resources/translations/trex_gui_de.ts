@@ -3701,6 +3701,8 @@ bisher {1}</translation></message>
         <translation>Kein Board ist verbunden. Wählen Sie oben im Hauptfenster einen Port und klicken Sie auf „Verbinden“; ohne Hardware wählen Sie das Demo-Board.</translation></message>
     <message><source>Joint mode: the board does not sense currents.</source>
         <translation>Parallelbetrieb: Das Board misst keine Ströme.</translation></message>
+    <message><source>C&amp;urrents</source>
+        <translation>St&amp;röme</translation></message>
     <message><source>One count of this board is {0:.0f} mA.</source>
         <translation>Ein Count entspricht bei diesem Board {0:.0f} mA.</translation></message>
     <message><source>Set every count to zero, and forget when errors were seen</source>
@@ -4641,8 +4643,6 @@ bisher {1}</translation></message>
         <translation>&amp;Kanäle</translation></message>
     <message><source>&amp;Motors</source>
         <translation>&amp;Motoren</translation></message>
-    <message><source>C&amp;urrents</source>
-        <translation>St&amp;röme</translation></message>
     <message><source>&amp;Parameters</source>
         <translation>&amp;Parameter</translation></message>
     <message><source>Prin&amp;t settings…</source>

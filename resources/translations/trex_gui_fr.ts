@@ -3701,6 +3701,8 @@ avant {1}</translation></message>
         <translation>Aucune carte n'est connectée. Choisissez un port en haut de la fenêtre principale et cliquez sur « Connecter » ; sans matériel, choisissez la carte de démo.</translation></message>
     <message><source>Joint mode: the board does not sense currents.</source>
         <translation>Mode jumelé : la carte ne mesure pas les courants.</translation></message>
+    <message><source>C&amp;urrents</source>
+        <translation>&amp;Courants</translation></message>
     <message><source>One count of this board is {0:.0f} mA.</source>
         <translation>Un count de cette carte vaut {0:.0f} mA.</translation></message>
     <message><source>Set every count to zero, and forget when errors were seen</source>
@@ -4641,8 +4643,6 @@ avant {1}</translation></message>
         <translation>&amp;Voies</translation></message>
     <message><source>&amp;Motors</source>
         <translation>&amp;Moteurs</translation></message>
-    <message><source>C&amp;urrents</source>
-        <translation>&amp;Courants</translation></message>
     <message><source>&amp;Parameters</source>
         <translation>&amp;Paramètres</translation></message>
     <message><source>Prin&amp;t settings…</source>

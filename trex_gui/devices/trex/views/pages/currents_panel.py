@@ -4,6 +4,7 @@ from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QCloseEvent, QKeySequence, QShortcut, QShowEvent
 from PySide6.QtWidgets import QMainWindow, QWidget
 
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.telemetry import board_traces
@@ -59,6 +60,10 @@ class CurrentsPanel(TracePanel):
             step = state.signature.model.current_unit * 1000
             note = tr("One count of this board is {0:.0f} mA.").format(step)
             note = f"{note} {tr(CURRENT_ACCURACY)}"
+        settings, title = self._device.settings, title_of(tr("C&urrents"))
+        if settings is not None and settings.group:
+            title = tr("Board {0}").format(settings.device_number)
+        self._head.show_title(title)
         if name := self._device.board_name:  # the curves remain when it is disconnected
             self.export.heading = f"{tr('Motor currents')}, {name}"
         # The result of an export remains until the note changes.
