@@ -2167,10 +2167,12 @@
         <translation>Board {0} wurde nicht ausgewählt, da es nicht antwortet. Prüfen Sie, ob es Strom hat. Das vorher ausgewählte Board bleibt ausgewählt.</translation></message>
     <message><source>Another board on this line has the device number {0}. Choose a number that is free.</source>
         <translation>Ein anderes Board an dieser Leitung hat die Gerätenummer {0}. Wählen Sie eine freie Nummer.</translation></message>
-    <message><source>Board {0} does not follow any more: it was silent, was stopped or restarted.</source>
-        <translation>Board {0} folgt nicht mehr: Es antwortete nicht, wurde gestoppt oder startete neu.</translation></message>
-    <message><source>Boards that are driven together keep their numbers, and none can be selected. Connect to this board alone.</source>
-        <translation>Boards, die gemeinsam gefahren werden, behalten ihre Nummern, und keines kann ausgewählt werden. Verbinden Sie sich mit diesem Board allein.</translation></message>
+    <message><source>Board {0} no longer follows: it fell silent, was stopped or restarted.</source>
+        <translation>Board {0} folgt nicht mehr: Es verstummte, wurde gestoppt oder startete neu.</translation></message>
+    <message><source>Board {0} is not one of those that are driven together here.</source>
+        <translation>Board {0} gehört nicht zu denen, die hier gemeinsam gefahren werden.</translation></message>
+    <message><source>Boards that are driven together keep their numbers, none can be selected, and no typed packet can store anything. Connect to this board alone.</source>
+        <translation>Boards, die gemeinsam gefahren werden, behalten ihre Nummern, keines kann ausgewählt werden, und kein eingegebenes Paket kann etwas speichern. Verbinden Sie sich mit diesem Board allein.</translation></message>
     <message><source>Another user drives this board. Ask to have it handed over.</source>
         <translation>Ein anderer Benutzer fährt dieses Board. Bitten Sie darum, es zu übergeben.</translation></message>
     <message><source>You may watch this board and stop it, but not drive or change it.</source>

@@ -2167,10 +2167,12 @@
         <translation>La carte {0} n'a pas été sélectionnée, car elle ne répond pas. Vérifiez qu'elle est alimentée. La carte sélectionnée auparavant le reste.</translation></message>
     <message><source>Another board on this line has the device number {0}. Choose a number that is free.</source>
         <translation>Une autre carte de cette liaison a le numéro d'appareil {0}. Choisissez un numéro libre.</translation></message>
-    <message><source>Board {0} does not follow any more: it was silent, was stopped or restarted.</source>
-        <translation>La carte {0} ne suit plus : elle ne répondait pas, a été arrêtée ou a redémarré.</translation></message>
-    <message><source>Boards that are driven together keep their numbers, and none can be selected. Connect to this board alone.</source>
-        <translation>Les cartes conduites ensemble gardent leurs numéros, et aucune ne peut être choisie. Connectez-vous à cette carte seule.</translation></message>
+    <message><source>Board {0} no longer follows: it fell silent, was stopped or restarted.</source>
+        <translation>La carte {0} ne suit plus : elle s'est tue, a été arrêtée ou a redémarré.</translation></message>
+    <message><source>Board {0} is not one of those that are driven together here.</source>
+        <translation>La carte {0} n'est pas de celles qui sont conduites ensemble ici.</translation></message>
+    <message><source>Boards that are driven together keep their numbers, none can be selected, and no typed packet can store anything. Connect to this board alone.</source>
+        <translation>Les cartes conduites ensemble gardent leurs numéros, aucune ne peut être choisie, et aucun paquet saisi ne peut rien enregistrer. Connectez-vous à cette carte seule.</translation></message>
     <message><source>Another user drives this board. Ask to have it handed over.</source>
         <translation>Un autre utilisateur pilote cette carte. Demandez qu'il la cède.</translation></message>
     <message><source>You may watch this board and stop it, but not drive or change it.</source>

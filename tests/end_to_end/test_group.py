@@ -54,11 +54,18 @@ def test_board_that_is_lost_stops_the_other_and_is_named(
     window.wait(lambda: speeds(boards) == [20, 20, 20, 20])
     boards.do("@9 power off")
     window.wait(lambda: speeds(boards)[:2] == [0, 0])
+    window.wait(lambda: not window.motors.armed)
+    assert window.device.may_move, "board 9 has not confirmed its stop"
+    assert not window.is_enabled("partButton")
     window.wait_for_text("bannerText", "Board 9")
     assert not window.motors.armed
     assert not window.motors.can_arm
     boards.do("@9 power on")
-    window.wait(lambda: window.motors.is_available)
+    window.wait(lambda: window.motors.is_available and not window.device.may_move)
+    assert window.is_enabled("partButton")
+    window.disconnect()
+    window.connect_to_demo()
+    assert not window.has("groupCards")
 
 
 def test_group_is_left_where_no_other_board_was_sought(

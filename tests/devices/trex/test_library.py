@@ -426,7 +426,7 @@ def test_board_that_is_lost_stops_the_others_and_is_named(
             line.drive(40, 40)
             line.wait(0.3)
             two_boards.do(f"@{board} power off")
-            with pytest.raises(MotorsStoppedError, match=f"Board {board} does not follow any more"):
+            with pytest.raises(MotorsStoppedError, match=f"Board {board} no longer follows"):
                 line.wait(2)
             assert speeds(two_boards) == [0, 0, 0, 0]
             with pytest.raises(NoReply, match=f"Board {board}: "):

@@ -418,7 +418,7 @@ class Trex:
     @property
     def driver(self) -> str:
         """The user who drives a board of the network; empty: nobody, or it is at this computer."""
-        lease = self._board.mirror.lease
+        lease = self._board.session.lease
         return "" if lease is None else lease.driver
 
     def request_lease(self, seconds: float = 0.0, *, take: bool = False) -> None:
@@ -431,14 +431,14 @@ class Trex:
             TrexRequestError: this user may not, or the board was not handed over.
         """
         board = self._board
-        lease = board.mirror.lease
+        lease = board.session.lease
         if lease is None:
             return
         if not (lease.may_take if take else lease.may_drive):
             raise TrexRequestError(ErrorCode.MAY_NOT_TAKE if take else ErrorCode.MAY_NOT_DRIVE)
         board.session.put(TakeLease() if take else AskLease())
         end = board.session.clock() + _LEASE_ANSWER + seconds
-        while not board.has_lease:
+        while not board.session.has_lease:
             if board.session.clock() >= end:
                 raise TrexRequestError(ErrorCode.OTHER_DRIVES)
             board.pump(end)
@@ -451,13 +451,13 @@ class Trex:
         """
         self.stop()
         board = self._board
-        lease = board.mirror.lease
+        lease = board.session.lease
         if lease is None or not lease.is_mine:
             return
         if user and user not in lease.waiting:
             raise BadRequest(f"{user} has not asked to drive.")
         board.session.put(HandOver(user) if user else ReturnLease())
-        board.session.wait_for(lambda: not board.has_lease, _LEASE_ANSWER)
+        board.session.wait_for(lambda: not board.session.has_lease, _LEASE_ANSWER)
 
     # --- Motors -------------------------------------------------------------------------
 
@@ -488,10 +488,7 @@ class Trex:
             raise BadRequest(f"the auxiliary motor's speed is 0 to 127, not {auxiliary}")
         board = self._board
         board.pump(board.session.clock())  # what was reported meanwhile may forbid it
-        if not board.mirror.is_responding:
-            raise NoReply(Reason(DriveBlocker.SILENT).text())
-        if not board.mirror.serial_controls:
-            raise BadRequest(board.mirror.control_text)
+        board.session.require_drivable()
         board.session.arm()
         board.driven |= {one.motor: one.drive.signed for one in motors}
         if len(motors) == 2:
@@ -532,9 +529,9 @@ class LineOptions(TypedDict, total=False):
 class TrexLine:
     """Boards on one line that are driven together; use it in a `with` statement.
 
-    One arming and one stop are for all of them: a board that falls silent, restarts or stops by
-    itself stops the others, and the `MotorsStoppedError` or `NoReply` names it. `line[9]` is the
-    `Trex` of a board, whose `stop` and `wait` are for all as well.
+    One arming and one stop are for all of them: a board that falls silent, restarts, stops by
+    itself or returns to its channels stops the others, and the error names it. `line[9]` is the
+    `Trex` of a board, whose `stop`, `wait` and lease are for all as well.
     """
 
     def __init__(self, url: str, *, boards: Iterable[int], **options: Unpack[LineOptions]) -> None:
@@ -579,9 +576,21 @@ class TrexLine:
         auxiliary: int | None = None,
         accelerate: bool = False,
     ) -> None:
-        """Set the same speeds on every board; see `Trex.drive`."""
+        """Set the same speeds on every board, or on none; see `Trex.drive`."""
         for board in self:
             board.drive(motor_1, motor_2, auxiliary=auxiliary, accelerate=accelerate)
+
+    def errors(self) -> dict[int, tuple[ErrorEntry, ...]]:
+        """Return every error bit of each board; see `Trex.errors`."""
+        return {number: board.errors() for number, board in self._boards.items()}
+
+    def events(self) -> dict[int, tuple[Event, ...]]:
+        """Return what happened to each board since the last call."""
+        return {number: board.events() for number, board in self._boards.items()}
+
+    def motor_status(self) -> dict[int, tuple[str, ...]]:
+        """Return why the motors of each board do what they do; see `Trex.motor_status`."""
+        return {number: board.motor_status() for number, board in self._boards.items()}
 
     def stop(self) -> None:
         """Stop every board; NoReply if one does not confirm it."""

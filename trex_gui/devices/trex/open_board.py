@@ -6,7 +6,13 @@ from collections.abc import Callable, Iterator
 from itertools import count
 from typing import Any
 
-from trex_gui.core.errors import NoReply, PortUnavailable, StudioError, describe
+from trex_gui.core.errors import (
+    BadRequest,
+    NoReply,
+    PortUnavailable,
+    StudioError,
+    describe,
+)
 from trex_gui.core.events import Event
 from trex_gui.core.host import host
 from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
@@ -15,7 +21,8 @@ from trex_gui.devices.trex.board.drive_status import DriveInputs
 from trex_gui.devices.trex.board.keeper import Keeper
 from trex_gui.devices.trex.board.mirror import BoardMirror
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.client.telemetry import LatchedStatus, Sample
+from trex_gui.devices.trex.client.telemetry import Control, LatchedStatus, Sample
+from trex_gui.devices.trex.driving.blockers import DriveBlocker, Reason
 from trex_gui.devices.trex.driving.requests import (
     HEARTBEAT_INTERVAL,
     Arm,
@@ -29,6 +36,7 @@ from trex_gui.devices.trex.serve.sessions import session_at
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,
+    LeaseChanged,
     NotResponding,
     OfBoard,
     Report,
@@ -56,6 +64,7 @@ class OpenSession:
         self.clock = computer.clock
         self.is_armed = False
         self.closed: Closed | None = None
+        self._group = settings.group
         numbers: tuple[int | None, ...] = settings.group or (None,)
         self.boards = {number: OpenBoard(self, number, settings) for number in numbers}
         self._ids = count(1)
@@ -102,6 +111,24 @@ class OpenSession:
             raise outcome.error
         return outcome.value
 
+    @property
+    def lease(self) -> LeaseChanged | None:
+        """Who drives a served line; `None` for one at this computer."""
+        return next(iter(self.boards.values())).mirror.lease
+
+    @property
+    def has_lease(self) -> bool:
+        """Whether this program may drive: no other one does."""
+        return self.lease is None or self.lease.is_mine
+
+    def require_drivable(self) -> None:
+        """Raise NoReply or BadRequest unless every board follows serial commands."""
+        for board in self.boards.values():
+            if not board.mirror.is_responding:
+                raise NoReply(board.named(Reason(DriveBlocker.SILENT).text()))
+            if not board.mirror.serial_controls:
+                raise BadRequest(board.named(board.mirror.control_text))
+
     def arm(self) -> None:
         if not self.is_armed:
             self.is_armed = True
@@ -146,6 +173,9 @@ class OpenSession:
 
     def _take(self, report: Report) -> None:
         match report:
+            case Connected(settings=settings) if self._group not in {(), settings.group}:
+                there = ", ".join(map(str, settings.group)) or str(settings.device_number)
+                raise BadRequest(f"The server of this line drives the boards {there}.")
             case Outcome(id=number):
                 self._outcomes[number] = report
             case Closed():
@@ -186,16 +216,12 @@ class OpenBoard:
         self.errors: dict[str, None] = {}  # names of the bits since the last status
         self.events = deque[Event](maxlen=_MOST_WAITING)  # since the program has read them
         self._number = number
+        self._lost_control = 0  # replies in a row that say that channels control the motors
 
     @property
     def state(self) -> DeviceState:
         assert self.mirror.state is not None  # noqa: S101 - it was read
         return self.mirror.state
-
-    @property
-    def has_lease(self) -> bool:
-        """Whether this program may drive: no other one does."""
-        return self.mirror.lease is None or self.mirror.lease.is_mine
 
     def addressed(self, request: Any) -> Any:
         """Return a request for this board, and for no other one of its group."""
@@ -214,6 +240,7 @@ class OpenBoard:
                     yield event
                 case Sample():
                     yield event
+                    self._take_control(event)
                 case Event():
                     self.events.append(event)
         match report:
@@ -224,10 +251,19 @@ class OpenBoard:
                 self._fail("The board was restarted or changed, so the motors were stopped.")
             case NotResponding(reason=reason):
                 self.session.is_armed = False
-                raise NoReply(self._named(f"The board has stopped responding: {reason}"))
+                raise NoReply(self.named(f"The board has stopped responding: {reason}"))
             case MotorsStopped(reason=code, board=number) if code is not None:
                 cause = _LATE if code is ErrorCode.NO_HEARTBEAT else describe(code, (number,))
-                self._fail(f"{cause} The motors were stopped.")
+                self._fail(f"{cause} The motors were stopped.", is_named=number is not None)
+
+    def _take_control(self, sample: Sample) -> None:
+        """Stop every board of a group if this one has returned to its channels."""
+        if self._number is None or not isinstance(sample, Control):
+            return
+        self._lost_control = 0 if sample.by_serial else self._lost_control + 1
+        if self._lost_control > 1 and self.session.is_armed:  # one reply may be corrupted
+            self.session.stop()
+            self._fail(f"{self.mirror.control_text} The motors were stopped.")
 
     def _take_status(self, latched: LatchedStatus) -> None:
         self.errors |= dict.fromkeys(latched.names)
@@ -239,11 +275,13 @@ class OpenBoard:
             self.session.stop()
             self._fail(f"The board reports: {', '.join(latched.names)}. The motors were stopped.")
 
-    def _fail(self, text: str) -> None:
+    def _fail(self, text: str, *, is_named: bool = False) -> None:
+        """Raise for the motors that were stopped; `is_named`: the text names the board."""
         self.session.is_armed = False
-        raise MotorsStoppedError(self._named(text))
+        raise MotorsStoppedError(text if is_named else self.named(text))
 
-    def _named(self, text: str) -> str:
+    def named(self, text: str) -> str:
+        """Return a text with the number of this board, if it is one of several."""
         return text if self._number is None else f"Board {self._number}: {text}"
 
     def drive_inputs(self) -> DriveInputs:

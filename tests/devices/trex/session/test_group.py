@@ -17,12 +17,16 @@ from tests.devices.trex.session.group_stage import (
 from tests.devices.trex.session.helpers import among, outcomes, run_for, seen_at
 from trex_gui.core.errors import BadRequest, NoReply
 from trex_gui.core.session import Closed
-from trex_gui.devices.trex.driving.requests import MotorsStopped, Stop
-from trex_gui.devices.trex.protocol.commands import STOP
+from trex_gui.devices.trex.driving.requests import Arm, MotorsStopped, Stop
+from trex_gui.devices.trex.protocol.commands import STOP, Command, SetParameter
 from trex_gui.devices.trex.protocol.errors import ErrorCode
+from trex_gui.devices.trex.protocol.framing import Framing
+from trex_gui.devices.trex.protocol.raw_packets import packets_of
 from trex_gui.devices.trex.session.messages import (
     Connected,
+    Reload,
     SelectBoard,
+    SendPacket,
     ToBoard,
     Write,
 )
@@ -54,6 +58,36 @@ def test_nothing_moves_before_the_group_is_armed(stage: GroupStage) -> None:
     run_for(stage, 4.0, GROUP)
     assert moving == [set()]
     assert stage.transport.guardian.watched == []
+
+
+@pytest.mark.parametrize("moment", [0.05, 0.3, 0.4])
+def test_nothing_moves_before_every_board_was_read(stage: GroupStage, moment: float) -> None:
+    for step in (Arm(), ToBoard(7, FORWARD), ToBoard(9, FORWARD)):
+        stage.script.at(moment, step)
+    looks = [seen_at(stage, moment + 0.1 * one, lambda: stage.moving) for one in range(20)]
+    run_for(stage, 4.0, GROUP)
+    assert looks == [[set()]] * 20
+
+
+@pytest.mark.parametrize(
+    "command", [SetParameter(0, 12), SetParameter(0, 9)], ids=["another number", "a taken one"]
+)
+def test_typed_packet_renumbers_no_board_of_a_group(
+    stage: GroupStage, command: Command[object]
+) -> None:
+    (raw,) = packets_of(Framing(9, None).encode(command), None)
+    stage.drive(until=3.5, also={3.0: SendPacket(5, raw)})
+    stage.script.at(3.5, Stop(6))
+    moving = seen_at(stage, 3.6, lambda: stage.moving)
+    reports = run_for(stage, 4.0, GROUP)
+    assert isinstance(outcomes(reports)[5].error, BadRequest)
+    assert outcomes(reports)[6].error is None
+    assert moving == [set()]
+
+
+def test_request_for_no_board_of_the_group_is_rejected(stage: GroupStage) -> None:
+    stage.script.at(OPENED, ToBoard(5, Reload(8)))
+    assert isinstance(outcomes(run_for(stage, 3.0, GROUP))[8].error, BadRequest)
 
 
 def test_both_stops_leave_at_once_and_are_confirmed() -> None:

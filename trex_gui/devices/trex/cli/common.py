@@ -151,7 +151,7 @@ boards_option = click.option(
 
 
 def grouped(settings: ConnectionSettings, boards: str) -> ConnectionSettings:
-    """Return settings for the boards with these numbers; UsageError if there are none such."""
+    """Return settings for the boards with these numbers; UsageError if they do not form a group."""
     if not boards:
         return settings
     try:

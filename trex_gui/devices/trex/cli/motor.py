@@ -35,9 +35,10 @@ from trex_gui.devices.trex.cli.common import (
     link_settings,
     open_line,
 )
+from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState, query
 from trex_gui.devices.trex.client.telemetry import Control, LatchedStatus, StatusReader
-from trex_gui.devices.trex.driving.motor_driver import MotorDriver, stop_together
+from trex_gui.devices.trex.driving.motor_driver import MotorDriver, StopRun, stop_together
 from trex_gui.devices.trex.driving.motor_output import MotorOutput
 from trex_gui.devices.trex.driving.requests import (
     HEARTBEAT_INTERVAL,
@@ -186,19 +187,33 @@ def _stop_at(settings: ConnectionSettings) -> None:
             for one in clients
         ]
         stop_together(runs)
-        for client, run in zip(clients, runs, strict=True):
-            name = f"Board {client.settings.device_number}: " if settings.group else ""
-            if not run.is_confirmed:
-                try:
-                    identify(client, quick=True)  # says why there is no reply
-                except (NoReply, BadReply) as error:
-                    raise CommandFailed(f"{name}{_UNCONFIRMED} {error}") from error
-                raise NoReply(
-                    f"{name}The stop was sent, but the board reports errors on the line each "
-                    "time. If a motor still turns, cut its power."
-                )
-            if not query(client.request, GetSerialControl()):
-                raise CommandFailed(f"{name}{BEYOND_A_STOP}")
+        # The worst first: a board that has not confirmed the stop
+        results = sorted(zip(runs, clients, strict=True), key=lambda one: one[0].is_confirmed)
+        failed = {client: _why_not_stopped(client, run) for run, client in results}
+        texts = [
+            f"Board {client.settings.device_number}: {text}" if settings.group else text
+            for client, text in failed.items()
+            if text
+        ]
+        if texts:
+            raise CommandFailed("\n".join(texts))
+
+
+def _why_not_stopped(client: TrexClient, run: StopRun) -> str:
+    """Return why motors may turn after a stop; empty if they do not."""
+    if not run.is_confirmed:
+        try:
+            identify(client, quick=True)  # says why there is no reply
+        except (NoReply, BadReply) as error:
+            return f"{_UNCONFIRMED} {error}"
+        return (
+            "The stop was sent, but the board reports errors on the line each time. If a motor "
+            "still turns, cut its power."
+        )
+    try:
+        return "" if query(client.request, GetSerialControl()) else BEYOND_A_STOP
+    except (NoReply, BadReply) as error:
+        return str(error)
 
 
 def _setpoint(which: str, speed: int, *, accelerate: bool, brake: bool) -> Setpoint:
@@ -301,18 +316,19 @@ class _Run:
         number, inner = self._numbers[0], report
         if isinstance(report, OfBoard):
             number, inner = report.number, report.report
-        self._take(number, inner)
+        if number in self.boards:  # a server may have more
+            self._take(number, inner)
 
     def _take(self, number: int | None, report: Report) -> None:
         if isinstance(report, Connected) and report.occasion is not ReadReason.OPENED:
             is_changed = report.occasion is ReadReason.SETTING_CHANGED
             cause = "A setting of the board changed" if is_changed else "The board was restarted"
-            self._finish(f"{cause}, so the motors were stopped.")
+            self._finish(self._named(number, f"{cause}, so the motors were stopped."))
             return  # no file is saved while motors may move
         for event in self.boards[number].take(report, self._now, utc_now()):
             match event:
                 case LatchedStatus():
-                    self._take_status(event)
+                    self._take_status(number, event)
                 case Control(by_serial=by_serial):
                     self._take_control(number, by_serial=by_serial)
         match report:
@@ -321,7 +337,8 @@ class _Run:
             case Connected(state=state):
                 self._connected(number, state)
             case NotResponding(reason=reason):
-                self._finish(f"The board has stopped responding: {reason}")
+                text = f"The board has stopped responding: {reason}"
+                self._finish(self._named(number, text))
             case MotorsStopped(reason=ErrorCode() as code, board=left):
                 self._finish(describe(code, (left,)))
             case Outcome():
@@ -344,7 +361,7 @@ class _Run:
     def _connected(self, number: int | None, state: DeviceState) -> None:
         board = self.boards[number]
         if not state.serial_controls:
-            self._finish(board.control_text)
+            self._finish(self._named(number, board.control_text))
             return
         is_ignored = any(isinstance(one, SetMotor) and one.motor == 2 for one in self._orders)
         if board.is_joint and is_ignored:
@@ -357,13 +374,17 @@ class _Run:
             wanted = {"serial_timeout": '"0.5 s"', "uart_error_shutdown": "on"}.items()
             missing = [f"`trexcmd set {k} {v}`" for k, v in wanted if not state.parameters.get(k)]
             remedy = " and ".join(missing)
+            warning = "Warning" if number is None else f"Warning, board {number}"
             say(
-                f"Warning: {_CAUSES[silence]}, so the motor {verb} running if the cable or "
+                f"{warning}: {_CAUSES[silence]}, so the motor {verb} running if the cable or "
                 f"this computer fails{program}.{remedy and f' Remedy: {remedy}.'}"
             )
 
-    def _take_status(self, latched: LatchedStatus) -> None:
-        names = ", ".join(latched.names)
+    def _named(self, number: int | None, text: str) -> str:
+        return text if number is None else f"Board {number}: {text}"
+
+    def _take_status(self, number: int | None, latched: LatchedStatus) -> None:
+        names = self._named(number, ", ".join(latched.names))
         if not self._is_running:
             say(f"Errors latched before this run: {names}.")
         elif latched.stops_motors():
@@ -381,7 +402,8 @@ class _Run:
         if is_known and not self._is_running and not self._is_ending:
             self._start()
         elif lost[number] > 1:  # one reply may be corrupted
-            self._finish("Channel 5 has returned control to the channels.")
+            text = "Channel 5 has returned control to the channels."
+            self._finish(self._named(number, text))
 
     # --- The end ------------------------------------------------------------------------
 

@@ -122,7 +122,7 @@ class MotorDriver:
     def send_stop(self, run: StopRun) -> None:
         run.attempts -= 1
         run.was_sent = False
-        with suppress(NoReply, BadReply):
+        with suppress(NoReply, BadReply, BadRequest):  # the stop of another board comes next
             self._send_stop()
             run.was_sent = True
 
@@ -201,8 +201,9 @@ class MotorDriver:
             return
         client, settings = self.client, self.client.settings
         self._send_stop()
-        if self.output.may_move and settings.device_number is not None and not settings.reserved:
-            client.settings = replace(settings, device_number=None)
+        others = settings.reserved - set(settings.group)
+        if self.output.may_move and settings.device_number is not None and not others:
+            client.settings = replace(settings, device_number=None, reserved=frozenset())
             try:
                 self._send_stop()
             finally:

@@ -28,7 +28,7 @@ class Wheel:
     is_reversed: bool = False
 
     def turned(self, drive: Drive | None) -> Drive | None:
-        """Return the setpoint of the motor for one of its side."""
+        """Return the setpoint of the motor for the one of its side."""
         if drive is None or drive.is_brake or not self.is_reversed:
             return drive
         return Drive.at(-drive.signed)

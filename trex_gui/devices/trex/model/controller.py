@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from PySide6.QtCore import Signal, Slot
 
-from trex_gui.core.errors import BadRequest, NoReply, StudioError
+from trex_gui.core.errors import BadReply, BadRequest, NoReply, StudioError
 from trex_gui.core.plugin import DevicePlugin
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.translation import Number, tr
@@ -110,7 +110,7 @@ class TrexController(DeviceController[ConnectionSettings]):
 
     @Slot(object)
     def _on_failed(self, error: StudioError) -> None:
-        if isinstance(error, TrexError) and error.code is ErrorCode.OF_BOARD and not self.may_move:
+        if isinstance(error, NoReply | BadReply) and not self.may_move:
             self._leave_group()  # else nothing can be connected without the board that is missing
 
     def connect_with(self, port: Port, settings: PortSettings) -> None:

@@ -74,6 +74,7 @@ class Device(QObject):
         self.notifier = notifier or Notifier(self)
         self.motors = Motors(self)
         self.main = main or self  # whose motors the user arms, drives and stops
+        self.others: list[Device] = []  # of the other boards that are driven with this one
         self.wheels: dict[int, Wheel] = {}  # by motor, while it is driven with other boards
         self.draft = SettingsDraft(self)  # what the board stores, and its edits
         self.parameters = self.draft.parameters
@@ -189,7 +190,8 @@ class Device(QObject):
 
     def warn(self, cause: str, remedies: Remedies = ()) -> None:
         """Show the `loss_text` and its cause until a stop is confirmed."""
-        self.notifier.warn(f"{self.loss_text} {cause}", remedies, lambda: self.may_stop_matter)
+        text = self.named(f"{self.loss_text} {cause}")
+        self.notifier.warn(text, remedies, lambda: self.may_stop_matter)
 
     @property
     def serial_timeout_s(self) -> float | None:
@@ -224,7 +226,7 @@ class Device(QObject):
     @property
     def may_stop_matter(self) -> bool:
         """Whether a motor may turn that this program has driven, connected or not."""
-        return self.may_move or bool(self.driving.lost_board)
+        return self.may_move or bool(self.main.driving.lost_board)
 
     def shut_down(self) -> bool:
         """Close the line at the end of the program; see `SessionThread.shut_down`."""

@@ -83,6 +83,7 @@ class DriveController(QObject):
         # In a group: what each board gets for setpoints; the number of one that cannot be driven
         self.routed: Callable[[SetpointRequest], Routed] = lambda request: ((None, request),)
         self.lacking: Callable[[], int | None] = lambda: None
+        self.named: Callable[[str], str] = str  # adds the number of the board in a group
         self.reaches_several = False  # whether commands without a number reach several boards
         self._was_read = False  # since the line was opened
         self._is_identified = False  # and since it was quiet: `_board` is at the line
@@ -119,7 +120,7 @@ class DriveController(QObject):
         allowed = reaches_one and bool(self._mirror.serial_controls) and self.lacking() is None
         if allowed != self._motors.is_available:
             if self._motors.armed and self._is_connected and not allowed:
-                self._motors.stop(tr("Serial commands no longer reach the motors."))
+                self._motors.stop(self.named(tr("Serial commands no longer reach the motors.")))
             self._motors.set_available(allowed)
 
     def set_reaching_several(self, several: bool) -> None:
@@ -243,6 +244,8 @@ class DriveController(QObject):
     def _on_motors_stopped(self, report: MotorsStopped) -> None:
         if report.reason is not None:
             reason = describe(report.reason, (report.board,), translate=tr)
+            if report.reason is not ErrorCode.LEFT_GROUP:  # that names the board which left
+                reason = self.named(reason)
             if report.reason in _REFUSALS:
                 text = "{0}"
             elif report.confirmed:
@@ -251,8 +254,21 @@ class DriveController(QObject):
                 text = tr("{0} A stop was sent but is not confirmed yet.")
             self._notifier.error.emit(text.format(reason))
             self._motors.stop(reason)
-        if report.confirmed:
+        if report.confirmed and not self._is_group:
             self._on_confirmed()
+        elif report.confirmed and report.reason is None:
+            self.confirm()
+
+    @property
+    def _is_group(self) -> bool:
+        """Whether one board of several has confirmed its stop: the others may still move."""
+        settings = self._connection.settings
+        return settings is not None and bool(settings.group)
+
+    def confirm(self) -> None:
+        """Stop all boards of a group once more, since one of them was not confirmed."""
+        if self.may_move and not self._motors.armed:
+            self._connection.request(Stop, self._on_stopped)
 
     def _on_confirmed(self) -> None:
         # A setpoint that was sent meanwhile moves a motor again.
@@ -334,8 +350,10 @@ class DriveController(QObject):
                 elif report.occasion.power_cycled:
                     reason = tr("The board was restarted, so the motors were stopped.")
                 self._motors.stop(reason)
-            self.may_move = report.may_move
+            self.may_move = report.may_move or (self.may_move and self._is_group)
             self._motors.set_available(False)
+            if self._is_group:
+                self.confirm()
         if is_back:
             self.may_move = True
             self._motors.stop(tr("The board that disconnected while driving is back."))

@@ -32,7 +32,7 @@ def drive_inputs(device: Device) -> DriveInputs:
         driven=frozenset(device.driving.driven),
         lost_board=device.driving.lost_board,
         silence_remedy=device.board.silence_remedy,
-        other_driver=device.board.other_driver,
+        other_driver=device.main.board.other_driver,
         other_speeds=device.board.other_speeds,
         lacks_board=device.main.driving.lacking(),
         reaches_several=device.driving.reaches_several,

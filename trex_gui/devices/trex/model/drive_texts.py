@@ -86,7 +86,19 @@ class TimeoutWarning:
 
 
 def timeout_warning(device: Device) -> TimeoutWarning | None:
-    """Return what is wrong with it; `None` if nothing is, or it is unknown."""
+    """Return what is wrong with it; `None` if nothing is, or it is unknown.
+
+    Of boards that are driven together, each has to have a timeout.
+    """
+    if (own := _own_warning(device)) is not None:
+        return TimeoutWarning(device.named(own.text), own.seconds)
+    for other in device.others:
+        if (warning := _own_warning(other)) is not None:
+            return TimeoutWarning(other.named(warning.text), None)
+    return None
+
+
+def _own_warning(device: Device) -> TimeoutWarning | None:
     timeout, settings = device.serial_timeout_s, device.settings
     if timeout is None or settings is None:
         return None

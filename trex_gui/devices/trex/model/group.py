@@ -41,6 +41,7 @@ class BoardGroup(QObject):
         self.wheels: tuple[Wheel, ...] = ()
         device.driving.routed = self._routed
         device.driving.lacking = self._lacking
+        device.driving.named = device.named
         device.connection.started.connect(self._follow)
         device.connection.device_read.connect(self._follow)  # a server has a group of its own
         device.sampled.connect(self._on_sampled)
@@ -48,12 +49,10 @@ class BoardGroup(QObject):
     @property
     def devices(self) -> dict[int, Device]:
         """The device of each board by its number, in their order; empty for one board alone."""
-        if not self._others:
+        settings = self._device.settings
+        if settings is None or not self._others or not settings.group:
             return {}
-        first = self._device.connection.settings
-        assert first is not None  # noqa: S101 - a line was opened
-        assert first.device_number is not None  # noqa: S101 - it is in a group
-        return {first.device_number: self._device, **self._others}
+        return {settings.group[0]: self._device, **self._others}
 
     def proposed(self, numbers: Iterable[int]) -> tuple[Wheel, ...]:
         """Return the wheels that were chosen last for these boards on this line."""
@@ -135,6 +134,7 @@ class BoardGroup(QObject):
             if number not in self._others:
                 self._others[number] = self._new_device(number)
         self.wheels = wheels
+        self._device.others = list(self._others.values())
         self._device.motors.are_sides = bool(numbers)
         for number, device in (self.devices or {0: self._device}).items():
             device.wheels = {one.motor: one for one in self.wheels if one.board == number}
@@ -142,7 +142,9 @@ class BoardGroup(QObject):
 
     def _new_device(self, number: int) -> Device:
         device = Device(self._device.notifier, self, main=self._device, number=number)
+        device.driving.named = device.named
         device.sampled.connect(lambda batch: self._watch(device, batch))
+        device.connection.ready.connect(self._device.driving.confirm)
         device.events.happened.connect(lambda: self._pass_on(device))
         return device
 

@@ -75,7 +75,7 @@ class Recorder(RecordThread[Record]):
         return True
 
     def _header_of(self, state: DeviceState) -> Header:
-        """Return the header of a recording that starts now, which is of this board only."""
+        """Return the header of a recording that starts now: of this board and those with it."""
         settings = self._device.settings
         number = settings.device_number if settings is not None else None
         self._recorded = self._others.copy()

@@ -73,7 +73,7 @@ class ConnectionSettings(PortSettings):
         return PortSettings(self.url, line, name=self.name, timeouts=self.timeouts)
 
     def with_group(self, numbers: Iterable[int]) -> "ConnectionSettings":
-        """Return the settings of boards that are driven together; BadRequest for no such ones."""
+        """Return the settings of these boards, driven together; BadRequest for wrong numbers."""
         group = tuple(seven_bits(one, tr("device number")) for one in numbers)
         if len(set(group)) < 2 or len(set(group)) < len(group) or self.reserved & set(group):
             raise BadRequest(tr("Boards that are driven together need numbers of their own."))

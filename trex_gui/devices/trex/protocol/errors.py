@@ -112,13 +112,12 @@ class ErrorCode(Enum):
     NUMBER_TAKEN = tr_noop(
         "Another board on this line has the device number {0}. Choose a number that is free."
     )
-    LEFT_GROUP = tr_noop(
-        "Board {0} does not follow any more: it was silent, was stopped or restarted."
-    )
+    LEFT_GROUP = tr_noop("Board {0} no longer follows: it fell silent, was stopped or restarted.")
+    NO_SUCH_BOARD = tr_noop("Board {0} is not one of those that are driven together here.")
     OF_BOARD = tr_noop("Board {0}: {1}")
     IN_GROUP = tr_noop(
-        "Boards that are driven together keep their numbers, and none can be selected. Connect to "
-        "this board alone."
+        "Boards that are driven together keep their numbers, none can be selected, and no typed "
+        "packet can store anything. Connect to this board alone."
     )
     # Boards that are served to several clients
     OTHER_DRIVES = tr_noop("Another user drives this board. Ask to have it handed over.")

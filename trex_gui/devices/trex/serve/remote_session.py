@@ -332,7 +332,9 @@ class RemoteSession:
             case Connected():
                 report = replace(report, settings=self._as_here(report.settings))
                 if board is None:
-                    self._board, self._may_move = report, report.may_move
+                    self._board = report
+                is_alone = not report.settings.group
+                self._may_move = report.may_move or (self._may_move and not is_alone)
                 emit(report)
             case Batch():
                 self._counters = report.counters
@@ -344,11 +346,13 @@ class RemoteSession:
                 moved = (replace(one, time=one.time + self._offset) for one in events)
                 self._emit(Traffic(tuple(moved)))
             case MotorsStopped(reason=reason, confirmed=confirmed):
+                # The end of a lease has stopped every board, else the others report theirs
                 is_alone = self._board is None or not self._board.settings.group
+                is_alone = is_alone or reason is ErrorCode.LEASE_LOST
                 self._may_move = self._may_move and not (confirmed and is_alone)
                 if self._has_armed or reason is None:  # else those of another client
                     emit(report)
-                if is_alone:  # else those of the other boards follow
+                if is_alone:
                     self._has_armed = self._has_armed and reason is None
             case Welcome() | Refused() | Tick():
                 pass

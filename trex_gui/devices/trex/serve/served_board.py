@@ -117,6 +117,7 @@ class ServedBoard:
         self._inbox = RequestQueue(computer.condition())
         self.server = BoardServer(name, self._put, self._send, computer.clock)
         self._board = BoardMirror(Keeper(log.info, log.warning).memory)
+        self._others: dict[int, BoardMirror] = {}  # that are driven with it, by number
         self._traffic: list[TrafficEvent] = []  # since the last batch of samples
         self._logs = False  # whether `_traffic` is filled
         self._present: set[Party] = set()  # clients whose connection is there
@@ -197,6 +198,11 @@ class ServedBoard:
     def _report(self, report: Report) -> None:
         """Take a report of the session, in its thread."""
         if isinstance(report, OfBoard):
+            if report.number not in self._others:
+                self._others[report.number] = BoardMirror(Keeper(log.info, log.warning).memory)
+            other = self._others[report.number]
+            for _ in other.take(report.report, self._computer.clock(), utc_now()):
+                pass
             self.server.report(report)
             return
         for event in self._board.take(report, self._computer.clock(), utc_now()):
@@ -209,6 +215,7 @@ class ServedBoard:
             events, self._traffic = tuple(self._traffic), []
             self.server.report(Traffic(events))
         if isinstance(report, Closed):
+            self._others.clear()
             self._last = report
             self._closed.set()
         else:
@@ -308,14 +315,15 @@ class ServedBoard:
         """Return what a list of robots shows, with the keys of `trexcmd robots --json`."""
         board, lease = self._board, self.server.lease
         state = board.state
-        problems = [one.name for one in board.errors.entries if one.count]
+        boards = [board, *self._others.values()]
+        problems = [one.name for each in boards for one in each.errors.entries if one.count]
         return {
             "name": self.name,
             "board": str(state.signature) if state else None,
             "device_number": state.parameters.get("device_number") if state else None,
-            "responds": board.is_responding,
+            "responds": all(one.is_responding for one in boards),
             "driver": lease.holder.user if lease.holder else None,
             "refused": sum(self.server.refused.values()),
             "clients": len(self.server.users),
-            "problems": problems,
+            "problems": list(dict.fromkeys(problems)),
         }

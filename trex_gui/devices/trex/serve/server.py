@@ -1,4 +1,4 @@
-"""The server of one board: its session, the lease, and the clients, without a network.
+"""The server of a line: its session, the lease, and the clients, without a network.
 
 `take` gets what clients sent, and `send` is called with what they get. Every method may be called
 from any thread; a stop never waits for a client.
@@ -106,7 +106,7 @@ class _Client:
 
 
 class BoardServer:
-    """Lets clients share one board.
+    """Lets clients share one board, or boards that are driven together.
 
     Args:
         name: of the board, as it is served.
@@ -137,8 +137,11 @@ class BoardServer:
         self._newest: dict[type, Report] = {}  # reports that a new client gets
         self._watched_stops: dict[int, Callable[[Outcome], None]] = {}  # by id
         self._lease_stop = 0  # id of the stop at the end of a lease
-        self._speeds: dict[int, int] = {}  # set by the driver since the last stop, by motor
+        # Set by the driver since the last stop, by board (0: the first) and motor; as reported last
+        self._speeds: dict[int, dict[int, int]] = {}
+        self._reported_speeds: dict[int, SetpointsChanged] = {}
         self._others: dict[int, Connected | None] = {}  # other boards of the line, by number
+        self._silent: dict[int, NotResponding] = {}  # those of them that do not respond
 
     # --- Time ---------------------------------------------------------------------------
 
@@ -183,8 +186,10 @@ class BoardServer:
                 self._refuse("unknown client")
             elif counter <= (client.stopped if isinstance(request, Stop) else client.counter):
                 self._refuse("replayed")
-            elif counter < client.stopped and isinstance(request, _STALE | Heartbeat):
+            elif counter < client.stopped and isinstance(_inner(request), _STALE | Heartbeat):
                 self._refuse("overtaken by a stop")
+            elif isinstance(request, ToBoard) and isinstance(request.request, Arm | Heartbeat):
+                self._refuse("malformed")
             else:
                 client.heard_at, client.echo = now, sent - now
                 if isinstance(request, Stop):
@@ -255,6 +260,8 @@ class BoardServer:
             self._lease_for(client),
             *self._newest.values(),
             *(OfBoard(number, one) for number, one in self._others.items() if one is not None),
+            *(OfBoard(number, one) for number, one in self._silent.items()),
+            *(OfBoard(number, one) for number, one in self._reported_speeds.items() if number),
         ]
         for report in news:
             self._post(client, encode_report(report), now)
@@ -322,9 +329,14 @@ class BoardServer:
             self._request(Heartbeat())  # on the clock of this computer
         elif number is not None and isinstance(request, SetpointRequest):
             self._pending_stop = 0
+            self._note_speeds(0 if number in self._first else number, request)
             self._request(ToBoard(number, request))
         else:
             self._forward(client, request)
+
+    def _note_speeds(self, board: int, request: SetpointRequest) -> None:
+        speeds = {one.motor: _speed(one) for one in setpoints_in(request)}
+        self._speeds.setdefault(board, {}).update(speeds)
 
     @property
     def _first(self) -> tuple[int, ...]:
@@ -393,7 +405,7 @@ class BoardServer:
         if not isinstance(request, Stop):
             self._pending_stop = 0
             if isinstance(request, SetpointRequest):
-                self._speeds |= {one.motor: _speed(one) for one in setpoints_in(request)}
+                self._note_speeds(0, request)
             self._request(request)
             return
         self._speeds.clear()
@@ -444,6 +456,9 @@ class BoardServer:
                     return
                 case OfBoard(number=number, report=Connected() as board):
                     self._others[number] = replace(board, occasion=ReadReason.OPENED)
+                    self._silent.pop(number, None)
+                case OfBoard(number=number, report=NotResponding() as silence):
+                    self._silent[number] = silence
                 case Connected():
                     self.polynomial = report.settings.framing.polynomial
                     first = replace(report, occasion=ReadReason.OPENED)
@@ -460,6 +475,7 @@ class BoardServer:
                     self._report_setpoints()
                 case Closed():
                     self._newest, self._others = {Closed: report}, {}
+                    self._silent, self._reported_speeds = {}, {}
             self._post_all(report, (one for one in self._all if _is_for(report, one.watched)))
 
     def _report_lease_stop(self, *, confirmed: bool) -> None:
@@ -469,10 +485,12 @@ class BoardServer:
         self._post_all(MotorsStopped(ErrorCode.LEASE_LOST, confirmed), others)
 
     def _report_setpoints(self) -> None:
-        get = self._speeds.get
-        setpoints = SetpointsChanged((get(1, 0), get(2, 0), get(3, 0)))
-        if setpoints != self._newest.get(SetpointsChanged, SetpointsChanged()):
-            self.report(setpoints)
+        for board in (0, *self._others):
+            get = self._speeds.get(board, {}).get
+            setpoints = SetpointsChanged((get(1, 0), get(2, 0), get(3, 0)))
+            if setpoints != self._reported_speeds.get(board, SetpointsChanged()):
+                self._reported_speeds[board] = setpoints
+                self.report(OfBoard(board, setpoints) if board else setpoints)
 
     def _report_outcome(self, outcome: Outcome, now: float, board: int | None = None) -> None:
         """Pass an outcome on to those that wait for it; its client may have the next job.
@@ -557,6 +575,11 @@ def _is_for(report: Report, watched: SetWatched) -> bool:
     if isinstance(report, Traffic):
         return watched.traffic
     return watched.watched or not isinstance(report, Batch)
+
+
+def _inner(request: Request) -> Request:
+    """Return what a request is, whichever board it is for."""
+    return request.request if isinstance(request, ToBoard) else request
 
 
 def _numbered(message: NumberedT, number: int) -> NumberedT:

@@ -126,6 +126,8 @@ class JobServer:
     def _send_packet(self, packet: RawPacket) -> bytes:
         """Send what the user typed; a packet that moves goes the way of a motor command."""
         line = self._line
+        if not packet.is_query and not packet.moves:
+            line.require_alone()  # it may store another number, or more than it seems
         if packet.moves:
             number = line.client.settings.device_number
             if not line.motors.is_armed:
@@ -198,7 +200,8 @@ class JobServer:
 
         def request(command: Command[ReplyT_co]) -> ReplyT_co:
             nonlocal stop_is_due
-            if stop_is_due and line.requests.sees_close() and line.motors.may_move:
+            moves = any(board.motors.may_move for board in line.boards)
+            if stop_is_due and line.requests.sees_close() and moves:
                 stop_is_due = False
                 stop_together([board.driver.closing_stop() for board in line.boards])
             line.serve_motors()

@@ -27,7 +27,7 @@ class BoardQueue:
 
     output: MotorOutput
     _liveness: LivenessMonitor
-    _report: Callable[[Outcome], None]
+    report: Callable[[Outcome], None]
     _clock: Callable[[], float]
     jobs: deque[Job] = field(default_factory=deque)
     # Id of the `SelectBoard` that chose the present board; 0 before the first
@@ -57,7 +57,7 @@ class BoardQueue:
             if isinstance(job, SendPacket) and job.packet.moves:
                 self.jobs.remove(job)
                 error = TrexRequestError(ErrorCode.OVERTAKEN_BY_STOP)
-                self._report(Outcome(job.id, error=error))
+                self.report(Outcome(job.id, error=error))
 
     def abandon(self) -> list[int]:
         """Drop everything, and return the ids that have no outcome yet."""
@@ -73,6 +73,7 @@ class TrexRequestQueue:
 
     _inbox: Inbox[Request]
     _boards: Mapping[int | None, BoardQueue]  # by number in the group, the first one first
+    is_ready: bool = True  # whether every board was read
     is_closing: bool = False  # whether a `Close` came
     is_watched: bool = True  # whether anything shows or records samples
     # Of stops of several boards, by id: outcomes that are not known yet, and the first error
@@ -96,10 +97,10 @@ class TrexRequestQueue:
                     self.is_watched = watched
                 case _ if isinstance(request, LeaseRequest):
                     pass  # nobody else is at a line of this computer
-                case ToBoard(number=number, request=inner) if number in self._boards:
-                    self._boards[number].take(inner, is_closing=self.is_closing)
-                case ToBoard():
-                    pass
+                case ToBoard(number=number, request=inner):
+                    self._take_for(number, inner)
+                case Arm() if not self.is_ready:
+                    pass  # one of the boards is not known yet
                 case Stop() | Arm() | Heartbeat():
                     if isinstance(request, Stop):
                         self._awaited[request.id] += len(boards)
@@ -109,8 +110,16 @@ class TrexRequestQueue:
                     boards[0].take(request, is_closing=self.is_closing)
             request = self._inbox.get(0.0)
 
+    def _take_for(self, number: int, request: BoardRequest) -> None:
+        if number in self._boards:
+            self._boards[number].take(request, is_closing=self.is_closing)
+        elif isinstance(request, Job):
+            first, *_ = self._boards.values()
+            error = TrexRequestError(ErrorCode.NO_SUCH_BOARD, number)
+            first.report(Outcome(request.id, error=error))
+
     def is_for_all(self, outcome: Outcome) -> bool:
-        """Return whether this is the outcome of a stop of every board, of one of them."""
+        """Return whether this is one board's share of a stop for all boards."""
         return self._awaited[outcome.id] > 0
 
     def joined(self, outcome: Outcome, number: int) -> Outcome | None:

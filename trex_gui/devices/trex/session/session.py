@@ -62,7 +62,7 @@ class _Board:
     reader: BoardReader = field(init=False)
     jobs: JobServer = field(init=False)
     had_job: bool = False  # since its last poll
-    stopped_another: bool = False  # at the end another board than the one driven answered
+    stopped_another: bool = False  # the board that answered at the end is not the one driven
 
 
 class TrexSession:
@@ -97,6 +97,7 @@ class TrexSession:
         self._has_driven = False  # and not polled since, with several boards
         self._in_turn = list(self._boards)  # who was served least recently comes first
         self._requests = TrexRequestQueue(inbox, {one.number: one.queue for one in self._boards})
+        self._requests.is_ready = len(self._boards) == 1
 
     def _board(self, number: int | None, settings: ConnectionSettings, may_move: bool) -> _Board:
         """Return a board; `number` is that of one in a group."""
@@ -111,6 +112,8 @@ class TrexSession:
                 self._emit(report if number == self._settings.group[0] else OfBoard(number, report))
 
         motors = MotorOutput(emit, settings.timeouts, may_move=may_move)
+        if number is not None:  # driven once all of them were read and armed together
+            motors.handle(OutputEvent.STOP, 0.0)
         liveness = LivenessMonitor(settings.timeouts)
         queue = BoardQueue(motors, liveness, emit, self._now)
         return _Board(number, settings, motors, liveness, queue, emit)
@@ -164,8 +167,7 @@ class TrexSession:
             raise self._why_not_found(client, error) from error
         for board in self._boards[1:]:
             self._begin_other(board, client)
-            for one in self._boards:  # they are driven together once they were armed together
-                one.motors.handle(OutputEvent.STOP, self._now())
+        self._requests.is_ready = True
         drivers = [board.line.driver for board in self._boards]
         transport.while_waiting = lambda waited: min(
             driver.refresh_while_waiting(waited) for driver in drivers

@@ -143,13 +143,15 @@ class BoardPanel(QWidget):
         self._scan.setEnabled(boards.can_scan)
         can_change = boards.can_change_number and boards.has_several
         self._change.setEnabled(can_change and not is_scanning)
-        self._file.setEnabled(device.is_writable and not is_scanning and boards.has_several)
+        can_write = device.is_writable and not is_scanning and not self._group.devices
+        self._file.setEnabled(can_write and boards.has_several)
         self._list.setEnabled(boards.can_select)
         is_group = bool(self._group.devices)
         self._together.setVisible(not is_group and self._group.can_change)
         self._together.setEnabled(self.can_join)
         self._alone.setVisible(is_group and self._group.can_change)
-        self._alone.setEnabled(device.is_writable and not device.motors.armed)
+        is_stopped = not device.motors.armed and not device.may_move
+        self._alone.setEnabled(device.is_writable and is_stopped)
 
     def _show_boards(self) -> None:
         """Show each board in its place. The list keeps focus and scroll position."""

@@ -40,6 +40,7 @@ class GroupDialog(ReusedDialog):
         super().__init__(parent)
         self._boards, self._group = boards, group
         self._rows: dict[tuple[int, int], tuple[QComboBox, QCheckBox]] = {}
+        self._labels: dict[tuple[int, int], QWidget] = {}
         self.setObjectName("groupDialog")
         self.setWindowTitle(title_of(tr("Drive together…")))
         resize_with_font(self, 560, 360)
@@ -90,11 +91,13 @@ class GroupDialog(ReusedDialog):
             turns = QCheckBox(tr("reversed"), self._table)
             ui.named(turns, f"{key}Reversed", accessible=f"{name}, {tr('reversed')}")
             side.currentIndexChanged.connect(self._on_changed)
-            for column, widget in enumerate((ui.label(self._table, text=name), side, turns)):
+            label = ui.label(self._table, text=name)
+            for column, widget in enumerate((label, side, turns)):
                 self._grid.addWidget(widget, row, column)
             self._rows[number_and_motor] = side, turns
+            self._labels[number_and_motor] = label
         for number_and_motor, widgets in self._rows.items():
-            for widget in widgets:
+            for widget in (*widgets, self._labels[number_and_motor]):
                 widget.setVisible(number_and_motor in wanted)
 
     def _show_wheels(self, wheels: tuple[Wheel, ...]) -> None:
@@ -116,7 +119,7 @@ class GroupDialog(ReusedDialog):
 
     @Slot(int)
     def _on_preset(self, index: int) -> None:
-        numbers = sorted({number for number, _ in self._rows})
+        numbers = [one.number for one in self._boards.boards]
         wanted = (front_and_back, left_and_right)[index](numbers)
         turned = {(one.board, one.motor) for one in self.wheels if one.is_reversed}
         self._show_wheels(
@@ -130,7 +133,8 @@ class GroupDialog(ReusedDialog):
     @Slot()
     def _on_join(self) -> None:
         self.close()
-        self._group.join(self.wheels)
+        if len({one.board for one in self.wheels}) > 1:  # boards may have gone meanwhile
+            self._group.join(self.wheels)
 
 
 class SideBySide(QWidget):

@@ -228,7 +228,7 @@ class MotorsPage(QWidget):
 
     @Slot()
     def _on_state_changed(self) -> None:
-        joint = self._device.board.is_joint
+        joint = self._device.board.is_joint and not self._group.wheels
         for drive in (self._pad_drive, self._key_drive):
             drive.joint = joint
         titles = (tr("Left"), tr("Right")) if self._group.wheels else (tr("Motor 1"), tr("Motor 2"))
@@ -285,7 +285,7 @@ class MotorsPage(QWidget):
         self._on_text_due()
 
     def _is_unused(self, number: int) -> bool:
-        return number == 2 and self._device.board.is_joint
+        return number == 2 and self._device.board.is_joint and not self._group.wheels
 
     @Slot()
     def _show_setpoints(self) -> None:
