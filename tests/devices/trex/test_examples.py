@@ -299,3 +299,19 @@ def test_every_example_is_tested() -> None:
     names = [path.stem for path in EXAMPLES.glob("*.py")]
     assert len(names) >= 15
     assert [name for name in names if f'"{name}"' not in text and f"{name}.py" not in text] == []
+
+
+def test_two_boards_are_driven(
+    virtual_time: VirtualRuntime, start_simulator: StartSimulator
+) -> None:
+    boards = start_simulator("--unpaced", "--device", "7", "--device", "9")
+    example = Example(virtual_time, "drive_two", boards.url, "40")
+    for first, second in ((40, 40), (40, 0)):
+        example.until(
+            lambda: (
+                [boards.show(name)["motors"][0]["target_speed"] for name in ("@7", "@9")]
+                == [first, second]
+            )  # noqa: B023 - called before the next round
+        )
+    example.end()
+    assert "confirmed" in example.text
