@@ -311,7 +311,7 @@ def test_two_boards_are_driven(
             lambda: (
                 [boards.show(name)["motors"][0]["target_speed"] for name in ("@7", "@9")]
                 == [first, second]
-            )  # noqa: B023 - called before the next round
+            )
         )
     example.end()
     assert "confirmed" in example.text

@@ -71,7 +71,7 @@ class StopRun:
     clean: int = 0
     latched: list[LatchedStatus] = field(default_factory=list)
     was_sent: bool = False
-    patience: int = _ATTEMPTS  # unanswered rounds in a row that end it
+    most_unanswered: int = _ATTEMPTS  # unanswered rounds in a row that end it
     unanswered: list[NoReply] = field(default_factory=list)  # of the last rounds, in a row
 
     @property
@@ -143,7 +143,7 @@ class MotorDriver:
             run.unanswered.clear()
             run.latched += [status] if status else []
             run.clean = run.clean if status.is_clean else 0
-        is_over = not run.attempts or len(run.unanswered) >= run.patience
+        is_over = not run.attempts or len(run.unanswered) >= run.most_unanswered
         return run.is_confirmed or is_over or (not run.clean and run.aborts())
 
     def finish_stop(self, run: StopRun) -> None:

@@ -26,7 +26,7 @@ from trex_gui.devices.trex.session.polling import Topic
 from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
 from trex_gui.devices.trex.session.request_queue import BoardQueue, TrexRequestQueue
 
-_PATIENCE = 3
+_MOST_UNANSWERED = 3
 """Unanswered rounds in a row after which one board of several counts as silent.
 
 A stop is repeated with every attempt to find it again."""
@@ -123,7 +123,7 @@ class OpenLine:
             others = [one for one in self.boards if one not in runs]
             more = {one: run for one in others for run in one.due_stops()}
             for run in more.values():
-                run.patience = _PATIENCE
+                run.most_unanswered = _MOST_UNANSWERED
             runs.update(more)
             return list(more.values())
 
@@ -131,7 +131,7 @@ class OpenLine:
             stop_together(list(runs.values()))
             return
         for run in runs.values():
-            run.patience = _PATIENCE
+            run.most_unanswered = _MOST_UNANSWERED
         stop_together(list(runs.values()), due)
         for board, run in runs.items():
             for error in run.unanswered:  # nothing may drive the others before it responds again
