@@ -306,12 +306,11 @@ def test_two_boards_are_driven(
 ) -> None:
     boards = start_simulator("--unpaced", "--device", "7", "--device", "9")
     example = Example(virtual_time, "drive_two", boards.url, "40")
-    for first, second in ((40, 40), (40, 0)):
-        example.until(
-            lambda: (
-                [boards.show(name)["motors"][0]["target_speed"] for name in ("@7", "@9")]
-                == [first, second]
-            )
-        )
+
+    def speeds() -> list[int]:
+        return [boards.show(name)["motors"][0]["target_speed"] for name in ("@7", "@9")]
+
+    example.until(lambda: speeds() == [40, 40])
+    example.until(lambda: speeds() == [40, 0])
     example.end()
     assert "confirmed" in example.text
