@@ -9,29 +9,28 @@ from trex_gui.core.translation import tr
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import SerialFormat
 
-_READY_S = 1.0  # seconds to wait for the guardian to be ready, which takes some hundredths
+_READY_S = 1.0  # seconds to wait for the guardian, which starts in some hundredths
 
 _REPLACED_S = 0.4
-"""Seconds in which a lost guardian is replaced; or else the next heartbeat stops the motors."""
+"""Seconds to replace a lost guardian. After that the next heartbeat stops the motors."""
 
 _SHORT_TIMEOUT_S = 0.2
-"""Seconds for which a reply is awaited although a stop is due: the board is deaf while it replies,
-and a late reply would be taken for another one."""
+"""Seconds for which a reply is awaited although a stop is due. The board is deaf while it
+replies, and a late reply could be mistaken for the next one."""
 
 _LAST_STOP_S = 0.4
-"""Seconds for the guardian to stop the motors on a line that the session cannot use any more."""
+"""Seconds for the guardian to stop the motors on a line that the session has lost."""
 
 
 class GuardedTransport:
-    """Sends heartbeats to the guardian as the session uses the line.
+    """Sends heartbeats to the guardian while the session uses the line.
 
-    A session that did not respond for `silence` seconds (suspended, or blocked) must expect that
-    the guardian has stopped the motors and still uses the line. Before it uses the line again the
-    guardian is ended, another one started, and `taken_over` called with whether the stop was
-    confirmed. Until the session has sent a stop, writing anything else raises `NoReply`: it may be
-    a setpoint from before. So it is where a lost guardian is not replaced in time while motors may
-    move; `taken_over` gets `None` then. While motors may move, a read ends early when
-    `stop_is_due`.
+    If the session was suspended or blocked for `silence` seconds, the guardian may have stopped
+    the motors and may still use the line. Before the session uses it again, the guardian is
+    replaced, and `taken_over` is called with whether the stop was confirmed. Until the session has
+    sent a stop, writing anything else raises `NoReply`, since it may be an old setpoint. The same
+    applies if a lost guardian is not replaced in time while motors may move. `taken_over` gets
+    `None` then. While motors may move, a read ends early when `stop_is_due`.
 
     Args:
         below: the line.
@@ -71,7 +70,7 @@ class GuardedTransport:
 
     @property
     def is_guarded(self) -> bool:
-        """Whether a guardian is ready, or is starting in place of another one."""
+        """True if a guardian is ready, or is starting in place of a lost one."""
         return self._guardian.is_ready or (self._was_ready and self._ready_by is not None)
 
     def wait_for_guardian(self) -> None:
@@ -84,7 +83,7 @@ class GuardedTransport:
         return is_late or self._guardian.has_acted
 
     def beat(self) -> None:
-        """Send a heartbeat if one is due; take the line back if the guardian has taken over."""
+        """Send a heartbeat if it is due. Take the line back if the guardian has taken over."""
         if self._has_taken_over:
             self._take_back()
             return
@@ -99,7 +98,7 @@ class GuardedTransport:
             self._beat_at = now
 
     def _replace_lost_guardian(self, sequence: StopSequence | None) -> None:
-        """Start another guardian at once. Without one in time let the motors be stopped."""
+        """Restart a lost guardian at once. If that fails, have the motors stopped."""
         if self._guardian.is_ready:
             self._was_ready, self._ready_by = True, None
         elif self._was_ready and self._ready_by is None:
@@ -119,7 +118,7 @@ class GuardedTransport:
             self._below.discard()  # replies to the guardian
 
     def _restart(self, seconds: float) -> None:
-        """Start another guardian, which has to be ready within `seconds`."""
+        """Start a new guardian, which must be ready within `seconds`."""
         self._guardian.end()
         self._guardian = self._below.start_guardian(self._silence)
         self._sequence = None
@@ -170,12 +169,12 @@ class GuardedTransport:
             self._below.wait(min(left, HEARTBEAT_INTERVAL))
 
     def stop_by_guardian(self) -> bool:
-        """Let the guardian stop motors that the session could not stop; whether it is confirmed."""
+        """Have the guardian stop the motors. Return whether the stop was confirmed."""
         self._is_left = True
         return self._guardian.stop(_LAST_STOP_S)
 
     def close(self) -> None:
-        """Close the line; a guardian that is stopping the motors goes on."""
+        """Close the line. A guardian that is stopping the motors continues."""
         if not self._guardian.has_acted and not self._is_left:
             self._guardian.end()
         self._below.close()

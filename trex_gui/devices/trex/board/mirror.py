@@ -1,4 +1,4 @@
-"""What is known of a board, from the reports of its session: no Qt, no threads, no I/O."""
+"""State of a board, from the reports of its session. No Qt, threads or I/O."""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
@@ -62,10 +62,10 @@ from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 
 @dataclass(frozen=True, slots=True)
 class BoardRead:
-    """A board was read.
+    """All settings of a board were read.
 
-    `is_changed`: it stores something else than before, or nothing was known. `is_other`: it may be
-    another board. `is_new`: it is, or is at another line: what was counted is not of it.
+    `is_changed`: they differ from the last reading, or are the first. `is_other`: this may be
+    another board. `is_new`: this is another board, or another line, so error counts were reset.
     """
 
     report: Connected
@@ -76,9 +76,9 @@ class BoardRead:
 
 @dataclass(frozen=True, slots=True)
 class MotorsShutDown:
-    """The board has stopped its motors by itself, for a `reason` in a sentence.
+    """The board has stopped its motors by itself. `reason` is a sentence.
 
-    The next motor command would start them again: only the user may give it.
+    The next motor command would restart them, so only the user may send it.
     """
 
     reason: str
@@ -86,7 +86,7 @@ class MotorsShutDown:
 
 @dataclass(frozen=True, slots=True)
 class LineJudged:
-    """The judgement of the line has changed, or is not known any more."""
+    """The quality of the line has changed, or is unknown again."""
 
 
 BoardEvent = BoardRead | MotorsShutDown | LineJudged | Sample | Event
@@ -94,7 +94,7 @@ BoardEvent = BoardRead | MotorsShutDown | LineJudged | Sample | Event
 
 @dataclass(frozen=True, slots=True)
 class SetUp:
-    """Steps of the set-up whose settings a board stores."""
+    """Completed steps of the set-up, as the stored settings show them."""
 
     sticks: bool  # the channels of both motors are learned
     limits: bool  # both motors have a current limit
@@ -102,25 +102,25 @@ class SetUp:
 
 
 class SafeStart:
-    """Remembers whether sticks were at rest, or motors drew current, since the board came.
+    """Estimates whether safe-start holds the motors, for which the board has no flag.
 
-    Inferred: the board has no flag for safe-start. It begins at power-up and when a required
-    channel falls silent, and ends when the channels that drive are near neutral, all at once;
-    how near is inferred, too. Ref: TReX Jr User's Guide 4.e.
+    Inferred: safe-start begins at power-up and when a required channel loses its signal. It ends
+    when all driving channels are near neutral at once. The threshold is inferred, too. Ref: TReX Jr
+    User's Guide 4.e.
     """
 
     def __init__(self) -> None:
         self._is_over = False
 
     def may_hold(self, state: DeviceState, newest: Newest, *, joint: bool) -> bool:
-        """Return whether a channel commands a speed, no current flows and nothing shows why."""
+        """Return whether a channel commands a speed and no current flows, without a known cause."""
         is_commanded = bool(_commands(state, newest, joint=joint))
         return is_commanded and Currents in newest.samples and not self._is_over and not joint
 
     def take(
         self, state: DeviceState, newest: Newest, inputs: BoardInputs | None, *, joint: bool
     ) -> None:
-        """Follow the newest samples."""
+        """Update the estimate from the newest samples."""
         values, currents = _commands(state, newest, joint=joint), newest.get(Currents)
         flows = currents is not None and max(currents.counts) > NOISE_COUNTS
         if not values or (inputs is not None and inputs.lacks_signal):
@@ -130,7 +130,7 @@ class SafeStart:
 
 
 def _commands(state: DeviceState, newest: Newest, *, joint: bool) -> tuple[int, ...]:
-    """Return the commands of the channels that drive; empty if none does, or unknown."""
+    """Return the commands of the driving channels. Empty if no channel drives, or unknown."""
     sample = newest.get(Remapped)
     if state.mode.is_serial or sample is None:
         return ()
@@ -139,12 +139,12 @@ def _commands(state: DeviceState, newest: Newest, *, joint: bool) -> tuple[int, 
 
 
 class BoardMirror:
-    """One board, or none, as its session reports it."""
+    """State of the board of a session, if one is connected."""
 
     def __init__(
         self, memory: BoardMemory, errors_changed: Callable[[], None] = lambda: None
     ) -> None:
-        """`memory` is what this computer keeps of the board; `errors_changed`: see `errors`."""
+        """`memory`: records of the board on this computer. `errors_changed`: see `errors`."""
         self.memory = memory
         self.errors = ErrorCounts(errors_changed)
         self.quality = ConnectionQuality()
@@ -174,35 +174,35 @@ class BoardMirror:
 
     @property
     def state(self) -> DeviceState | None:
-        """Stored settings of the board, or `None` while none is connected."""
+        """Stored settings of the board, or `None` without a connection."""
         return self.last if self._was_read else None
 
     @property
     def serial_controls(self) -> bool | None:
-        """True while motor commands reach the motors, or `None` while that is not known."""
+        """True if serial motor commands reach the motors, or `None` if unknown."""
         sample = self.newest.get(Control)
         return None if sample is None else sample.by_serial
 
     @property
     def control_text(self) -> str:
-        """Sentence that names who controls the motors, or an empty text."""
+        """Sentence about the source of control, or an empty text."""
         if self.state is None or self.serial_controls is None:
             return ""
         return who_controls(self.state.mode, self.serial_controls, joint=self.is_joint)
 
     @property
     def silence(self) -> DriveBlocker:
-        """Why nothing is known of a board that does not respond."""
+        """Reason for the silence of a board that does not respond."""
         return DriveBlocker.NETWORK_SILENT if self.is_network_silent else DriveBlocker.SILENT
 
     @property
     def other_driver(self) -> str:
-        """The user who drives this served board in place of this program; empty: none does."""
+        """Other user who drives this served board. Empty if there is none."""
         return "" if self.lease is None or self.lease.is_mine else self.lease.driver
 
     @property
     def so_ground(self) -> bool | None:
-        """State of the SO–G jumper, or `None` while that is not known.
+        """State of the SO–G jumper, or `None` if unknown.
 
         Inferred: with the jumper no reply would leave SO. RS-232 has pins of its own.
         """
@@ -210,7 +210,7 @@ class BoardMirror:
 
     @property
     def set_up(self) -> SetUp | None:
-        """Steps of the set-up that the board stores, or `None` while none is connected."""
+        """Completed steps of the set-up, or `None` without a connection."""
         if self.state is None:
             return None
         stored = self.state.parameters.get
@@ -223,21 +223,21 @@ class BoardMirror:
 
     @property
     def timeout_stop(self) -> TimeoutStop:
-        """What is expected of the board's serial timeout, also after the board was lost."""
+        """Expected effect of the serial timeout, also after the board was lost."""
         record = self.memory.record
         trial = None if record is None else record.trial
         return timeout_stop({} if self.last is None else self.last.parameters, trial)
 
     @property
     def silence_remedy(self) -> str:
-        """What the user should do when the driven board is lost."""
+        """Remedy for the loss of a driven board, in sentences."""
         text = ""
         if self.last is not None and (wire := self.last.parameters.get(_TIMEOUT)):
             text = self.last.specs[_TIMEOUT].text(wire)
         return remedy_for_silence(self.timeout_stop, text)
 
     def inputs(self, now: float) -> BoardInputs | None:
-        """Return what decides whether the motors run; `None` while that is not known."""
+        """Return the inputs that decide whether the motors run, or `None` if unknown."""
         if self.state is None or self.serial_controls is None:
             return None
         state, joint, safe_start = self.state, self.is_joint, tuple[Reason, ...]()
@@ -272,7 +272,7 @@ class BoardMirror:
     # --- Reports ------------------------------------------------------------------------
 
     def take(self, report: Report, now: float, utc: datetime) -> Iterator[BoardEvent]:
-        """Take a report and yield what happened, as it becomes known: consume it whole.
+        """Handle a report, and yield the events that follow. Consume the iterator completely.
 
         `now` is in seconds of a monotonic clock, `utc` the date and time.
         """
@@ -313,7 +313,7 @@ class BoardMirror:
             yield Event(now, EventKind.LINK, text)
 
     def close(self, now: float, *, may_move: bool) -> Iterator[BoardEvent]:
-        """Take that the line was closed; `may_move`: no stop was confirmed."""
+        """Handle the end of the connection. `may_move`: no stop was confirmed."""
         was_read, self._was_read = self._was_read, False
         self.is_responding, self.connected_at, self.connected_utc = False, None, None
         self.lease = self.network_delay = None
@@ -331,7 +331,7 @@ class BoardMirror:
         self.settings = written.settings
 
     def note_power_cycled(self) -> None:
-        """Take that everything stored is in force."""
+        """Record that all stored settings are active now."""
         if self.last is not None:
             self.is_joint = _is_joint(self.last)
 
@@ -382,13 +382,13 @@ class BoardMirror:
         )
 
     def _select(self, before: str, board: str, state: DeviceState) -> None:
-        """Show another board on the line; keep what is known of the one `before`."""
+        """Switch to another board on the line, and save the state of the board `before`."""
         self.errors.select(before, board)
         self._joint[before] = self.is_joint
         self.is_joint = self._joint.pop(board, _is_joint(state))
 
     def _take_batch(self, batch: Batch, now: float, utc: datetime) -> Iterator[BoardEvent]:
-        """Take samples; a stop of the board's precedes those that show it."""
+        """Handle samples. A stop by the board is yielded before the samples that show it."""
         self.counters = batch.counters
         has_failed = self.quality.has_failed_lately(now, batch.counters)
         has_crc = self.settings is not None and self.settings.line.has_crc
@@ -411,9 +411,9 @@ class BoardMirror:
             self._safe_start.take(self.state, self.newest, self.inputs(now), joint=self.is_joint)
 
     def _why_stopped(self, latched: LatchedStatus) -> str:
-        """Return why the motors are at rest after these bits; empty if they are not.
+        """Return the reason why these bits mean that the motors have stopped, or an empty text.
 
-        Other serial errors than a timeout stop them only if UART-Error Shutdown (0x08) is set.
+        Serial errors other than a timeout stop them only if UART-Error Shutdown (0x08) is set.
         """
         if latched.uart & UartError.TIMEOUT:
             return tr(

@@ -1,8 +1,8 @@
-"""Motor output as one state machine: what may be sent, what may be moving, what is due next.
+"""State machine of the motor output: permissions, motion, and what to send next.
 
-Pure: every method takes the time, in seconds on the line's clock. `motor_driver` performs the I/O.
+Pure. Every method takes the time, in seconds on the line's clock. `motor_driver` does the I/O.
 
-Two states change independently, each with its table below: `Arming` and `Motion`.
+`Arming` and `Motion` change independently. Each has a transition table below.
 """
 
 import math
@@ -32,25 +32,25 @@ from trex_gui.devices.trex.driving.setpoints import (
 )
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexNoReplyError
 
-STOP_RETRY_INTERVAL = 0.25  # seconds after which an unconfirmed stop is sent again
+STOP_RETRY_INTERVAL = 0.25  # seconds between retries of an unconfirmed stop
 
 
 class Arming(Enum):
-    """Which motor commands pass."""
+    """Motor commands that may be sent."""
 
-    INITIAL = auto()  # all; the motors were neither armed nor stopped yet
-    ARMED = auto()  # all, as long as heartbeats come
-    DISARMED = auto()  # none, until the motors are armed
-    UNREACHABLE = auto()  # none, and arming has no effect: the board does not respond
+    INITIAL = auto()  # all commands: the motors were neither armed nor stopped yet
+    ARMED = auto()  # all commands, while heartbeats arrive
+    DISARMED = auto()  # no commands until the motors are armed
+    UNREACHABLE = auto()  # no commands, even after arming: the board does not respond
 
 
 class Motion(Enum):
-    """Whether a motor may be moving."""
+    """Motion of the motors, as far as commands and confirmations show it."""
 
     STOPPED = auto()  # no motor was driven since the last confirmed stop
     DRIVEN = auto()  # a motor may be moving as commanded
     STOP_UNCONFIRMED = auto()
-    """A motor may be moving although a stop was sent; the stop is repeated."""
+    """A motor may be moving although a stop was sent. The stop is retried."""
 
 
 class OutputEvent(Enum):
@@ -91,7 +91,7 @@ _ARMING: Mapping[tuple[Arming, OutputEvent], tuple[Arming, tuple[Action, ...]]] 
     (Arming.UNREACHABLE, OutputEvent.NOT_RESPONDING): (Arming.UNREACHABLE, _UNREACHABLE),
     (Arming.UNREACHABLE, OutputEvent.BOARD_READ): (Arming.DISARMED, ()),
 }
-"""The next state for each event; an event that is not listed changes nothing."""
+"""Next state and actions for each event. Events that are not listed have no effect."""
 
 _MOTION: Mapping[tuple[Motion, OutputEvent], tuple[Motion, tuple[Action, ...]]] = {
     (Motion.STOPPED, OutputEvent.SETPOINT_SENT): (Motion.DRIVEN, ()),
@@ -107,11 +107,11 @@ _MOTION: Mapping[tuple[Motion, OutputEvent], tuple[Motion, tuple[Action, ...]]] 
         (Action.FAIL_NOISY_STOPS,),
     ),
 }
-"""The same for `Motion`. A direct command does not end the repetition of a stop."""
+"""Transitions of `Motion`. A direct command does not end the retries of a stop."""
 
 
 class MotorOutput:
-    """What the motors of one board are commanded to do, and whether they may be moving."""
+    """Commands to the motors of one board, and whether the motors may be moving."""
 
     def __init__(
         self,
@@ -120,7 +120,7 @@ class MotorOutput:
         *,
         may_move: bool = False,
     ) -> None:
-        """`report` receives the outcome of every stop, and what happens without a request."""
+        """`report` receives the outcome of every stop, and every automatic stop."""
         self.arming = Arming.INITIAL
         self.motion = Motion.DRIVEN if may_move else Motion.STOPPED
         self.stops: list[Stop] = []  # requested stops that were not sent yet
@@ -144,11 +144,11 @@ class MotorOutput:
 
     @property
     def may_move(self) -> bool:
-        """Whether a motor was driven and no stop was confirmed since."""
+        """True if a motor was driven and no stop has been confirmed since."""
         return self.motion is not Motion.STOPPED
 
     def handle(self, event: OutputEvent, now: float) -> None:
-        """Change the state as the tables say, and perform the actions."""
+        """Apply the transition tables to an event, and perform their actions."""
         self.arming, actions = _ARMING.get((self.arming, event), (self.arming, ()))
         self.motion, more = _MOTION.get((self.motion, event), (self.motion, ()))
         for action in (*actions, *more):
@@ -168,7 +168,7 @@ class MotorOutput:
     # --- Requests -----------------------------------------------------------------------
 
     def take(self, request: MotorRequest, now: float) -> None:
-        """Take a request; a setpoint is dropped unless `arming` lets it pass."""
+        """Handle a request. Setpoints are dropped unless `arming` permits them."""
         match request:
             case Stop():
                 self.stops.append(request)
@@ -183,17 +183,16 @@ class MotorOutput:
                     self.setpoints.put(request)
 
     def _heartbeat_received(self, at: float) -> None:
-        """Take a heartbeat, but not one that comes after the timeout.
+        """Record a heartbeat, unless it arrives after the timeout.
 
-        Where window and line were suspended together, the first heartbeat after that must not
-        hide the timeout.
+        If the computer was suspended, the first heartbeat after it must not hide the timeout.
         """
         if at - self._heartbeat_at <= self._timeouts.heartbeat:
             self._heartbeat_at = max(self._heartbeat_at, at)
 
     # --- What comes next ----------------------------------------------------------------
 
-    # Each returns seconds, infinite for never.
+    # All return seconds from now, infinite if nothing is due.
 
     def seconds_to_heartbeat_timeout(self, now: float) -> float:
         return self._heartbeat_at + self._timeouts.heartbeat - now if self.is_armed else math.inf
@@ -204,7 +203,7 @@ class MotorOutput:
         return self._stopped_at + STOP_RETRY_INTERVAL - now
 
     def seconds_to_drive(self, now: float, interval: float) -> float:
-        """`interval`: least seconds between motor packets."""
+        """`interval`: shortest time in seconds between motor packets."""
         due = min(
             self._sent_at if self.setpoints else math.inf,
             self.retry.due,
@@ -213,7 +212,7 @@ class MotorOutput:
         return max(due, self._sent_at + interval) - now
 
     def refresh_due(self, interval: float) -> float:
-        """Return when to send every setpoint again, on the line's clock."""
+        """Return the time of the next refresh of all setpoints, on the line's clock."""
         due = math.inf
         if self.arming is not Arming.UNREACHABLE:
             due = self.refresh.due(interval, armed=self.is_armed)
@@ -221,13 +220,13 @@ class MotorOutput:
         return due
 
     def note_refresh(self) -> None:
-        """Report that every setpoint is sent again, once until the line is quiet."""
+        """Report that setpoints are being refreshed, once until the line is quiet."""
         if not self.is_repeating:
             self.is_repeating = True
             self.report(CommandsRepeated())
 
     def take_setpoints(self, now: float) -> list[Setpoint]:
-        """Return the queued setpoints, or else those to repeat, and count them as sent."""
+        """Return the setpoints to send now: queued ones, or retries. Record them as sent."""
         self._sent_at = now
         if setpoints := self.setpoints.take():
             self.retry.begin(setpoints, now)
@@ -240,7 +239,7 @@ class MotorOutput:
         return setpoints
 
     def note_status(self, latched: LatchedStatus, *, stops_on_error: bool) -> None:
-        """Take a status that was polled; see `SetpointRetry.note_status`."""
+        """Pass a polled status on. See `SetpointRetry.note_status`."""
         self.quality.note_status(latched)
         self.refresh.note_status(latched, stops_on_error=stops_on_error)
         self.restart.note_status(latched, stops_on_error=stops_on_error)
@@ -249,22 +248,22 @@ class MotorOutput:
     # --- Stops and their outcomes -------------------------------------------------------
 
     def take_stops(self) -> list[Stop]:
-        """Return every stop that has no outcome yet."""
+        """Return all stops without an outcome, and clear the queue."""
         stops = self._noisy_stops + self.stops
         self._noisy_stops, self.stops = [], []
         return stops
 
     def put_back(self, stops: Sequence[Stop]) -> None:
-        """Queue stops again, before those that have come meanwhile."""
+        """Requeue stops ahead of stops that have arrived meanwhile."""
         self.stops[:0] = stops
 
     def note_stop(
         self, now: float, statuses: Sequence[LatchedStatus], *, confirmed: bool, final: bool
     ) -> None:
-        """Take the result of an attempt to stop; the motors are idle from now on.
+        """Record the result of an attempt to stop. All setpoints are idle from now on.
 
-        `statuses` were latched meanwhile. It is `confirmed` if clean statuses followed; `final`
-        says that these are sufficient even on a line that damages bytes.
+        `statuses` were latched meanwhile. `confirmed`: clean statuses followed the stop. `final`:
+        they are sufficient even on a line that damages bytes.
         """
         self._sent_at = self._stopped_at = now
         was_driven = self.may_move
@@ -281,9 +280,9 @@ class MotorOutput:
     def end_stops(self, stops: Sequence[Stop], now: float, *, answered: bool) -> None:
         """Report the outcome of stops that were sent.
 
-        On a line that damages bytes it waits until the line is quiet, or for
-        `Timeouts.stop_confirmation`; the stop is repeated until then. To a board that does not
-        respond nothing is repeated, so its stops do not wait.
+        On a line that damages bytes the outcome waits until the line is quiet, or for
+        `Timeouts.stop_confirmation`, while the stop is retried. A board that does not respond gets
+        no retries, so its stops end at once.
         """
         if not answered:
             self.report_stops(stops, TrexNoReplyError(ErrorCode.STOP_UNCONFIRMED))

@@ -1,4 +1,4 @@
-"""Queued, unconfirmed and refreshed setpoints, and the quality of the line that carries them."""
+"""Queue, retry and refresh of setpoints, and the quality of the line that carries them."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -19,27 +19,28 @@ from trex_gui.devices.trex.protocol.commands import Command, DriveMotor
 from trex_gui.devices.trex.protocol.driving import Drive
 
 REPEATS = (0.15, 0.3, 0.6, 1.2)
-"""Seconds after which an unconfirmed setpoint is sent again, one after the other.
+"""Delays in seconds before each retry of an unconfirmed setpoint.
 
-The first is later than the next status on all but slow lines. After a status with an error the
-sequence begins again, at once.
+On all but slow lines the next status arrives before the first retry. A status with an error
+restarts the sequence at once.
 """
 
-LONGEST_REPEATING = 5.0  # seconds after which a setpoint is repeated no more, confirmed or not
+LONGEST_REPEATING = 5.0  # seconds after which retries end, confirmed or not
 
 _CLEAN_STATUSES = 2
-"""Packets and clean statuses, in turn, that confirm a setpoint; see `motor_driver`.
+"""Alternating packets and clean statuses that confirm a setpoint; see `motor_driver`.
 
-One where a repeat could do harm: setting a speed at once bypasses the current limiter.
+A single status is enough where a retry could do harm: setting a speed at once bypasses the
+current limiter.
 """
 
-_REFRESHED = 1000  # replies without damage after which setpoints are not refreshed any more
+_REFRESHED = 1000  # undamaged replies in a row after which refreshing ends
 
 _MOTORS = (1, 2)
 
 
 class SetpointSlots:
-    """One slot for each motor: a newer setpoint replaces the queued one."""
+    """Queue with one slot per motor. A new setpoint replaces the queued one."""
 
     def __init__(self) -> None:
         self._by_motor: dict[int, Setpoint] = {}
@@ -53,24 +54,24 @@ class SetpointSlots:
         return bool(self._by_motor)
 
     def take(self) -> list[Setpoint]:
-        """Return the setpoints, motors first, and clear the slots."""
+        """Return the queued setpoints ordered by motor, and clear the queue."""
         setpoints = [self._by_motor[motor] for motor in sorted(self._by_motor)]
         self.clear()
         return setpoints
 
     def put_back(self, setpoints: Sequence[Setpoint]) -> None:
-        """Queue setpoints of corrupted packets again, unless newer ones are queued."""
+        """Requeue setpoints whose packets were corrupted, unless newer setpoints are queued."""
         self.put(*setpoints, *self.take())
 
 
 class SetpointRetry:
-    """Sends unconfirmed setpoints again until a status confirms them.
+    """Retries setpoints until a status confirms them.
 
-    Motor packets have no reply: a clean status that was read after one confirms it.
+    Motor packets have no reply. A clean status after the packet confirms it.
     """
 
     def __init__(self) -> None:
-        self.due = math.inf  # when to send them again, on the line's clock
+        self.due = math.inf  # time of the next retry, on the line's clock
         self._set_at = 0.0
         self._unconfirmed: list[Setpoint] = []
         self._repeated = 0
@@ -78,7 +79,7 @@ class SetpointRetry:
         self._sent_since_status = False
 
     def begin(self, setpoints: Sequence[Setpoint], now: float) -> None:
-        """Note setpoints that are sent for the first time."""
+        """Start the retry sequence for setpoints that have just been sent."""
         slots = SetpointSlots()
         slots.put(*self._unconfirmed, *setpoints)
         self._set_at = now
@@ -86,7 +87,7 @@ class SetpointRetry:
         self._schedule(slots.take(), now)
 
     def take(self, now: float) -> list[Setpoint]:
-        """Return the unconfirmed setpoints, and count them as sent."""
+        """Return the unconfirmed setpoints, and schedule the next retry."""
         setpoints = self._unconfirmed
         self._repeated += 1
         self._schedule(setpoints, now)
@@ -106,10 +107,10 @@ class SetpointRetry:
         self._sent_since_status = True
 
     def note_status(self, latched: LatchedStatus, *, stops_on_error: bool) -> None:
-        """Confirm the setpoints, or schedule them at once after an error.
+        """Confirm the setpoints, or schedule a retry at once after an error.
 
-        Motors that the board has stopped are not started again. `stops_on_error`: the board stops
-        its motors on a UART error.
+        Motors that the board has stopped are not restarted. `stops_on_error`: the board stops its
+        motors on a UART error.
         """
         if not self._unconfirmed:
             return
@@ -127,7 +128,7 @@ class SetpointRetry:
 
 
 QUIET = 300
-"""Whole replies in a row without damage after which a line counts as quiet.
+"""Undamaged replies in a row after which a line counts as quiet.
 
 If each byte is damaged with probability p, in any of its bits, the last packet of a brake drives
 that motor with 2p/9 (two of the eight data bits and the stop bit), undetected. Each reply needs at
@@ -139,16 +140,16 @@ bit. At 19200 baud and above 300 replies take 1.6 s.
 
 
 class LineQuality:
-    """Whether a line has been undamaged long enough to trust a clean status.
+    """Quality of a line, which decides whether a clean status can be trusted.
 
-    A clean status confirms that the board latched no error, not that it received the packet that
-    was sent: without a CRC, one bit makes C0 7F (brake) into C2 7F (full speed forward), or 86 1F
-    (a query) into C6 1F (a quarter forward). But such a line damages other bytes too, which shows.
+    A clean status says that the board latched no error, not that it received the packet as sent.
+    Without a CRC, one flipped bit turns C0 7F (brake) into C2 7F (full speed forward), or 86 1F
+    (a query) into C6 1F (a quarter forward). Such a line also damages bytes that are checked.
     """
 
     def __init__(self) -> None:
-        self.answers = 0  # whole replies since the line was opened
-        # Whether another process uses the line too: what fails meanwhile is no damage
+        self.answers = 0  # complete replies since the line was opened
+        # True while another process also uses the line. Its failures are no damage
         self.is_shared = False
         self._has_crc = False
         self._is_observed = False
@@ -156,7 +157,7 @@ class LineQuality:
         self._damaged_at: int | None = None
 
     def observe(self, counters: Counters, *, has_crc: bool) -> None:
-        """Take the counters of the client, which show failed transactions."""
+        """Update the quality from the counters of failed transactions."""
         self.answers = counters.replies
         self._has_crc = has_crc
         self._is_observed = True
@@ -166,20 +167,20 @@ class LineQuality:
             self._note_damage()
 
     def note_status(self, latched: LatchedStatus) -> None:
-        """Take the line errors that the board has latched.
+        """Record line errors that the board has latched.
 
-        Before the first `observe` they are older than the connection.
+        Errors before the first `observe` are older than the connection.
         """
         if self._is_observed and latched.has_line_error:
             self._note_damage()
 
     @property
     def is_quiet(self) -> bool:
-        """Whether a clean status is sufficient confirmation."""
+        """True if a clean status is sufficient confirmation."""
         return self.is_quiet_for(QUIET)
 
     def is_quiet_for(self, replies: int) -> bool:
-        """Whether the line has a CRC, or was not damaged while these replies came."""
+        """True if the line has a CRC, or was undamaged for this number of replies."""
         if self._has_crc or self._damaged_at is None:
             return True
         return self.answers - self._damaged_at >= replies
@@ -190,13 +191,13 @@ class LineQuality:
 
 
 class SetpointRefresh:
-    """Sends every setpoint again and again on a line that damages bytes.
+    """Refreshes all setpoints on a line that damages bytes.
 
-    Undetected damage can turn a motor another way: its own packet, or a query, arrives as another
-    motor command. Only other damage shows that, so setpoints go out until the line is quiet, speeds
-    as accelerate commands, which the current limiter limits. Motors that were never driven are
-    idle and braked from the first setpoint or arming on. Before that nothing is sent, also after a
-    stop: another program may drive the board.
+    Undetected damage can turn a setpoint, or a query, into another motor command. Only other
+    damage reveals that, so all setpoints are refreshed until the line is quiet. Speeds are sent as
+    accelerate commands, which the current limiter limits. From the first setpoint or arming on,
+    motors without a setpoint are braked. Before that nothing is sent, not even after a stop:
+    another program may drive the board.
     """
 
     def __init__(self, quality: LineQuality, holds_speeds: Callable[[], bool]) -> None:
@@ -205,8 +206,8 @@ class SetpointRefresh:
         self.stops_on_error = True  # whether the board stops its motors on a UART error
         self._is_active = False
         self._setpoints: dict[int, Setpoint] = {}
-        self.clear = self._setpoints.clear  # takes every motor for idle, braked fully
-        self.holds_speeds = False  # until the next clean status: the board has stopped motors
+        self.clear = self._setpoints.clear  # every motor counts as fully braked from then on
+        self.holds_speeds = False  # True after the board has stopped motors, until a clean status
         self._auxiliary_at_risk = False
         self._answers_since: int | None = None
         self._sent_at = 0.0
@@ -225,7 +226,7 @@ class SetpointRefresh:
         self._note_auxiliary_risk()
 
     def note_status(self, latched: LatchedStatus, *, stops_on_error: bool) -> None:
-        """Hold speeds until the next clean status if the board has stopped motors."""
+        """Hold speeds back until the next clean status if the board has stopped its motors."""
         self.stops_on_error = stops_on_error
         self.holds_speeds = latched.stops_motors(on_error=stops_on_error)
         if latched.uart and stops_on_error:  # no bit that noise added
@@ -233,11 +234,11 @@ class SetpointRefresh:
                 del self._setpoints[setpoint.motor]
 
     def on_direct_command(self) -> None:
-        """Send nothing until the next setpoint or stop: it is not known which motors are idle."""
+        """Pause until the next setpoint or stop, since the state of the motors is unknown."""
         self._is_active = False
 
     def due(self, interval: float, *, armed: bool) -> float:
-        """Return when to send, on the line's clock; never while the line is quiet."""
+        """Return the time of the next refresh, on the line's clock. Infinite on a quiet line."""
         self._is_active = self._is_active or armed
         if self._quality.is_quiet:
             self._watch_auxiliary()
@@ -246,15 +247,15 @@ class SetpointRefresh:
         return self._sent_at + interval if self._is_active else math.inf
 
     def note_sent(self, now: float) -> None:
-        """Note that everything was sent again, which takes a while where echoes are awaited."""
+        """Record the time of a refresh, which takes long if echoes are awaited."""
         self._sent_at = now
 
     def take_idle(self) -> list[Command[None]]:
-        """Return the packets of every idle motor.
+        """Return a packet for each idle motor.
 
-        One each: the packet for both motors is one bit away from one for the auxiliary motor.
-        The auxiliary motor is left out unless an earlier packet may have started it: damage to
-        any bit of the speed makes its own packet more dangerous than none.
+        The packet for both motors is one bit away from a packet for the auxiliary motor, so each
+        motor gets its own. The auxiliary motor gets none unless an earlier packet may have started
+        it: damage to its speed would be more dangerous than no packet.
         """
         motors = (self._setpoints.get(one, SetMotor(one, Drive.brake())) for one in _MOTORS)
         idle = [one for one in motors if is_idle(one)]
@@ -265,7 +266,7 @@ class SetpointRefresh:
         return [command for setpoint in idle for command in packets([setpoint])]
 
     def speeds(self) -> list[Command[None]]:
-        """Return the packets of every motor that runs, as far as the status shows."""
+        """Return the packets of all running motors, unless the status shows that they stopped."""
         running = [] if self.holds_speeds or self._is_held() else self.running
         return [each for one in running for each in packets([replace(one, accelerate=True)])]
 
@@ -274,12 +275,12 @@ class SetpointRefresh:
         return [one for one in self._setpoints.values() if not is_idle(one)]
 
     def _note_auxiliary_risk(self) -> None:
-        """Note a packet that damage can turn into a speed of the auxiliary motor."""
+        """Record that damage to a packet may have started the auxiliary motor."""
         self._auxiliary_at_risk = True
         self._answers_since = None
 
     def _watch_auxiliary(self) -> None:
-        """End the risk when the line has been quiet after that packet."""
+        """Clear the risk once the line has been quiet since that packet."""
         if self._answers_since is None:
             self._answers_since = self._quality.answers
         if self._quality.answers - self._answers_since >= QUIET:

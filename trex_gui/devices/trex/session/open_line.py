@@ -1,4 +1,4 @@
-"""The open line of a session, for each of its boards: what reads, writes or drives over it."""
+"""Open line of a session, and the parts of each board that use it."""
 
 import math
 from collections.abc import Callable
@@ -27,9 +27,9 @@ from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
 from trex_gui.devices.trex.session.request_queue import BoardQueue, TrexRequestQueue
 
 _MOST_UNANSWERED = 3
-"""Unanswered rounds in a row after which one board of several counts as silent.
+"""Unanswered rounds in a row after which one of several boards counts as silent.
 
-A stop is repeated with every attempt to find it again."""
+Every attempt to find it again also sends the stop."""
 
 
 class SampleBatcher:
@@ -54,7 +54,7 @@ class SampleBatcher:
 
 @dataclass(slots=True, eq=False)
 class OpenLine:
-    """The line as one board of a session uses it, and the order in which they share it."""
+    """The line from the view of one board, and the priority of what uses it."""
 
     client: TrexClient
     transport: GuardedTransport
@@ -62,26 +62,26 @@ class OpenLine:
     driver: MotorDriver
     status: StatusReader
     liveness: LivenessMonitor
-    requests: TrexRequestQueue  # of every board
+    requests: TrexRequestQueue  # of all boards
     queue: BoardQueue
     batcher: SampleBatcher
     emit: Callable[[BoardReport], None]
-    # Every board on this line that is driven, this one too
+    # All boards of the session, including this one
     boards: list["OpenLine"]
     reserved: frozenset[int]  # numbers of other devices, without those of `boards`
-    has_driven: bool = False  # since no stop was sent to each board on the line
-    is_guarded: bool = False  # as last reported
+    has_driven: bool = False  # True until each board on the line was stopped
+    is_guarded: bool = False  # as reported last
 
     @property
     def settings(self) -> ConnectionSettings:
-        """How the board is reached now, with the numbers that the user has reserved."""
+        """Present settings of the board, with the numbers that the user has reserved."""
         return replace(self.client.settings, reserved=self.reserved)
 
     def now(self) -> float:
         return self.client.transport.clock()
 
     def request(self, command: Command[ReplyT_co]) -> ReplyT_co:
-        """Run one transaction of a longer operation, after whatever is more urgent."""
+        """Run one transaction of a longer operation, after stops and setpoints that are due."""
         self.collect()
         self.serve_motors()
         return self.client.request(command)
@@ -89,7 +89,7 @@ class OpenLine:
     # --- What is more urgent ------------------------------------------------------------
 
     def collect(self, seconds: float = 0.0) -> None:
-        """Take requests, and wait for one; raise `Closing` at the end."""
+        """Handle new requests, waiting for the first. Raise `Closing` after `Close`."""
         self.requests.collect(seconds)
         for board in self.boards:
             board.client.keepalive_while_waiting = board.motors.is_armed
@@ -97,7 +97,7 @@ class OpenLine:
             raise Closing
 
     def serve_motors(self) -> bool:
-        """Stop boards or drive one if that is due; return whether the line was used."""
+        """Send the stops or setpoints that are due. Return whether the line was used."""
         return self.serve_stops() or self.drive_next()
 
     def serve_stops(self) -> bool:
@@ -110,13 +110,13 @@ class OpenLine:
         return any(board.drive() for board in self.boards)
 
     def stop_and_confirm(self) -> bool:
-        """Stop this board unprompted, for good; return whether it has confirmed it."""
+        """Stop this board without a request. Return whether it has confirmed the stop."""
         run = self.driver.final_stop()
         self._stop({self: run})
         return run.is_confirmed
 
     def _stop(self, runs: dict["OpenLine", StopRun]) -> None:
-        """Stop boards, and those whose stops become due before all is confirmed."""
+        """Stop these boards, and others whose stops become due meanwhile."""
 
         def due() -> list[StopRun]:
             self.requests.collect()
@@ -138,7 +138,7 @@ class OpenLine:
                 board.note_failure(error)
 
     def due_stops(self) -> list[StopRun]:
-        """Return the stop that is due; see `MotorDriver.take_over_stop` for a shared line."""
+        """Return the stop that is due. See `MotorDriver.take_over_stop` for a shared line."""
         if self.motors.quality.is_shared:
             return [self.driver.take_over_stop()]
         if (run := self.driver.due_stop()) is not None:
@@ -174,7 +174,7 @@ class OpenLine:
             raise TrexRequestError(ErrorCode.OTHERS_WHILE_DRIVING)
 
     def note_failure(self, error: StudioError, topic: Topic | None = None) -> None:
-        """Note a missing or corrupted reply; a few in a row are a board that does not respond."""
+        """Count a failed transaction. After a few in a row the board counts as silent."""
         self.motors.restart.note_lost_reply()
         if self.liveness.note_failure(self.now(), topic):
             self.motors.handle(OutputEvent.NOT_RESPONDING, self.now())
