@@ -153,7 +153,7 @@ def again(arguments: argparse.Namespace, port: "Port | None") -> argparse.Namesp
 
 
 def main(argv: list[str] | None = None) -> int:
-    """Run the window until it is closed; return the exit code."""
+    """Run the window until it is closed. Return the exit code."""
     words = sys.argv[1:] if argv is None else argv
     if words[:1] == ["--guardian"]:
         from trex_gui.core.guardian.process import main as run_guardian  # noqa: PLC0415

@@ -1,4 +1,4 @@
-"""The list of devices; a line registers one."""
+"""The list of devices. A line registers one."""
 
 from typing import TYPE_CHECKING
 
@@ -15,7 +15,7 @@ PLUGINS: tuple[DevicePlugin, ...] = (TREX, ARACNA)
 
 
 def build(timeouts: Timeouts | None = None) -> "Program":
-    """Build models and window; nothing is connected yet."""
+    """Build models and window. Nothing is connected yet."""
     from trex_gui.ui.program import Program  # noqa: PLC0415 - trexcmd starts without Qt
 
     return Program(PLUGINS, timeouts)

@@ -181,7 +181,7 @@ class StopBroadcaster(QObject):
         self._sent.connect(self._report, Qt.ConnectionType.QueuedConnection)
 
     def stop(self, reason: str) -> None:
-        """Stop every device; may be called from any thread."""
+        """Stop every device. May be called from any thread."""
         self._stop_now()
         if self._reporting != threading.get_ident():
             self._sent.emit(reason)

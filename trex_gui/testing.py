@@ -15,7 +15,7 @@ import pytest
 
 
 class SimulatedTrex:
-    """`trex-sim` as a process; use it in a `with` statement.
+    """`trex-sim` as a process. Use it in a `with` statement.
 
     Attributes:
         url: what `Trex` opens: a pseudo-terminal, or a TCP port where there are none.
@@ -23,7 +23,7 @@ class SimulatedTrex:
     """
 
     def __init__(self, *options: str) -> None:
-        """Start it with these options, such as `--model trexjr`; see `trex-sim --help`."""
+        """Start it with these options, such as `--model trexjr`. See `trex-sim --help`."""
         command = [sys.executable, "-m", "trex_gui.cli.simulator", *options]
         self.process = subprocess.Popen(  # noqa: S603 - our own program, without a shell
             command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1
@@ -41,7 +41,7 @@ class SimulatedTrex:
         self.close()
 
     def obey(self, line: str) -> str:
-        """Send a control line; return the answer, whatever it is."""
+        """Send a control line. Return the answer, whatever it is."""
         assert self.process.stdin is not None  # noqa: S101 - for the type checker
         self.process.stdin.write(f"{line}\n")
         self.process.stdin.flush()

@@ -25,7 +25,7 @@ replies to each with "ok ..." or "error ...".
 
 
 def _read_address(text: str) -> tuple[str, int]:
-    """Read HOST:PORT; an IPv6 host is in brackets."""
+    """Read HOST:PORT. An IPv6 host is in brackets."""
     host, _, port = text.rpartition(":")
     if not (port.isascii() and port.isdigit() and int(port) <= 0xFFFF):
         raise click.BadParameter(f"{text!r} is not HOST:PORT such as 127.0.0.1:0")
@@ -86,7 +86,7 @@ def main(
 
 
 def simulate(context: click.Context) -> Simulation:
-    """Build the simulation; UsageError if an option belongs to another device."""
+    """Build the simulation. UsageError if an option belongs to another device."""
     options = context.params
     device = next((key for key in _SIMULATORS if options.get(key)), _DEFAULT)
     for key, simulator in _SIMULATORS.items():

@@ -1,1 +1,1 @@
-"""Shared by all devices; no Qt, and nothing of a particular device."""
+"""Shared by all devices. No Qt, and nothing of a particular device."""

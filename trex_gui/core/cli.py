@@ -1,4 +1,4 @@
-"""What every command line shares: messages, errors, progress, common options."""
+"""Messages, errors, progress and options that all command lines share."""
 
 import contextlib
 import json
@@ -42,7 +42,7 @@ def say(message: object) -> None:
 
 
 def shell_words(*words: str) -> str:
-    """Return words for a command line; the shells of Windows know double quotes only."""
+    """Return words for a command line. The shells of Windows know double quotes only."""
     quoted = (f'"{word}"' if re.search(r"[^\w.:/\\-]", word) else word for word in words)
     return " ".join(quoted) if sys.platform == "win32" else shlex.join(words)
 
@@ -61,7 +61,7 @@ def refusals() -> Iterator[None]:
 
 
 class ProgressLine:
-    """One line on a terminal that shows progress; nothing elsewhere."""
+    """One line on a terminal that shows progress. Nothing elsewhere."""
 
     def __init__(self, what: str) -> None:
         self._what = what
@@ -126,7 +126,7 @@ class Interruption:
 
 
 def hexadecimal(text: str) -> int:
-    """Read a hexadecimal number; UsageError if it is none."""
+    """Read a hexadecimal number. UsageError if it is none."""
     try:
         return int(text, 16)
     except ValueError:
@@ -134,7 +134,7 @@ def hexadecimal(text: str) -> int:
 
 
 class FiniteRange(click.FloatRange):
-    """A range of numbers, written as `decimal` reads them; "nan" and "inf" are none."""
+    """A range of numbers, written as `decimal` reads them. "nan" and "inf" are none."""
 
     def convert(
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None
@@ -148,7 +148,7 @@ class FiniteRange(click.FloatRange):
 
 
 def required_port(port: str | None) -> str:
-    """Return the URL given with `--port`; UsageError if none was given."""
+    """Return the URL given with `--port`. UsageError if none was given."""
     if not port:
         raise click.UsageError(
             "Which port? Give --port, or set TREX_PORT; `trexcmd list` shows them."

@@ -14,7 +14,7 @@ _COMMENT_COLUMN = 46  # where comments begin at the latest, unless the code befo
 
 
 class Language(Enum):
-    """A language; the value is its word on the command line."""
+    """A language. The value is its word on the command line."""
 
     ARDUINO = "arduino"
     PYTHON = "python"

@@ -1,4 +1,4 @@
-"""Errors that users see; each is a sentence. They cross threads as values."""
+"""Errors that users see. Each is a sentence. They cross threads as values."""
 
 from collections.abc import Callable
 from enum import Enum
@@ -11,11 +11,11 @@ class StudioError(Exception):
 
 
 class BadRequest(StudioError, ValueError):  # noqa: N818 - reads as what it is
-    """Invalid input, rejected before a byte was sent; names the allowed range and the value."""
+    """Invalid input, rejected before a byte was sent. Names the allowed range and the value."""
 
 
 class PortUnavailable(StudioError):  # noqa: N818
-    """The port is in use, gone or not permitted; says how to fix it.
+    """The port is in use, gone or not permitted. Says how to fix it.
 
     `command`: for a shell, gives the permission; empty where none does. `is_missing`: the port is
     not there, so an adapter has to be plugged in.
@@ -28,7 +28,7 @@ class PortUnavailable(StudioError):  # noqa: N818
 
 
 class PortFault(Enum):
-    """Why a port cannot be used, with places for its name and the details."""
+    """Reasons why a port cannot be used, with places for its name and the details."""
 
     FORBIDDEN = tr_noop("Permission denied for {0}. {1}")
     UNREACHABLE = tr_noop("The port {0} cannot be reached: {1}.")
@@ -72,7 +72,7 @@ class BadReply(StudioError):  # noqa: N818
 
 
 class InternalError(StudioError):
-    """The program itself failed; its log has the traceback."""
+    """The program itself failed. Its log has the traceback."""
 
 
 class CodedError(StudioError):
@@ -93,7 +93,7 @@ class CodedError(StudioError):
 def describe(
     code: Enum, fields: tuple[object, ...] = (), translate: Callable[[str], str] = str
 ) -> str:
-    """Return the text of a `CodedError`; `translate` is applied to the values of its codes."""
+    """Return the text of a `CodedError`. `translate` is applied to the values of its codes."""
 
     def text(field: object) -> object:
         match field:

@@ -1,11 +1,11 @@
-"""What happened at a device, for marks in a plot, a recording and the log."""
+"""Events of a device, for marks in a plot, a recording and the log."""
 
 from dataclasses import dataclass
 from enum import StrEnum
 
 
 class EventKind(StrEnum):
-    """What an event is about; the value is how files spell it."""
+    """Subject of an event. The value is its spelling in files."""
 
     APPLY = "apply"
     STOP = "stop"
@@ -18,7 +18,7 @@ class EventKind(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """Something that happened; `time` is on the session's clock (s), as telemetry's."""
+    """Something that happened. `time` is on the session's clock (s), as telemetry's."""
 
     time: float
     kind: EventKind

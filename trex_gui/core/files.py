@@ -43,7 +43,7 @@ def log_folder() -> Path:
 
 
 class Severity(StrEnum):
-    """Whether a file with this finding can be used."""
+    """True if a file with this finding can be used."""
 
     ERROR = "error"
     WARNING = "warning"
@@ -51,7 +51,7 @@ class Severity(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """An error or warning about a settings file; `key` is spelt as in the file."""
+    """An error or warning about a settings file. `key` is spelt as in the file."""
 
     line: int | None  # counted from 1; `None` for the file as a whole
     key: str | None
@@ -70,7 +70,7 @@ class Finding:
 
 
 class SettingsError(StudioError):
-    """A settings file cannot be used, read or written; `findings` are in the order of lines."""
+    """A settings file cannot be used, read or written. `findings` are in the order of lines."""
 
     def __init__(self, name: str, findings: Iterable[Finding]) -> None:
         self.name = name
@@ -136,7 +136,7 @@ _ABANDONED_S = 600.0
 
 @cache
 def remove_abandoned(folder: Path) -> None:
-    """Remove drafts that killed programs left in a folder; once, since it may hold many files."""
+    """Remove drafts that killed programs left in a folder. Once, since it may hold many files."""
     oldest = time.time() - _ABANDONED_S
     with contextlib.suppress(OSError), os.scandir(folder) as entries:
         for entry in entries:
@@ -184,7 +184,7 @@ def atomic_file(path: Path, *, overwrite: bool = True) -> Iterator[BinaryIO]:
 
 
 def _take_free_name(draft: Path, target: Path) -> None:
-    """Rename a file in one step; a `FileExistsError` when the name is taken."""
+    """Rename a file in one step. A `FileExistsError` when the name is taken."""
     if os.name == "nt":
         draft.rename(target)  # replaces a file on other systems only
         return
@@ -215,7 +215,7 @@ LARGEST_FILE = 256 * 1024  # bytes; a complete settings file has about 3000
 
 
 def load(path: Path, content: str = "settings", largest: int = LARGEST_FILE) -> bytes:
-    """Return the bytes of a text file; `content` (plural) says what it holds, for messages."""
+    """Return the bytes of a text file. `content` (plural) says what it holds, for messages."""
     with explained(path, tr("it cannot be read")), open_ordinary(path) as file:
         data = file.read(largest + 1)
     check_size(data, str(path), content, largest)
@@ -233,7 +233,7 @@ def check_size(
 
 
 def decode(data: bytes, name: str) -> str:
-    """Return the text without its byte order mark; SettingsError if it is binary or not UTF-8."""
+    """Return the text without its byte order mark. SettingsError if it is binary or not UTF-8."""
     check_size(data, name)
     message, position = tr("this is a binary file; settings are text"), data.find(b"\0")
     has_mark = data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
@@ -249,7 +249,7 @@ def decode(data: bytes, name: str) -> str:
 
 
 def save(path: Path, content: str | bytes) -> None:
-    """Write a file, text as UTF-8; after a SettingsError the old one is there, complete."""
+    """Write a file, text as UTF-8. After a SettingsError the old one is there, complete."""
     with explained(path, tr("it cannot be written")):
         target = Path(os.path.realpath(path))
         if target.is_file() and not os.access(target, os.W_OK):
@@ -262,7 +262,7 @@ def save(path: Path, content: str | bytes) -> None:
 
 
 def save_over(path: Path, content: str | bytes, known: bytes | None) -> bool:
-    """Write a file unless it holds something else than `known`; return whether it was written.
+    """Write a file unless it holds something else than `known`. Return whether it was written.
 
     `None`: whatever it holds. A missing file is written. After a SettingsError nothing was.
     """
@@ -287,7 +287,7 @@ def save_new(path: Path, text: str) -> bool:
 
 @contextlib.contextmanager
 def explained(path: Path, failure: str) -> Iterator[None]:
-    """Make a `SettingsError` of an error of the system; `failure` is a clause."""
+    """Make a `SettingsError` of an error of the system. `failure` is a clause."""
     try:
         yield
     except FileNotFoundError:

@@ -23,7 +23,7 @@ OpenTransport = Callable[[PortSettings], Transport]
 
 @dataclass(frozen=True, slots=True)
 class Host:
-    """What commands use of the computer; a caller may pass another one as click's `obj`.
+    """Ports, threads and clock of the computer. A caller may pass others as click's `obj`.
 
     `logged` makes what opens a line write its bytes to a file; `None`: nothing is written.
     `start_thread` runs a function in a thread and returns a function that waits for its end;

@@ -55,7 +55,7 @@ class ProgramLog:
         logging.getLogger().addHandler(self._entrance)
 
     def close(self, timeout: float = 2.0) -> bool:
-        """Write what is left; return whether that ended within so many seconds.
+        """Write what is left. Return whether that ended within so many seconds.
 
         If not, Python would wait for the disk at its end: only `os._exit` ends the process.
         """
@@ -84,7 +84,7 @@ def terminal_handler(*, is_verbose: bool) -> logging.Handler:
 
 
 class _Entrance(QueueHandler):
-    """Never waits; its queue takes an entry while another one of this thread is put into it."""
+    """Never waits. Its queue takes an entry while another one of this thread is put into it."""
 
     queue: SimpleQueue[logging.LogRecord]
 

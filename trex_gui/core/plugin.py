@@ -16,7 +16,7 @@ T_co = TypeVar("T_co", covariant=True)
 
 @dataclass(frozen=True, slots=True)
 class Lazy(Generic[T_co]):
-    """An object that is imported when it is first needed; `target` is `package.module:name`."""
+    """An object that is imported when it is first needed. `target` is `package.module:name`."""
 
     target: str
 
@@ -35,7 +35,7 @@ class CommandInfo:
 
 @dataclass(frozen=True, slots=True)
 class PortAnswer:
-    """What `trexcmd list` reports of a port; `product` is `None` if no device replied."""
+    """Row of `trexcmd list`. `product` is `None` if no device replied."""
 
     text: str
     product: str | None = None
@@ -44,7 +44,7 @@ class PortAnswer:
 
 @dataclass(frozen=True, slots=True)
 class PortReports:
-    """How `trexcmd list` and `trexcmd find` identify a device and report it.
+    """Functions by which `trexcmd list` and `trexcmd find` identify and report a device.
 
     Attributes:
         identify: looks on a port (URL, options of the command) without moving anything; its
@@ -60,7 +60,7 @@ class PortReports:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DevicePlugin:
-    """One kind of device; `key` identifies it in settings and on the command line.
+    """One kind of device. `key` identifies it in settings and on the command line.
 
     Attributes:
         prober: how to look for one on a port; its probes move no device of any kind.

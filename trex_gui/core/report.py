@@ -68,7 +68,7 @@ class ReportFile:
 
 @dataclass(frozen=True, slots=True)
 class Mask:
-    """What names a person, a computer or an adapter, and is replaced in every file."""
+    """Names of people, computers and adapters, which are replaced in every file."""
 
     home: str = ""
     user: str = ""
@@ -134,7 +134,7 @@ def make_report(
 
 
 def save_report(path: Path, files: Iterable[ReportFile]) -> None:
-    """Write the zip completely, or not at all; SettingsError says why not."""
+    """Write the zip completely, or not at all. SettingsError says why not."""
     data = io.BytesIO()
     with zipfile.ZipFile(data, "w", zipfile.ZIP_DEFLATED) as archive:
         for file in files:

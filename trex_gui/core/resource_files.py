@@ -1,4 +1,4 @@
-"""Where the program's own files lie: in a checkout, an installed wheel or a frozen bundle."""
+"""Paths of the program's own files, in a checkout, an installed wheel or a frozen bundle."""
 
 import sys
 from functools import cache

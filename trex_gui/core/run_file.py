@@ -1,4 +1,4 @@
-"""Whether the program ended properly: a file that exists while it runs."""
+"""Detection of a crash: a file that exists while the program runs."""
 
 import faulthandler
 import os

@@ -22,7 +22,7 @@ class Close:
 
 @dataclass(frozen=True, slots=True)
 class Progress:
-    """Report: `done` of `total` steps are complete; `what` is the next one."""
+    """Report: `done` of `total` steps are complete. `what` is the next one."""
 
     done: int
     total: int
@@ -31,7 +31,7 @@ class Progress:
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """Report: the result of a request; exactly one for each request with an `id`."""
+    """Report: the result of a request. Exactly one for each request with an `id`."""
 
     id: int
     value: object = None
@@ -84,7 +84,7 @@ SHORTEST_WAIT = 1e-5  # seconds; keeps rounding errors of times from causing a b
 
 
 class Inbox(Protocol[RequestT_co]):
-    """Source of requests; `get` waits up to `seconds` and returns `None` if none came."""
+    """Source of requests. `get` waits up to `seconds` and returns `None` if none came."""
 
     def get(self, seconds: float) -> RequestT_co | None: ...
 
@@ -98,7 +98,7 @@ def run_until_closed(
     step: Callable[[], None],
     internal_error: Callable[[str], StudioError],
 ) -> StudioError | None:
-    """Call `begin`, then `step` repeatedly; return the error that ended the loop.
+    """Call `begin`, then `step` repeatedly. Return the error that ended the loop.
 
     Never raises, so that the session can then bring the device into a safe state. Returns `None`
     after `Closing`, and the result of `internal_error` for any exception but `StudioError`.

@@ -1,4 +1,4 @@
-"""Signals of the operating system that end or suspend a program; no system has all of them."""
+"""Signals of the operating system that end or suspend a program. No system has all of them."""
 
 import signal
 from collections.abc import Iterable

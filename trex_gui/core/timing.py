@@ -1,4 +1,4 @@
-"""How long the program waits for a board and for its own window, and how often it shows values."""
+"""Timeouts for a board and for the program's own window, and rates at which values are shown."""
 
 import math
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ _ROUND = 5  # seconds
 
 
 def seconds_left(elapsed: float, done: int, total: int) -> int | None:
-    """Estimate what the rest of some steps takes, in steps of 5 s; `None` while too few are done.
+    """Estimate what the rest of some steps takes, in steps of 5 s. `None` while too few are done.
 
     `elapsed`: seconds that the steps that are done have taken.
     """

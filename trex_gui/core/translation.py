@@ -1,4 +1,4 @@
-"""Texts in the language of the window; where there is none, as on the command line, in English."""
+"""Texts in the language of the window. Where there is none, as on the command line, in English."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager

@@ -25,7 +25,7 @@ _HINTS = {
 
 
 class GamepadUnavailable(Exception):  # noqa: N818 - reads as what is wrong, as PortUnavailable
-    """Gamepads cannot be read on this computer; the text says what to do about it."""
+    """Gamepads cannot be read on this computer. The text says what to do about it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +48,7 @@ class Pad:
     parts: Mapping[str, str] = field(default_factory=dict, compare=False)
 
     def part_name(self, kind: str, number: int) -> str:
-        """SDL's name of an axis (`a`) or a button (`b`); empty if it has none."""
+        """SDL's name of an axis (`a`) or a button (`b`). Empty if it has none."""
         wanted = f"{kind}{number}"
         return next((part for part, where in self.parts.items() if where == wanted), "")
 
@@ -67,11 +67,11 @@ class PadState:
     buttons: tuple[bool, ...]
 
     def axis(self, number: int) -> float:
-        """Return the position of an axis; 0 if there is none."""
+        """Return the position of an axis. 0 if there is none."""
         return self.axes[number] if 0 <= number < len(self.axes) else 0.0
 
     def pressed(self, number: int | None) -> bool:
-        """Whether a button is down; a button that does not exist never is."""
+        """True if a button is down. A button that does not exist never is."""
         return number is not None and 0 <= number < len(self.buttons) and self.buttons[number]
 
 
@@ -79,7 +79,7 @@ class PadSource(Protocol):
     """Reads gamepads. Every call comes from one thread and returns at once."""
 
     def open(self) -> None:
-        """Begin; the next `pads` finds gamepads that are already connected.
+        """Begin. The next `pads` finds gamepads that are already connected.
 
         Raises:
             GamepadUnavailable: gamepads cannot be read here.
@@ -89,14 +89,14 @@ class PadSource(Protocol):
         """Return the gamepads that are connected now."""
 
     def read(self, pad: Pad) -> PadState | None:
-        """Return the state at the last `pads`; `None` if it is gone or cannot be read."""
+        """Return the state at the last `pads`. `None` if it is gone or cannot be read."""
 
     def close(self) -> None:
-        """Close all of them; may be called twice."""
+        """Close all of them. May be called twice."""
 
 
 class SdlPads:
-    """The gamepads of this computer; one instance at a time, as SDL has one state per process."""
+    """The gamepads of this computer. One instance at a time, as SDL has one state per process."""
 
     def __init__(self) -> None:
         self._pygame: ModuleType | None = None
@@ -169,7 +169,7 @@ class SdlPads:
 
 
 def _load() -> ModuleType:
-    """Import pygame; the error says how to install it."""
+    """Import pygame. The error says how to install it."""
     try:
         pygame = importlib.import_module("pygame")
         for part in ("display", "event", "joystick"):
@@ -184,7 +184,7 @@ def _load() -> ModuleType:
 
 
 def _parts(joystick: "JoystickType") -> Mapping[str, str]:
-    """SDL's names of the axes and buttons; empty if it does not know the kind."""
+    """SDL's names of the axes and buttons. Empty if it does not know the kind."""
     try:
         controllers = importlib.import_module("pygame._sdl2.controller")
     except ImportError:  # "experimental" in pygame-ce 2.5

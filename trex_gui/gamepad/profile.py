@@ -1,4 +1,4 @@
-"""What the parts of a gamepad do: its profile, and the setpoints that follow from its state."""
+"""Profile of a gamepad, and the setpoints that follow from its state."""
 
 import json
 import math
@@ -38,7 +38,7 @@ class Style(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Axis:
-    """One axis and its direction; inverted where the hardware counts forward as negative."""
+    """One axis and its direction. Inverted where the hardware counts forward as negative."""
 
     number: int
     inverted: bool = False
@@ -46,7 +46,7 @@ class Axis:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GamepadProfile:
-    """What the axes and buttons of a gamepad do.
+    """Functions of the axes and buttons of a gamepad.
 
     Attributes:
         first: forward, or the left motor.
@@ -77,7 +77,7 @@ class GamepadProfile:
 
 
 def default_profile(pad: Pad) -> GamepadProfile:
-    """The left stick drives while the left shoulder button is held; the right of four stops.
+    """The left stick drives while the left shoulder button is held. The right of four stops.
 
     Where SDL does not know the kind, buttons have numbers only: the usual ones are taken, and
     with too few buttons the last one is held.
@@ -98,7 +98,7 @@ def default_profile(pad: Pad) -> GamepadProfile:
 
 
 def read_profile(text: str) -> GamepadProfile | None:
-    """Read what `GamepadProfile.to_text` wrote; `None` for any other text."""
+    """Read what `GamepadProfile.to_text` wrote. `None` for any other text."""
     try:
         found = json.loads(text)
         return GamepadProfile(
@@ -136,7 +136,7 @@ def _part(found: object, most: float) -> float:
 
 
 class Waits(Enum):
-    """What a gamepad has to do before it drives."""
+    """Condition that a gamepad has to meet before it drives."""
 
     REST = auto()  # a stick was not at rest yet
     RELEASE = auto()  # the button that is to be held was down all along
@@ -147,7 +147,7 @@ class Waits(Enum):
 
 @dataclass(frozen=True, slots=True)
 class PilotRequest:
-    """The setpoints of a gamepad, -1 to 1; `turn` is positive to the right.
+    """The setpoints of a gamepad, -1 to 1. `turn` is positive to the right.
 
     `waits` says why it does not drive, `stop` that the stop button was just pressed.
     """
@@ -159,7 +159,7 @@ class PilotRequest:
 
     @property
     def drives(self) -> bool:
-        """Whether it drives, even if at speed 0."""
+        """True if it drives, even if at speed 0."""
         return self.waits is Waits.NOTHING
 
 
@@ -217,7 +217,7 @@ class InputDetector:
         self._start = start
 
     def axis(self, state: PadState) -> Axis | None:
-        """The axis that has moved farthest, if far enough; inverted if that was downwards."""
+        """The axis that has moved farthest, if far enough. Inverted if that was downwards."""
         moves = [
             (now - before, number)
             for number, (before, now) in enumerate(zip(self._start.axes, state.axes, strict=False))

@@ -103,11 +103,11 @@ class SleepDelay(QObject):
 
     @property
     def holds(self) -> bool:
-        """Whether sleep would wait for this program."""
+        """True if sleep would wait for this program."""
         return self._descriptor is not None
 
     def take(self) -> None:
-        """Request a delay of the next sleep; the reply comes later."""
+        """Request a delay of the next sleep. The reply comes later."""
         if self.holds or self._request is not None or not self._bus.isConnected():
             return
         call = QDBusMessage.createMethodCall(_LOGIN, _PATH, f"{_LOGIN}.Manager", "Inhibit")
@@ -125,7 +125,7 @@ class SleepDelay(QObject):
 
     @Slot(bool)
     def note_sleep(self, begins: bool) -> None:
-        """Allow sleep once the stop is confirmed; when the computer wakes, request a new delay.
+        """Allow sleep once the stop is confirmed. When the computer wakes, request a new delay.
 
         The stop itself was sent because of `SessionEvents.leaving`.
         """

@@ -33,19 +33,19 @@ _ON_POWER = ctypes.CFUNCTYPE(
 
 
 class MacSystem(Protocol):
-    """What macOS reports, in the thread of its main run loop, which is the window's."""
+    """Receiver of macOS notifications, in the window's thread, which runs the main loop."""
 
     def listen(
         self, on_locked: Callable[[], object], on_power: Callable[[int, int], object]
     ) -> None:
-        """Begin; `on_power` takes a message and its argument."""
+        """Begin. `on_power` takes a message and its argument."""
 
     def allow_power_change(self, argument: int) -> None:
         """Answer the power message with this argument."""
 
 
 class NativeMac:
-    """CoreFoundation and IOKit; `load` and `symbol` find libraries and their constants.
+    """CoreFoundation and IOKit. `load` and `symbol` find libraries and their constants.
 
     Raises:
         OSError, AttributeError, ValueError: a library, or something in it, is not there.

@@ -4,7 +4,7 @@ import ctypes
 
 
 def skip_exit_handlers() -> None:
-    """Let the `exit` of C end the process at once with its code; call it when Qt is loaded.
+    """Let the `exit` of C end the process at once with its code. Call it when Qt is loaded.
 
     Python has ended before it calls `exit` itself. When Xlib calls it, at the end of a session, the
     handlers of Qt would wait for a thread that waits for this one: the process would keep the port

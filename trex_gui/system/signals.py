@@ -44,11 +44,11 @@ def _suspend_process() -> None:
 
 
 def _nothing(_number: int, _frame: FrameType | None) -> None:
-    """Keep the signal from ending the process; the watching thread handles it."""
+    """Keep the signal from ending the process. The watching thread handles it."""
 
 
 class SignalWatch(QObject):
-    """Handles signals that end or suspend the program; create it in the main thread.
+    """Handles signals that end or suspend the program. Create it in the main thread.
 
     A window that does not end within `grace` seconds is ended with exit code 128 + number, as a
     shell reports it; one that ends by itself has exit code 0. Ctrl-C while it is ending calls
@@ -132,7 +132,7 @@ class SignalWatch(QObject):
             log.exception("on a signal")
 
     def _wait_for_hurry(self) -> int | None:
-        """Wait as long as the window may take; return a signal that says not to wait."""
+        """Wait as long as the window may take. Return a signal that says not to wait."""
         begun = time.monotonic()
         while (left := begun + self._grace - time.monotonic()) > 0:
             self._ours.settimeout(left)

@@ -19,7 +19,7 @@ _LEAVES = {WTS_CONSOLE_DISCONNECT, WTS_REMOTE_DISCONNECT, WTS_SESSION_LOGOFF, WT
 
 
 def why_to_stop(message: int, parameter: int) -> str | None:
-    """Return the reason to stop that a window message gives; `None`: it gives none."""
+    """Return the reason to stop that a window message gives. `None`: it gives none."""
     if message == WM_POWERBROADCAST and parameter == PBT_APMSUSPEND:
         return tr("The computer goes to sleep")
     if message == WM_WTSSESSION_CHANGE and parameter in _LEAVES:
@@ -56,7 +56,7 @@ class WindowsEvents(QObject):
             app.installNativeEventFilter(self._filter)
 
     def watch_session_of(self, window: int) -> None:
-        """Request the messages of a locked screen; `window` is a native handle."""
+        """Request the messages of a locked screen. `window` is a native handle."""
         if sys.platform == "win32":
             ctypes.windll.wtsapi32.WTSRegisterSessionNotification(window, 0)
 

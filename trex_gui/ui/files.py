@@ -24,7 +24,7 @@ ResultT = TypeVar("ResultT")
 _CANCEL_TIMEOUT_MS = 500
 
 background: "set[_Job[Any]]" = set()
-"""What `in_background` runs; the process must not exit normally before it has ended."""
+"""A function for `in_background`. The process must not exit normally before it has ended."""
 
 
 def end_background(timeout_ms: int) -> bool:

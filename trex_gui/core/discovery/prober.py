@@ -84,7 +84,7 @@ class Prober(Protocol):
         progress: Callable[[ScanProgress], None],
         cancelled: Callable[[], bool],
     ) -> None:
-        """Send the probes of a part; `cancelled` is called before each. Raises PortUnavailable."""
+        """Send the probes of a part. `cancelled` is called before each. Raises PortUnavailable."""
 
     def diagnosis(self) -> Diagnosis:
         """Report what was tried and received, if no device was found."""

@@ -71,7 +71,7 @@ def scan_port(
     cancelled: Callable[[], bool] = never_cancelled,
     open_wire: Callable[[PortSettings], Transport] = SerialTransport,
 ) -> PortScan:
-    """Look for devices of every kind on a port; end with the first that responds.
+    """Look for devices of every kind on a port. End with the first that responds.
 
     Never raises: whatever goes wrong on one port, the next can still be scanned. The line settings
     of `settings` are ignored. `probers` are by key of the kind, the most common first; `first` is
@@ -133,7 +133,7 @@ def _probe_in_order(
     progress: Callable[[ScanProgress], None],
     cancelled: Callable[[], bool],
 ) -> list[str]:
-    """Send the probes of each kind until one is done; return the keys of those probed for."""
+    """Send the probes of each kind until one is done. Return the keys of those probed for."""
     plan = order({key: prober.parts for key, prober in running.items()}, first)
     totals = [running[key].parts[part] for key, part in plan]
     probed: dict[str, None] = {}

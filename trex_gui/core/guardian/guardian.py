@@ -31,13 +31,13 @@ _watching_since: list[str] = []
 
 
 def watching_since() -> str:
-    """Return when motors could move first in this run, as in the log; later than any: never."""
+    """Return when motors could move first in this run, as in the log. Later than any: never."""
     return _watching_since[0] if _watching_since else "9999"
 
 
 @dataclass(frozen=True, slots=True)
 class StopSequence:
-    """How the motors are stopped right now."""
+    """Packets that stop the motors now, and the reply that confirms the stop."""
 
     packets: bytes  # what stops every motor
     queries: tuple[bytes, ...]  # ask each board for its status
@@ -82,20 +82,20 @@ class Guardian(Protocol):
     def wait_until_ready(self, seconds: float) -> None: ...
 
     def watch(self, sequence: StopSequence | None) -> None:
-        """Send a heartbeat with the present stop; with `None`, say that no motor may move."""
+        """Send a heartbeat with the present stop. With `None`, say that no motor may move."""
 
     def stop(self, seconds: float) -> bool:
-        """Let it stop the motors; return whether that was confirmed within `seconds`."""
+        """Let it stop the motors. Return whether that was confirmed within `seconds`."""
 
     def end(self) -> bool:
-        """End it, and return whether it has confirmed a stop; from then on the line is free."""
+        """End it, and return whether it has confirmed a stop. From then on the line is free."""
 
 
 class GuardianProcess:
-    """Starts the process; where that is impossible `is_ready` stays false."""
+    """Starts the process. Where that is impossible `is_ready` stays false."""
 
     def __init__(self, port: SharedPort | None, silence: float, file: Path | None = None) -> None:
-        """Make it act after so many seconds of `silence`; `None` is a port without descriptor.
+        """Make it act after so many seconds of `silence`. `None` is a port without descriptor.
 
         `file`: where it says that motors may be moving.
         """

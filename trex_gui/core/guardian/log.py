@@ -1,4 +1,4 @@
-"""What guardian processes did: a line in a file for each time that one stopped motors."""
+"""Log of the guardian processes: a line for each time that one stopped motors."""
 
 import os
 import re

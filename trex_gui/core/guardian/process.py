@@ -75,7 +75,7 @@ class FilePort:
                 data = data[os.write(self._descriptor, data) :]
 
     def receive(self, seconds: float) -> bytes:
-        """Return what has come; wait for the first byte."""
+        """Return what has come. Wait for the first byte."""
         ready, _, _ = select.select([self._descriptor], [], [], max(0.0, seconds))
         data = b""
         with suppress(BlockingIOError):
@@ -202,7 +202,7 @@ if sys.platform == "win32":
 
         @staticmethod
         def _finish(overlapped: "_winapi.Overlapped", seconds: float) -> int:
-            """Wait for the end, or cancel it; return how many bytes were transferred."""
+            """Wait for the end, or cancel it. Return how many bytes were transferred."""
             _winapi.WaitForSingleObject(overlapped.event, max(0, int(seconds * 1000)))
             overlapped.cancel()  # does nothing once it has ended
             count, _ = overlapped.GetOverlappedResult(True)
@@ -355,7 +355,7 @@ class Watchdog:
         return None
 
     def _stop(self, stop: StopMessage) -> bool:
-        """Repeat the stop until every board confirms it; return whether they did."""
+        """Repeat the stop until every board confirms it. Return whether they did."""
         self._port.restore_settings()
         self._port.write(stop.packets)
         end = time.monotonic() + _GIVE_UP_S
@@ -370,7 +370,7 @@ class Watchdog:
         return clean == _CLEAN_ROUNDS
 
     def _is_clean(self, stop: StopMessage, sent: bytes) -> bool:
-        """Send a query; return whether the board has latched no error."""
+        """Send a query. Return whether the board has latched no error."""
         self._port.write(sent)
         echo = len(sent) if stop.has_echo else 0
         reply = self._read(echo + stop.reply_size, stop.seconds)

@@ -39,14 +39,14 @@ class Backlog(Generic[RecordT]):
             self._ready.notify()
 
     def close(self, time: float) -> None:
-        """Accept no more records; `time` (session's clock) is that of a last marker."""
+        """Accept no more records. `time` (session's clock) is that of a last marker."""
         with self._ready:
             self._mark_lost(time)
             self._closed = True
             self._ready.notify()
 
     def get(self, seconds: float) -> list[RecordT | Marker] | None:
-        """Return pending records, waiting at most `seconds`; `None` after the last one."""
+        """Return pending records, waiting at most `seconds`. `None` after the last one."""
         with self._ready:
             if not self._pending and not self._closed:
                 self._ready.wait(seconds)

@@ -21,7 +21,7 @@ def kept_folder() -> Path:
 
 
 def kept_path(begun: datetime, kind: str) -> Path:
-    """Return the file for what happened; `kind` is a word such as `fault`."""
+    """Return the file for what happened. `kind` is a word such as `fault`."""
     stamp = begun.strftime("%Y-%m-%d_%H-%M-%S.%f")[:-3]
     return kept_folder() / f"{stamp}_{kind}{SUFFIX}"
 
@@ -35,7 +35,7 @@ def make_kept_folder() -> Path:
 
 
 def make_room(most_files: int = MOST_FILES, most_bytes: int = MOST_BYTES) -> None:
-    """Remove the oldest recordings before one more is written; make the folder if need be.
+    """Remove the oldest recordings before one more is written. Make the folder if need be.
 
     A file that the user renamed is never removed, nor is the newest one. Raises RecordingError.
     """

@@ -25,7 +25,7 @@ class Timestamped(Protocol):
 
 
 class RecordingHeader(Protocol):
-    """Describes a recording; `clock` is the session's clock (s) at its start.
+    """Describes a recording. `clock` is the session's clock (s) at its start.
 
     `values` are the rows of the header table: `device_name`, `started_utc`, `clock_s` and
     whatever else the device has.
@@ -71,7 +71,7 @@ class Physical:
 
 @dataclass(frozen=True, slots=True)
 class Column:
-    """A stored column; units are in the name or the description. `optional`: may be NULL."""
+    """A stored column. Units are in the name or the description. `optional`: may be NULL."""
 
     name: str
     type: Literal["INTEGER", "REAL", "TEXT"]

@@ -1,4 +1,4 @@
-"""What was known at any time of a recording, without reading it from the start."""
+"""State at any time of a recording, without reading it from the start."""
 
 import math
 from bisect import bisect_right
@@ -11,7 +11,7 @@ from trex_gui.core.recording.store import CHUNK, Recording
 
 
 class ReplayState(Protocol):
-    """Everything known; `copy.copy` of it is independent of later records."""
+    """Everything known. `copy.copy` of it is independent of later records."""
 
     def take(self, record: Any, /) -> None: ...
 
@@ -21,7 +21,7 @@ ResultT = TypeVar("ResultT")
 
 
 class Replay(Generic[HeaderT, RecordT, StateT]):
-    """Keeps the state at the start of each chunk; belongs to one thread at a time."""
+    """Keeps the state at the start of each chunk. Belongs to one thread at a time."""
 
     def __init__(self, recording: Recording[HeaderT, RecordT], initial: StateT) -> None:
         self.recording = recording
@@ -38,7 +38,7 @@ class Replay(Generic[HeaderT, RecordT, StateT]):
     def read_next(
         self, take: Callable[[StateT, Sequence[RecordT]], ResultT]
     ) -> tuple[Sequence[RecordT], ResultT]:
-        """Read one more chunk; return its records and what `take` makes of state and records."""
+        """Read one more chunk. Return its records and what `take` makes of state and records."""
         index = len(self._starts)
         records = self._read(index)
         state = copy(self._states[-1])

@@ -70,7 +70,7 @@ def reason_of(error: Exception) -> str:
 
 @contextlib.contextmanager
 def reported(path: Path, message: str) -> Iterator[None]:
-    """Raise RecordingError where the disk fails; `message` has a place for the reason."""
+    """Raise RecordingError where the disk fails. `message` has a place for the reason."""
     try:
         yield
     except (OSError, ValueError, sqlite3.Error) as error:
@@ -81,7 +81,7 @@ def reported(path: Path, message: str) -> Iterator[None]:
 
 
 class RecordingWriter(Generic[HeaderT, RecordT]):
-    """Writes a recording; belongs to one thread. A file of the same name is replaced.
+    """Writes a recording. Belongs to one thread. A file of the same name is replaced.
 
     After a crash of the program everything committed is kept; after a power failure, everything
     up to the last `sync`. All methods raise RecordingError where the disk fails.
@@ -136,7 +136,7 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
         return _size(self._database)
 
     def write(self, records: Sequence[RecordT | Marker]) -> None:
-        """Take records; they are safe after the next `commit`."""
+        """Take records. They are safe after the next `commit`."""
         rows: dict[type[object], list[tuple[Value, ...]]] = {}
         number = self._count
         for record in records:
@@ -237,7 +237,7 @@ def _generated(name: str, expression: str, digits: int) -> str:
 
 
 class Recording(Generic[HeaderT, RecordT]):
-    """A recording opened read-only; belongs to one thread at a time."""
+    """A recording opened read-only. Belongs to one thread at a time."""
 
     def __init__(self, path: Path, fmt: RecordingFormat[HeaderT]) -> None:
         self.path = path
@@ -362,7 +362,7 @@ class Recording(Generic[HeaderT, RecordT]):
         return header
 
     def _checked_tables(self, kinds: Iterable[SampleKind]) -> tuple[SampleKind, ...]:
-        """Return the kinds that the file has; what is missing may be of a later version.
+        """Return the kinds that the file has. What is missing may be of a later version.
 
         Fail without markers, which every version has, and where a table is not a plain one.
         """
@@ -405,7 +405,7 @@ class Recording(Generic[HeaderT, RecordT]):
         self._open.close()
 
     def read(self, first: int, last: int) -> list[RecordT]:
-        """Return records by number, in order; damaged ones are left out and reported."""
+        """Return records by number, in order. Damaged ones are left out and reported."""
         found: list[tuple[int, Timestamped]] = []
         for kind in self.kinds:
             stored = {column.name: (column.type, column.optional) for column in kind.columns}
@@ -434,7 +434,7 @@ class Recording(Generic[HeaderT, RecordT]):
     def _valid_rows(
         self, kind: SampleKind, columns: Mapping[str, _Content], first: int, last: int
     ) -> Iterator[tuple[Any, ...]]:
-        """Yield number, clock and these columns of each record; damaged ones are reported.
+        """Yield number, clock and these columns of each record. Damaged ones are reported.
 
         SQLite stores any type in any column.
         """
@@ -474,7 +474,7 @@ class Recording(Generic[HeaderT, RecordT]):
 
 
 def _wrong_type(columns: Mapping[str, _Content], types: Sequence[type]) -> str:
-    """Say which value of a record has another type than its column; empty if none has."""
+    """Say which value of a record has another type than its column. Empty if none has."""
     _number, clock, *values = types
     if clock is not float:
         return tr("its time is not a number")

@@ -25,7 +25,7 @@ argument and returns the reply or raises a `ValueError` that says why."""
 
 
 def execute(text: str, commands: Mapping[str, Command]) -> str:
-    """Execute a control line; return `ok …` or `error …`, without a line end."""
+    """Execute a control line. Return `ok …` or `error …`, without a line end."""
     commands = {**commands, "quit": ("quit", lambda: GOODBYE.removeprefix("ok "))}
     name, *words = text.lower().split() or [""]
     if name not in commands:
@@ -45,14 +45,14 @@ def execute(text: str, commands: Mapping[str, Command]) -> str:
 
 
 def number_of(text: str, allowed: Sequence[int], what: str) -> int:
-    """Return one of the allowed consecutive numbers; `what` names it in a ValueError."""
+    """Return one of the allowed consecutive numbers. `what` names it in a ValueError."""
     if text in map(str, allowed):
         return int(text)
     raise ValueError(f"{what} is {allowed[0]} to {allowed[-1]}, not {text!r}")
 
 
 def real(text: str, what: str, highest: float) -> float:
-    """Return a number from 0 to `highest`; `what` names it in a ValueError."""
+    """Return a number from 0 to `highest`. `what` names it in a ValueError."""
     try:
         value = float(text)
     except ValueError:
@@ -63,7 +63,7 @@ def real(text: str, what: str, highest: float) -> float:
 
 
 def amount(text: str, what: str = "a number of bytes", highest: int = _MAX_COUNT) -> int:
-    """Return a whole number from 0 to `highest`; `what` names it in a ValueError."""
+    """Return a whole number from 0 to `highest`. `what` names it in a ValueError."""
     if not (text.isascii() and text.isdigit() and len(text) <= 9) or int(text) > highest:
         raise ValueError(f"{what} is 0 to {highest}, not {text!r}")
     return int(text)

@@ -13,12 +13,12 @@ CHUNK = 256  # bytes read at a time, so that a changed baud rate of the host is 
 
 
 class EndpointError(StudioError):
-    """An endpoint cannot be opened; the text says which and why."""
+    """An endpoint cannot be opened. The text says which and why."""
 
 
 @dataclass(frozen=True, slots=True)
 class HostSettings:
-    """Settings of the host's port; `parity` is `None` if it cannot be seen."""
+    """Settings of the host's port. `parity` is `None` if it cannot be seen."""
 
     baud: int
     stop_bits: int
@@ -30,7 +30,7 @@ Arrival = tuple[HostSettings | None, bytes]
 
 
 class Endpoint(Protocol):
-    """A connection that a host can open and reopen; `hosts_left` counts those that left.
+    """A connection that a host can open and reopen. `hosts_left` counts those that left.
 
     `url` is what pyserial opens; `waiting_for` returns the file descriptors to wait for.
     """
@@ -43,16 +43,16 @@ class Endpoint(Protocol):
     def waiting_for(self) -> list[int]: ...
 
     def take(self, ready: Collection[int]) -> Iterable[Arrival]:
-        """Serve descriptors that are readable; return what the host has sent."""
+        """Serve descriptors that are readable. Return what the host has sent."""
 
     def write(self, data: bytes) -> None:
-        """Send bytes to the host; they are lost when it is absent or does not read."""
+        """Send bytes to the host. They are lost when it is absent or does not read."""
 
     def unplug(self) -> None:
         """Break the connection so that the host notices."""
 
     def plug(self) -> None:
-        """Offer a connection again; EndpointError if that fails."""
+        """Offer a connection again. EndpointError if that fails."""
 
 
 class TcpEndpoint:

@@ -103,7 +103,7 @@ class WireFaults:
         return True
 
     def _is_cut_off(self, byte: int) -> bool:
-        """Return whether a byte belongs to a cut; the end of the text line ends the cut."""
+        """Return whether a byte belongs to a cut. The end of the text line ends the cut."""
         if self.to_cut:
             self.to_cut -= 1
             return False
@@ -117,7 +117,7 @@ class WireFaults:
 
 
 class Station(Protocol):
-    """The UART of a device on the line; `baud` is its real bit rate."""
+    """The UART of a device on the line. `baud` is its real bit rate."""
 
     @property
     def line_format(self) -> SerialFormat: ...
@@ -129,7 +129,7 @@ class Station(Protocol):
     def receive(
         self, byte: int, host: SerialFormat | None, error: ReceiveError | None, begun: float
     ) -> None:
-        """Receive a byte at its end, sent at the station's rate; it began at `begun`."""
+        """Receive a byte at its end, sent at the station's rate. It began at `begun`."""
 
     def sample(self, byte: int, host: SerialFormat) -> None:
         """Receive a byte that a host at another rate begins now."""
@@ -261,7 +261,7 @@ class SimulatedLine:
         self.advance_to(self.now + seconds)
 
     def advance_to(self, moment: float) -> None:
-        """Let time pass until a moment; one in the past changes nothing."""
+        """Let time pass until a moment. One in the past changes nothing."""
         while self.timeline.step(moment):
             pass
         self.timeline.move_to(moment)
@@ -308,7 +308,7 @@ class SimulatedLine:
         is_alive: Callable[[], bool],
         then: Callable[[], object] = lambda: None,
     ) -> None:
-        """Begin a byte of a station; it is lost if `is_alive` is false at its end."""
+        """Begin a byte of a station. It is lost if `is_alive` is false at its end."""
         now, end = self.now, self.now + self.byte_time_of(station)
         self._put(_Frame(now, end, byte, station.line_format, station.baud, is_alive, then))
 

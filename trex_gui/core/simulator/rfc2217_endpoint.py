@@ -19,7 +19,7 @@ _SUPPORTED: dict[str, Container[object]] = {
 
 
 class _Port:
-    """The serial port that pyserial's server configures; its modem lines are always on."""
+    """The serial port that pyserial's server configures. Its modem lines are always on."""
 
     cts = dsr = cd = True
     ri = False

@@ -74,7 +74,7 @@ class Receiver:
 
     @property
     def due(self) -> float | None:
-        """Moment at which the current byte is complete; `None` between bytes."""
+        """Moment at which the current byte is complete. `None` between bytes."""
         if self._begun is None:
             return None
         return self._begun + (self._bits_per_byte - 1 + _SAMPLE_AT) * self._bit
@@ -82,7 +82,7 @@ class Receiver:
     def receive(
         self, begin: float, byte: int, sender: SerialFormat, baud: float
     ) -> Iterator[SampledByte]:
-        """Sample a byte sent at `baud`; yield the bytes that are complete at its end.
+        """Sample a byte sent at `baud`. Yield the bytes that are complete at its end.
 
         `begin` is in seconds and not before the end of the previous byte.
         """
@@ -100,7 +100,7 @@ class Receiver:
         yield from self.sample(_HIGH, until)
 
     def sample(self, level: int, until: float) -> Iterator[SampledByte]:
-        """Keep the wire at a level until a moment; yield the bytes that are complete by then."""
+        """Keep the wire at a level until a moment. Yield the bytes that are complete by then."""
         if until <= self.known_until:
             return
         falls = level < self._level
@@ -150,7 +150,7 @@ class RateConverter:
         self._receiver = Receiver(line, baud, timeline.now)
 
     def receive(self, byte: int, sender: SerialFormat, baud: float, *, paced: bool) -> None:
-        """Sample a byte that a sender at `baud` begins now; unpaced, silence follows each."""
+        """Sample a byte that a sender at `baud` begins now. Unpaced, silence follows each."""
         receiver, timeline = self._receiver, self._timeline
         if not paced:
             for each in receiver.receive_isolated(byte, sender, baud):

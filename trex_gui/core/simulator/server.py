@@ -94,7 +94,7 @@ class Server:
             self._execute()
 
     def _receive(self, settings: HostSettings | None, data: bytes) -> None:
-        """Take bytes of the host; reconfiguring its port discards what it sent before."""
+        """Take bytes of the host. Reconfiguring its port discards what it sent before."""
         host = None
         if settings is not None:
             parity = settings.parity or self._line.host_format.parity

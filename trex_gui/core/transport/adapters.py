@@ -29,7 +29,7 @@ class Adapter:
 
     @classmethod
     def of(cls, port: ListPortInfo) -> "Adapter | None":
-        """Return the adapter of a port; `None` for a port that is not on USB."""
+        """Return the adapter of a port. `None` for a port that is not on USB."""
         if port.vid is None:
             return None
         product = f"{port.vid:04x}:{port.pid or 0:04x}"
@@ -37,12 +37,12 @@ class Adapter:
 
     @property
     def key(self) -> str:
-        """One word for what is remembered of the adapter; the same wherever `is_same` says so."""
+        """One word for what is remembered of the adapter. The same wherever `is_same` says so."""
         place = self.location if len(self.number) <= _SHARED else _interface(self)
         return re.sub(r"[/\s]+", "-", "-".join(filter(None, (self.product, self.number, place))))
 
     def is_same(self, other: "Adapter") -> bool:
-        """Whether this is the other adapter, perhaps in another socket."""
+        """True if this is the other adapter, perhaps in another socket."""
         if (self.product, self.number) != (other.product, other.number):
             return False
         if len(self.number) <= _SHARED:
@@ -55,7 +55,7 @@ def _interface(adapter: Adapter) -> str:
 
 
 def adapter_key(url: str) -> str:
-    """Return the key of the adapter that has a port now; empty where that is not known."""
+    """Return the key of the adapter that has a port now. Empty where that is not known."""
     if "://" in url:
         return ""
     place = os.path.realpath(url.replace("\0", ""))  # no name has that

@@ -107,7 +107,7 @@ def port_of(file: Path, board: DrivenBoard) -> PortSettings:
 
 
 def _is_at(file: Path, board: DrivenBoard, url: str) -> bool:
-    """Whether a file is that of a port. A link may lead to another terminal by now."""
+    """True if a file is that of a port. A link may lead to another terminal by now."""
     is_path = file.name.startswith("-")
     return file == driven_file(url) or (is_path and url == board.settings.url)
 

@@ -1,4 +1,4 @@
-"""What Linux knows of a port: which program has it open, and which baud rates it can do."""
+"""Facts that Linux knows of a port: the program that has it open, and its baud rates."""
 
 import array
 import contextlib
@@ -19,7 +19,7 @@ _PROCESSES = Path("/proc")
 
 
 def holder_of(url: str) -> str | None:
-    """Return which program has a port open; `None`: unknown.
+    """Return which program has a port open. `None`: unknown.
 
     A program that holds a lock on it goes before one that only has it open, and another program
     before this one: `/proc/locks`, then `/proc/PID/fd` (proc(5)).
@@ -36,7 +36,7 @@ def holder_of(url: str) -> str | None:
 
 
 def other_user_of(url: str) -> str | None:
-    """Return which other program has a port open that this one uses; `None`: none, or unknown.
+    """Return which other program has a port open that this one uses. `None`: none, or unknown.
 
     A guardian is none, nor is what stands behind a pseudo-terminal. On a computer with many
     processes this takes a tenth of a second.
@@ -55,7 +55,7 @@ def other_user_of(url: str) -> str | None:
 
 
 def _has_terminals(process: Path) -> bool:
-    """Whether a process has the other end of some pseudo-terminal."""
+    """True if a process has the other end of some pseudo-terminal."""
     return any(link.readlink().name == "ptmx" for link in (process / "fd").iterdir())
 
 
@@ -77,7 +77,7 @@ def is_locked_elsewhere(url: str) -> bool:
 
 
 def is_left_to_guardian(url: str) -> bool:
-    """Whether a guardian has a port and its lock, and the line that it watched is gone.
+    """True if a guardian has a port and its lock, and the line that it watched is gone.
 
     Such a guardian is stopping motors.
     """
@@ -128,7 +128,7 @@ class _Port(Protocol):
 def rates_of(
     port: _Port, wanted: Collection[int], clock: Callable[[], float] = time.monotonic
 ) -> frozenset[int] | None:
-    """Return those of the wanted rates that an open port can do; `None`: it cannot be known.
+    """Return those of the wanted rates that an open port can do. `None`: it cannot be known.
 
     A driver that cannot divide its clock to a rate takes the nearest one and says so when asked.
     Each rate is set and read back, then the port is as it was. Nothing is sent, but nothing may be
@@ -155,7 +155,7 @@ def rates_of(
 
 
 def _real_rate(handle: int, before: "array.array[int]", rate: int) -> int:
-    """Return what the driver makes of a rate, in bit/s; 0 where it refuses."""
+    """Return what the driver makes of a rate, in bit/s. 0 where it refuses."""
     words = before[:]
     words[CFLAG] = words[CFLAG] & ~_CBAUD | _BOTHER
     words[_ISPEED] = words[OSPEED] = rate
@@ -167,7 +167,7 @@ def _real_rate(handle: int, before: "array.array[int]", rate: int) -> int:
 
 
 def termios2(handle: int) -> "array.array[int]":
-    """Return the settings of a terminal; OSError where they are elsewhere."""
+    """Return the settings of a terminal. OSError where they are elsewhere."""
     words = array.array("I", [0] * _WORDS)
     fcntl.ioctl(handle, _TCGETS2, words)
     return words

@@ -78,7 +78,7 @@ def latency_of(url: str) -> float:
 
 
 class Transport(Protocol):
-    """One open line; each method that uses it raises PortUnavailable when it is gone.
+    """One open line. Each method that uses it raises PortUnavailable when it is gone.
 
     `latency`: seconds that a byte may be late, apart from its time on the wire;
     `is_configurable`: whether `reconfigure` has an effect; `clock` is monotonic, in seconds.
@@ -90,13 +90,13 @@ class Transport(Protocol):
     def is_configurable(self) -> bool: ...
 
     def rates(self, wanted: Collection[int]) -> frozenset[int] | None:
-        """Return those of the wanted baud rates that the port can do; `None`: unknown.
+        """Return those of the wanted baud rates that the port can do. `None`: unknown.
 
         Sends nothing and never raises. Only before anything was sent on the port.
         """
 
     def reconfigure(self, line: SerialFormat) -> None:
-        """Use these settings from now on; no byte may be on the wire. Raises BadRequest."""
+        """Use these settings from now on. No byte may be on the wire. Raises BadRequest."""
 
     def clock(self) -> float: ...
 
@@ -106,15 +106,15 @@ class Transport(Protocol):
         """Return `size` bytes, or the fewer that came within `seconds`."""
 
     def discard(self) -> bytes:
-        """Discard and return what was received so far; BadReply if it does not end."""
+        """Discard and return what was received so far. BadReply if it does not end."""
 
     def wait(self, seconds: float) -> None: ...
 
     def start_guardian(self, silence: float) -> Guardian:
-        """Start a guardian that shares this line; see `GuardianProcess`. Never raises."""
+        """Start a guardian that shares this line. See `GuardianProcess`. Never raises."""
 
     def close(self) -> None:
-        """Close the port; never raises."""
+        """Close the port. Never raises."""
 
 
 class _LentSocket:
@@ -218,7 +218,7 @@ class SerialTransport:
             raise self._gone(error) from error
 
     def _write_as_there_is_room(self, data: bytes) -> None:
-        """Write all; a write timeout of pyserial would also expire if this thread was late."""
+        """Write all. A write timeout of pyserial would also expire if this thread was late."""
         while data:
             _, ready, _ = select.select([], [self._port.fileno()], [], _NO_ROOM)
             if not ready:
@@ -299,19 +299,19 @@ class SerialTransport:
 
 
 def _options(url: str, line: SerialFormat) -> dict[str, Any]:
-    """Return pyserial's settings for a line; pseudo-terminals reject any parity."""
+    """Return pyserial's settings for a line. Pseudo-terminals reject any parity."""
     is_pseudo = Path(os.path.realpath(url)).is_relative_to("/dev/pts")
     parity = serial.PARITY_NONE if is_pseudo else line.parity.value
     return {"baudrate": line.baud, "parity": parity, "stopbits": line.stop_bits}
 
 
 def _is_file(url: str) -> bool:
-    """Whether a port is a device of a POSIX system, with a file descriptor."""
+    """True if a port is a device of a POSIX system, with a file descriptor."""
     return "://" not in url and sys.platform != "win32"
 
 
 def _shared(port: serial.Serial) -> SharedPort | None:
-    """Return what a child process needs; `None` for a port without a descriptor (`loop://`)."""
+    """Return what a child process needs. `None` for a port without a descriptor (`loop://`)."""
     with contextlib.suppress(*PORT_ERRORS):
         if (remote := getattr(port, "_socket", None)) is not None:
             kind = "telnet" if isinstance(port, _Rfc2217Port) else "socket"
@@ -349,7 +349,7 @@ def _unopened(url: str, **options: Any) -> serial.Serial:
 
 
 def _open_when_free(port: serial.Serial, url: str, clock: Callable[[], float]) -> None:
-    """Open a port; wait a moment for another line of this program that is about to close it.
+    """Open a port. Wait a moment for another line of this program that is about to close it.
 
     That one may still be confirming its last stop, and so may the guardian of a program that died.
     There is no waiting for other programs.

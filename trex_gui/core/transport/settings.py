@@ -8,7 +8,7 @@ from trex_gui.core.translation import tr, tr_noop
 
 
 class Parity(Enum):
-    """Parity bit behind the data bits; the value is pyserial's letter for it."""
+    """Parity bit behind the data bits. The value is pyserial's letter for it."""
 
     NONE = "N"
     EVEN = "E"
@@ -24,7 +24,7 @@ _PARITIES = {
 
 @dataclass(frozen=True, slots=True)
 class SerialFormat:
-    """Baud rate in bit/s, parity and stop bits (1 or 2); eight data bits."""
+    """Baud rate in bit/s, parity and stop bits (1 or 2). Eight data bits."""
 
     baud: int = 9600
     parity: Parity = Parity.NONE

@@ -20,7 +20,7 @@ _MOST_EVENTS = 50_000  # kept for a late reader: at 1,000 a second, nearly a min
 
 
 class TrafficDirection(Enum):
-    """Direction of the bytes; `LINE`: something happened to the line itself."""
+    """Direction of the bytes. `LINE`: something happened to the line itself."""
 
     SENT = auto()
     RECEIVED = auto()
@@ -55,13 +55,13 @@ class TrafficLog:
         self._events.append(event)
 
     def take(self) -> list[TrafficEvent]:
-        """Return the events since the last call, in order; from the reader's thread."""
+        """Return the events since the last call, in order. From the reader's thread."""
         count = len(self._events)  # those added meanwhile stay for the next call
         return [self._events.popleft() for _ in range(count)]
 
 
 class LoggingTransport:
-    """Notes the bytes of the transport below it, in its thread; otherwise does what that does."""
+    """Notes the bytes of the transport below it, in its thread. Otherwise does what that does."""
 
     def __init__(
         self, below: Transport, settings: PortSettings, note: Callable[[TrafficEvent], None]
@@ -144,7 +144,7 @@ def logged(
 
 @dataclass(frozen=True, slots=True)
 class Decoded:
-    """Meaning of a transaction; `is_fault` if something went wrong in it."""
+    """Meaning of a transaction. `is_fault` if something went wrong in it."""
 
     text: str
     is_fault: bool = False
@@ -179,10 +179,10 @@ class Decoder(ABC):
 
     @abstractmethod
     def bytes_of(self, shown: str) -> bytes:
-        """Return the bytes that `shown` displays so; ValueError if it displays none so."""
+        """Return the bytes that `shown` displays so. ValueError if it displays none so."""
 
     def learn(self, transaction: Transaction) -> None:
-        """Take what a reply says about the device, such as its units; nothing by default."""
+        """Take what a reply says about the device, such as its units. Nothing by default."""
         del transaction
 
     @abstractmethod
@@ -195,7 +195,7 @@ class Decoder(ABC):
 
     @abstractmethod
     def is_whole(self, transaction: Transaction) -> bool:
-        """Return whether the reply is complete; bytes behind it are unsolicited."""
+        """Return whether the reply is complete. Bytes behind it are unsolicited."""
 
     def goes_with(self, transaction: Transaction, sent: bytes) -> bool:
         """Return whether these bytes belong to the pending row, although they were sent later.
@@ -210,11 +210,11 @@ class Decoder(ABC):
         """Return the meaning of a transaction that has bytes."""
 
     def is_fault(self, transaction: Transaction) -> bool:
-        """Return whether something went wrong; every row needs this, its text only if shown."""
+        """Return whether something went wrong. Every row needs this, its text only if shown."""
         return self.decoded(transaction).is_fault
 
     def decoded(self, transaction: Transaction) -> Decoded:
-        """Return the meaning of a transaction; cached once it is complete."""
+        """Return the meaning of a transaction. Cached once it is complete."""
         if (known := transaction.words) is not None:  # once: `forget` may come from another thread
             return known
         words = Decoded(transaction.note) if transaction.note else self.read(transaction)
@@ -243,7 +243,7 @@ class TransactionAssembler:
         self._pending: Transaction | None = None
 
     def feed(self, events: Iterable[TrafficEvent]) -> list[Transaction]:
-        """Take events; return every row that is new or has changed, in order."""
+        """Take events. Return every row that is new or has changed, in order."""
         touched: dict[int, Transaction] = {}
         for event in events:
             row = self._pending

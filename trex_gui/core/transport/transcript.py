@@ -33,7 +33,7 @@ def head() -> str:
 
 
 def line_of(row: Transaction, decoder: Decoder, epoch: float) -> str:
-    """Return a row as a line without its end; `epoch` is when its clock began, since 1970."""
+    """Return a row as a line without its end. `epoch` is when its clock began, since 1970."""
     words, shown = decoder.decoded(row), decoder.shown
     moment = datetime.fromtimestamp(epoch + row.time).astimezone()
     values = (
@@ -68,7 +68,7 @@ class TranscriptWriter:
         self._is_begun = False
 
     def open(self) -> None:
-        """Open the file unless it is open; StudioError if it cannot be written."""
+        """Open the file unless it is open. StudioError if it cannot be written."""
         if self._file is not None or self._path is None:
             return
         try:
@@ -125,12 +125,12 @@ class TranscriptRow:
 
     @property
     def is_search(self) -> bool:
-        """Whether a search for devices sent it, perhaps at other settings than theirs."""
+        """True if a search for devices sent it, perhaps at other settings than theirs."""
         return self.meaning.startswith(SEARCH)
 
 
 def read_transcript(text: str, name: str, decoder: Decoder) -> Iterator[TranscriptRow]:
-    """Yield the rows that have bytes; SettingsError at what is no row, or no transcript at all."""
+    """Yield the rows that have bytes. SettingsError at what is no row, or no transcript at all."""
     lines = text.removesuffix("\n").replace("\r\n", "\n").split("\n")
     first = next((index for index, line in enumerate(lines) if not line.startswith("#")), 0)
     if tuple(lines[first].split("\t"))[: len(COLUMNS)] != COLUMNS:

@@ -33,7 +33,7 @@ class Address:
 
     @classmethod
     def of(cls, url: str) -> "Address":
-        """Read the URL of a board; BadRequest if it is none."""
+        """Read the URL of a board. BadRequest if it is none."""
         if (found := cls._read(url)) is None or not is_name(found.name):
             text = tr("{0} is not trex://host/name, such as trex://robot.local/arm.")
             raise BadRequest(text.format(url))
@@ -41,7 +41,7 @@ class Address:
 
     @classmethod
     def of_host(cls, text: str) -> "Address":
-        """Read `USER@HOST:PORT`, or a URL; BadRequest if it is neither."""
+        """Read `USER@HOST:PORT`, or a URL. BadRequest if it is neither."""
         found = cls._read(text if "://" in text else f"{SCHEME}://{text}")
         if found is None:
             raise BadRequest(tr("{0} is not a host, such as robot.local.").format(text))
@@ -109,7 +109,7 @@ def is_name(text: str) -> bool:
 
 
 def url_problem(url: str) -> str:
-    """Return why a port cannot have this URL, as a sentence; empty if it may."""
+    """Return why a port cannot have this URL, as a sentence. Empty if it may."""
     scheme, is_url, _ = url.partition("://")
     if not is_url:
         return ""

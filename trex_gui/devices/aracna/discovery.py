@@ -69,12 +69,12 @@ class FoundRobot:
 
 
 class AracnaProber:
-    """Probes one line for a robot; `found` is empty until it has answered."""
+    """Probes one line for a robot. `found` is empty until it has answered."""
 
     parts = (PROBES,)
 
     def __init__(self, settings: PortSettings, *, full: bool = False, known: bool = False) -> None:
-        """Probe this port; with only one line setting `full` has no effect."""
+        """Probe this port. With only one line setting `full` has no effect."""
         del full
         self.found: list[FoundRobot] = []
         self._settings = settings.at(LINE)
@@ -156,7 +156,7 @@ class AracnaProber:
 
 
 def recall(wire: Transport, settings: PortSettings, packed: str) -> FoundRobot | None:
-    """Probe for a robot where one was found before; there is only one setting."""
+    """Probe for a robot where one was found before. There is only one setting."""
     del packed
     prober = AracnaProber(settings, known=True)
     prober.probe(wire, 0, ignore_step, never_cancelled)

@@ -41,7 +41,7 @@ Record = Report | Marker  # times are seconds on the session's clock
 
 @dataclass(frozen=True, slots=True)
 class RobotHeader:
-    """Describes the recording of a robot; `clock` is the session's (s) at the start."""
+    """Describes the recording of a robot. `clock` is the session's (s) at the start."""
 
     started: datetime
     clock: float
@@ -62,7 +62,7 @@ class RobotHeader:
 
     @classmethod
     def from_values(cls, values: Mapping[str, Any]) -> "RobotHeader":
-        """Return the header of these rows; ValueError if one is missing or damaged."""
+        """Return the header of these rows. ValueError if one is missing or damaged."""
         try:
             header = cls(
                 started=datetime.fromisoformat(values["started_utc"]).astimezone(UTC),

@@ -1,4 +1,4 @@
-"""Why no TReX was found where one was expected, and what to do.
+"""Diagnosis of a line on which no TReX was found, and its remedy.
 
 A failed connection is followed by some probes of `discovery`, which move nothing: at the settings
 that were used, with each other error detection, and at the factory's settings. They recognise a

@@ -24,7 +24,7 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_nu
 _LIKELY = (19200, 115200, 9600, 38400, 57600)
 
 _LAST_PROBES = 5
-"""How often the default settings are probed after everything else, the other likely ones once: a
+"""Number of probes of the default settings after everything else, the other likely ones once: a
 line may have swallowed a reply, or several. On a silent line that takes two seconds more."""
 
 NUMBERS = 128  # device numbers that a board can have, from 0 on
@@ -99,7 +99,7 @@ def boards_by_number(
 
 
 class TrexProber:
-    """Probes one line; it has several `found` boards only if they share the line."""
+    """Probes one line. It has several `found` boards only if they share the line."""
 
     def __init__(
         self,
@@ -171,7 +171,7 @@ class TrexProber:
             self._probe(wire, attempt, settings.device_number)
 
     def _probe(self, wire: Transport, attempt: Attempt, number: int | None = None) -> None:
-        """Send one probe; `number` addresses one board of several that reply to it."""
+        """Send one probe. `number` addresses one board of several that reply to it."""
         try:
             if attempt.number is None:
                 flush(wire, self._settings.timeouts.extra)
@@ -199,7 +199,7 @@ class TrexProber:
             self._strange.append((attempt.line, reply.data))
 
     def _confirm(self, wire: Transport, attempt: Attempt, number: int | None) -> FoundBoard | None:
-        """Read more from a board that responded; its line settings are known now."""
+        """Read more from a board that responded. Its line settings are known now."""
         for polynomial in attempt.polynomials or (DEFAULT_POLYNOMIAL,):
             settings = self._settings_at(attempt.line, polynomial, number)
             client = TrexClient(wire, settings, echo=self.echo)
@@ -227,7 +227,7 @@ class TrexProber:
         progress: Callable[[ScanProgress], None],
         cancelled: Callable[[], bool],
     ) -> None:
-        """Probe each device number; several that respond replace the board that was found."""
+        """Probe each device number. Several that respond replace the board that was found."""
         polynomial = (attempt.polynomials or (DEFAULT_POLYNOMIAL,))[0]
         if self.found:
             polynomial = self.found[0].settings.polynomial
@@ -249,7 +249,7 @@ class TrexProber:
 
     @property
     def recognised(self) -> TrexBadReplyError | None:
-        """What replies, if that is known and cannot be connected to."""
+        """The device that replies, if it is known and cannot be connected to."""
         url = self._settings.label
         if self._is_loader:
             return TrexBadReplyError(ErrorCode.BOOT_LOADER, url)
@@ -330,7 +330,7 @@ def _note(line: LineSettings, signature: Signature, stored: int) -> str:
 
 
 def recall(wire: Transport, settings: PortSettings, packed: str) -> FoundBoard | None:
-    """Probe for a board where one was found before; see `core.discovery.Recall`."""
+    """Probe for a board where one was found before. See `core.discovery.Recall`."""
     prober = TrexProber(settings)
     with contextlib.suppress(BadRequest):
         prober.recall(wire, ConnectionSettings.on(settings).unpacked(packed))

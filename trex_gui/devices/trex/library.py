@@ -85,7 +85,7 @@ class ChannelStatus:
 
 @dataclass(frozen=True, slots=True)
 class BoardStatus:
-    """What a board reports."""
+    """Measurements, mode and errors of a board."""
 
     product: str
     firmware: str
@@ -105,7 +105,7 @@ def snapshots() -> tuple[Snapshot, ...]:
 
 
 class Trex:
-    """A TReX or TReX Jr on a serial line; use it in a `with` statement.
+    """A TReX or TReX Jr on a serial line. Use it in a `with` statement.
 
     However the block ends, motors that were driven are stopped and the port is closed. While motors
     run, use `wait` instead of `time.sleep`: without a call for half a second they are stopped,
@@ -154,7 +154,7 @@ class Trex:
         self._opened: OpenBoard | None = None
 
     def __enter__(self) -> Self:
-        """Open the port and read everything that the board stores; this moves nothing."""
+        """Open the port and read everything that the board stores. This moves nothing."""
         if self._opened is not None and self._opened.session.closed is None:
             raise PortUnavailable("The line is open already.")  # and stays so until its block ends
         session = OpenSession(self.settings)
@@ -163,7 +163,7 @@ class Trex:
         return self
 
     def __exit__(self, _kind: object, error: BaseException | None, _traceback: object) -> None:
-        """Stop the motors and close the port; NoReply if a stop was not confirmed."""
+        """Stop the motors and close the port. NoReply if a stop was not confirmed."""
         if self._opened is not None:
             self._opened.session.end(error)
 
@@ -187,7 +187,7 @@ class Trex:
 
     @property
     def is_responding(self) -> bool:
-        """Whether the board replied when it was last asked. `wait` takes what has come since."""
+        """True if the board replied when it was last asked. `wait` takes what has come since."""
         return self._opened is not None and self._opened.mirror.is_responding
 
     def status(self) -> BoardStatus:
@@ -243,7 +243,7 @@ class Trex:
 
     @property
     def line_quality(self) -> ConnectionQuality:
-        """How good the line is: `is_noisy` is `None` until enough was measured."""
+        """Quality of the line. `is_noisy` is `None` until enough was measured."""
         return self._board.mirror.quality
 
     def measurements(self, seconds: float) -> Iterator[Row]:
@@ -283,7 +283,7 @@ class Trex:
         return self.state.specs[key].text(self.parameter(key))
 
     def set_parameters(self, *, force: bool = False, **values: int | str) -> tuple[str, ...]:
-        """Store parameters and read them back; return the keys of those that changed.
+        """Store parameters and read them back. Return the keys of those that changed.
 
         A value is the wire value or a text with its unit, such as `"0.5 s"`. `force` lets the board
         decide about a wire value that only an inferred limit is against. As for every change, a
@@ -308,7 +308,7 @@ class Trex:
         return self.state.calibrations[channel]
 
     def set_calibration(self, channel: int, calibration: Calibration) -> None:
-        """Store the calibration of a channel for the inputs in use; as `set_parameters`."""
+        """Store the calibration of a channel for the inputs in use. As `set_parameters`."""
         if problem := calibration.problem():
             raise BadRequest(f"channel {channel}: {problem}")
         if self.state.calibrations.get(channel) != calibration:
@@ -351,7 +351,7 @@ class Trex:
     def apply_settings(
         self, wanted: str | Path | Iterable[ComparisonRow], *, force: bool = False
     ) -> tuple[str, ...]:
-        """Store what differs from a settings file, or the right side of rows; return the keys.
+        """Store what differs from a settings file, or the right side of rows. Return the keys.
 
         What the board stores already is not written. Raises as `set_parameters` and
         `compare_settings`.
@@ -368,7 +368,7 @@ class Trex:
         return tuple(row.key for row in rows)
 
     def restore_defaults(self) -> None:
-        """Let the board reset every parameter when it is switched off and on; see `set_parameters`.
+        """Let the board reset every parameter when it is switched off and on. See `set_parameters`.
 
         The calibrations stay (inferred).
 
@@ -417,7 +417,7 @@ class Trex:
 
     @property
     def driver(self) -> str:
-        """The user who drives a board of the network; empty: nobody, or it is at this computer."""
+        """The user who drives a board of the network. Empty: nobody, or it is at this computer."""
         lease = self._board.session.lease
         return "" if lease is None else lease.driver
 
@@ -469,7 +469,7 @@ class Trex:
         auxiliary: int | None = None,
         accelerate: bool = False,
     ) -> None:
-        """Set speeds of -127 to 127, of the auxiliary motor 0 to 127; `None` leaves one alone.
+        """Set speeds of -127 to 127, of the auxiliary motor 0 to 127. `None` leaves one alone.
 
         The motors run until `stop`, the end of the block, or half a second without a call.
         `accelerate` uses the acceleration that is set in the board.
@@ -527,7 +527,7 @@ class LineOptions(TypedDict, total=False):
 
 
 class TrexLine:
-    """Boards on one line that are driven together; use it in a `with` statement.
+    """Boards on one line that are driven together. Use it in a `with` statement.
 
     One arming and one stop are for all of them: a board that falls silent, restarts, stops by
     itself or returns to its channels stops the others, and the error names it. `line[9]` is the
@@ -535,7 +535,7 @@ class TrexLine:
     """
 
     def __init__(self, url: str, *, boards: Iterable[int], **options: Unpack[LineOptions]) -> None:
-        """Describe the line; `boards` are device numbers, 0 to 127. See `Trex` for the rest."""
+        """Describe the line. `boards` are device numbers, 0 to 127. See `Trex` for the rest."""
         numbers = tuple(boards)
         self._boards = {one: Trex(url, device_number=one, **options) for one in numbers}
         first = next(iter(self._boards.values()), Trex(url))
@@ -543,7 +543,7 @@ class TrexLine:
         self._session: OpenSession | None = None
 
     def __enter__(self) -> Self:
-        """Open the port and read every board; this moves nothing."""
+        """Open the port and read every board. This moves nothing."""
         if self._session is not None and self._session.closed is None:
             raise PortUnavailable("The line is open already.")
         session = self._session = OpenSession(self._settings)
@@ -554,7 +554,7 @@ class TrexLine:
         return self
 
     def __exit__(self, _kind: object, error: BaseException | None, _traceback: object) -> None:
-        """Stop every motor and close the port; NoReply if a stop was not confirmed."""
+        """Stop every motor and close the port. NoReply if a stop was not confirmed."""
         if self._session is not None:
             self._session.end(error)
 
@@ -576,12 +576,12 @@ class TrexLine:
         auxiliary: int | None = None,
         accelerate: bool = False,
     ) -> None:
-        """Set the same speeds on every board, or on none; see `Trex.drive`."""
+        """Set the same speeds on every board, or on none. See `Trex.drive`."""
         for board in self:
             board.drive(motor_1, motor_2, auxiliary=auxiliary, accelerate=accelerate)
 
     def errors(self) -> dict[int, tuple[ErrorEntry, ...]]:
-        """Return every error bit of each board; see `Trex.errors`."""
+        """Return every error bit of each board. See `Trex.errors`."""
         return {number: board.errors() for number, board in self._boards.items()}
 
     def events(self) -> dict[int, tuple[Event, ...]]:
@@ -589,11 +589,11 @@ class TrexLine:
         return {number: board.events() for number, board in self._boards.items()}
 
     def motor_status(self) -> dict[int, tuple[str, ...]]:
-        """Return why the motors of each board do what they do; see `Trex.motor_status`."""
+        """Return why the motors of each board do what they do. See `Trex.motor_status`."""
         return {number: board.motor_status() for number, board in self._boards.items()}
 
     def stop(self) -> None:
-        """Stop every board; NoReply if one does not confirm it."""
+        """Stop every board. NoReply if one does not confirm it."""
         next(iter(self)).stop()
 
     def wait(self, seconds: float) -> None:

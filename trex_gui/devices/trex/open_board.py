@@ -113,12 +113,12 @@ class OpenSession:
 
     @property
     def lease(self) -> LeaseChanged | None:
-        """Who drives a served line; `None` for one at this computer."""
+        """Who drives a served line. `None` for one at this computer."""
         return next(iter(self.boards.values())).mirror.lease
 
     @property
     def has_lease(self) -> bool:
-        """Whether this program may drive: no other one does."""
+        """True if this program may drive: no other one does."""
         return self.lease is None or self.lease.is_mine
 
     def require_drivable(self) -> None:
@@ -149,7 +149,7 @@ class OpenSession:
             self.pump(end)
 
     def pump(self, end: float) -> list[tuple["OpenBoard", Sample]]:
-        """Send a heartbeat if motors are armed; take the next report and those that follow it.
+        """Send a heartbeat if motors are armed. Take the next report and those that follow it.
 
         Return the samples, each with its board.
         """
@@ -192,7 +192,7 @@ class OpenSession:
         return self.closed
 
     def end(self, error: BaseException | None) -> None:
-        """Close the line after an error, or none; NoReply if a stop was not confirmed."""
+        """Close the line after an error, or none. NoReply if a stop was not confirmed."""
         closed = self.close()
         if closed is not None and closed.may_move:
             text = "The stop is not confirmed. If a motor still turns, cut its power."
@@ -228,11 +228,11 @@ class OpenBoard:
         return request if self._number is None else ToBoard(self._number, request)
 
     def pump(self, end: float) -> list[Sample]:
-        """Return the samples of this board; see `OpenSession.pump`."""
+        """Return the samples of this board. See `OpenSession.pump`."""
         return [sample for board, sample in self.session.pump(end) if board is self]
 
     def take(self, report: Report) -> Iterator[Sample]:
-        """Take a report and yield its samples; raise if the motors do not do as they should."""
+        """Take a report and yield its samples. Raise if the motors do not do as they should."""
         for event in self.mirror.take(report, self.session.clock(), utc_now()):
             match event:
                 case LatchedStatus():
@@ -276,7 +276,7 @@ class OpenBoard:
             self._fail(f"The board reports: {', '.join(latched.names)}. The motors were stopped.")
 
     def _fail(self, text: str, *, is_named: bool = False) -> None:
-        """Raise for the motors that were stopped; `is_named`: the text names the board."""
+        """Raise for the motors that were stopped. `is_named`: the text names the board."""
         self.session.is_armed = False
         raise MotorsStoppedError(text if is_named else self.named(text))
 

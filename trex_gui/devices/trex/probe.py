@@ -63,7 +63,7 @@ class Attempt:
 
     @property
     def is_unsafe(self) -> bool:
-        """Whether a board at other settings may take the probe for a motor command."""
+        """True if a board at other settings may take the probe for a motor command."""
         return len(self.data) == 2 and (self.line.baud, self.data[-1]) in UNSAFE
 
 

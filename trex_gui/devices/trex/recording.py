@@ -56,7 +56,7 @@ class AuxiliarySetpointRecord:
 
 @dataclass(frozen=True, slots=True)
 class SettingsSnapshot:
-    """What the board stores from now on, as the text of a settings file."""
+    """Stored settings from this time on, as the text of a settings file."""
 
     time: float
     text: str
@@ -171,7 +171,7 @@ class Header:
 
 
 def sample_kinds(source: InputSource, current_unit: float) -> tuple[SampleKind, ...]:
-    """Return the kinds of samples; `current_unit` is in A per count."""
+    """Return the kinds of samples. `current_unit` is in A per count."""
     polled = [value.kind(source, current_unit) for value in POLLED.values()]
     return (
         *(kind for kind in polled if kind.held),
@@ -217,7 +217,7 @@ def sample_kinds(source: InputSource, current_unit: float) -> tuple[SampleKind, 
 
 
 def _with_board(kind: SampleKind, own: int | None, others: Mapping[int, float]) -> SampleKind:
-    """Return a kind of samples with a column for the board; `own` is that of the header."""
+    """Return a kind of samples with a column for the board. `own` is that of the header."""
 
     def pack(record: OwnRecord | OfBoardRecord) -> Sequence[Value]:
         if isinstance(record, OfBoardRecord):
@@ -283,7 +283,7 @@ class MeasurementTable:
         self.row |= dict.fromkeys(self._kinds[LatchedStatus].exported, 0)
 
     def take(self, sample: Sample) -> bool:
-        """Take a sample; return whether it completes a row."""
+        """Take a sample. Return whether it completes a row."""
         self._missing.discard(type(sample))
         cells = self._kinds[type(sample)].cells(sample)
         if isinstance(sample, LatchedStatus):
@@ -293,7 +293,7 @@ class MeasurementTable:
         return isinstance(sample, Currents) and not self._missing
 
     def finish(self, time: float) -> Row:
-        """Return the row as of now; status bits are written once."""
+        """Return the row as of now. Status bits are written once."""
         row = {**self.row, "time_s": round(time, 4)}
         self._clear_status()
         return row

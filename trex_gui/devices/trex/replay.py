@@ -201,7 +201,7 @@ class RecordedTraffic:
 
 
 def _polynomial(rows: Sequence[TranscriptRow]) -> int | None:
-    """Return the CRC polynomial with which most packets can be read; `None` if none is needed."""
+    """Return the CRC polynomial with which most packets can be read. `None` if none is needed."""
     every: tuple[int | None, ...] = (None, DEFAULT_POLYNOMIAL, *range(0x80, 0x100))
     return min(every, key=lambda polynomial: _damaged(rows[:_SAMPLE], polynomial))
 

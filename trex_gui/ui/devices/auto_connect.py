@@ -66,7 +66,7 @@ class AutoConnect(QObject):
         self._timer = new_timer(self, _SETTLE_MS, self._on_settled, single_shot=True)
 
     def start(self, *, at_once: bool = True) -> None:
-        """Begin; `at_once` counts what is plugged in now as plugged in just now."""
+        """Begin. `at_once` counts what is plugged in now as plugged in just now."""
         self._ports.changed.connect(self._on_ports_changed)
         self._manager.changed.connect(self._on_link_changed)
         self._scanner.finished.connect(self._on_scan_finished)
@@ -105,7 +105,7 @@ class AutoConnect(QObject):
             self._timer.start()
 
     def _find_missing(self) -> Port | None:
-        """Return the missing port if it is plugged in; a typed address is always listed."""
+        """Return the missing port if it is plugged in. A typed address is always listed."""
         missing = self._missing
         if missing is None:
             return None
@@ -116,7 +116,7 @@ class AutoConnect(QObject):
         return found if found is not None and found.kind is PortKind.SERIAL else None
 
     def _reconnect(self) -> bool:
-        """Connect to the missing port if it is back; return whether it is."""
+        """Connect to the missing port if it is back. Return whether it is."""
         found, missing = self._find_missing(), self._missing
         if found is None or missing is None or self._may_be_stale:
             return False

@@ -22,7 +22,7 @@ SettingsT = TypeVar("SettingsT", bound=PortSettings)
 
 
 class ConnectionState(Enum):
-    """Whether a line is open and its device responds."""
+    """State of a line and its device."""
 
     DISCONNECTED = auto()
     CONNECTING = auto()
@@ -57,7 +57,7 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
         self.closed.connect(self._on_closed)
 
     def open(self, settings: SettingsT, *, may_move: bool = False) -> None:
-        """Open a line; one that is open is closed first.
+        """Open a line. One that is open is closed first.
 
         `may_move` says that motors may still be turning from an earlier session.
         """
@@ -72,7 +72,7 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
         self.start(make_session, may_move=may_move)
 
     def close(self) -> None:
-        """Stop motors if possible, and close the line; does not wait."""
+        """Stop motors if possible, and close the line. Does not wait."""
         self._next = None
         if self.is_open and self.link is not ConnectionState.DISCONNECTING:
             self.prepare_to_close()
@@ -91,11 +91,11 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
     # --- For each device ----------------------------------------------------------------
 
     def new_session(self, settings: SettingsT, *, may_move: bool) -> MakeSession:
-        """Forget the last session; return the function that makes the next one."""
+        """Forget the last session. Return the function that makes the next one."""
         raise NotImplementedError
 
     def prepare_to_close(self) -> None:
-        """Do what is due before the line is closed; nothing by default."""
+        """Do what is due before the line is closed. Nothing by default."""
 
     def take(self, report: object) -> None:
         raise NotImplementedError

@@ -19,7 +19,7 @@ SettingsT_contra = TypeVar("SettingsT_contra", bound=PortSettings, contravariant
 
 
 class DeviceModel(Protocol[SettingsT_contra]):
-    """Model of a device, as its controller uses it; see `DeviceConnection`."""
+    """Model of a device, as its controller uses it. See `DeviceConnection`."""
 
     notifier: Notifier
 
@@ -39,7 +39,7 @@ class DeviceModel(Protocol[SettingsT_contra]):
 
 @dataclass(frozen=True, slots=True)
 class QualityReport:
-    """How good a line is, in words, and whether the user should do something about it."""
+    """Quality of a line, in words, and whether the user should do something about it."""
 
     text: str = ""  # empty while it is not known
     is_bad: bool = False
@@ -63,7 +63,7 @@ class DeviceController(QObject, Generic[SettingsT]):
         scanner: DeviceScanner,
         default: SettingsT,
     ) -> None:
-        """Open ports with the `default` settings; the address comes with the port."""
+        """Open ports with the `default` settings. The address comes with the port."""
         super().__init__()
         self.plugin = plugin
         self._model = model
@@ -106,7 +106,7 @@ class DeviceController(QObject, Generic[SettingsT]):
                 self.take_packed(port.settings)
 
     def connect_to(self, port: Port) -> None:
-        """Connect to a port; closes an open line and ends a scan of the port first."""
+        """Connect to a port. Closes an open line and ends a scan of the port first."""
         self.choose(port)
         if self._scanner.is_searching(port):
             self._after_scan = port
@@ -140,7 +140,7 @@ class DeviceController(QObject, Generic[SettingsT]):
         self._model.disconnect_line()
 
     def shut_down(self) -> bool:
-        """Close the line and end the simulator; return whether the line ended in time."""
+        """Close the line and end the simulator. Return whether the line ended in time."""
         self.begin_to_shut_down()
         in_time = self._model.shut_down()
         self.simulator.stop()
@@ -204,7 +204,7 @@ class DeviceController(QObject, Generic[SettingsT]):
     # --- For each device ----------------------------------------------------------------
 
     def take_packed(self, settings: str) -> None:
-        """Use settings at which a device was found before; a device with only one has none."""
+        """Use settings at which a device was found before. A device with only one has none."""
 
     @property
     def quality(self) -> QualityReport:
@@ -212,27 +212,27 @@ class DeviceController(QObject, Generic[SettingsT]):
 
     @property
     def is_busy(self) -> bool:
-        """Whether disconnecting now would interrupt writing."""
+        """True if disconnecting now would interrupt writing."""
         return False
 
     @property
     def is_armed(self) -> bool:
-        """Whether setpoints are sent."""
+        """True if setpoints are sent."""
         return False
 
     @property
     def may_move(self) -> bool:
-        """Whether motors were driven without a confirmed stop since."""
+        """True if motors were driven without a confirmed stop since."""
         return False
 
     @property
     def unconfirmed_stop(self) -> str:
-        """Warning about motors that may turn although the line is closed; empty if none may."""
+        """Warning about motors that may turn although the line is closed. Empty if none may."""
         return ""
 
     @property
     def needs_stop(self) -> bool:
-        """Whether Esc has to stop whatever else it closes: something moves, or perhaps does."""
+        """True if Esc has to stop whatever else it closes: something moves, or perhaps does."""
         return self.link is not ConnectionState.DISCONNECTED
 
     def press_stop(self) -> None:
@@ -248,5 +248,5 @@ class DeviceController(QObject, Generic[SettingsT]):
         raise NotImplementedError
 
     def stop_now(self, *, ending: bool = False) -> None:
-        """Stop, from any thread; close the port if the program is `ending`. Does not wait."""
+        """Stop, from any thread. Close the port if the program is `ending`. Does not wait."""
         raise NotImplementedError

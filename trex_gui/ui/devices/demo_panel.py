@@ -86,7 +86,7 @@ class Rows(ui.Card, Generic[SnapshotT]):
         read: Callable[[SnapshotT], float],
         show: Callable[[float], object],
     ) -> None:
-        """Let a slider set a value in its unit, and follow it; `show` displays it."""
+        """Let a slider set a value in its unit, and follow it. `show` displays it."""
         steps = slider.positions_per_unit
 
         def move(position: int) -> None:
@@ -121,7 +121,7 @@ class Rows(ui.Card, Generic[SnapshotT]):
     def add_row(
         self, name: str, slider: QWidget, value: QLabel, ticks: Sequence[QWidget] = ()
     ) -> QLabel:
-        """Add a row; return the label with the name.
+        """Add a row. Return the label with the name.
 
         A widget other than a check box in `ticks` takes the width that is left.
         """
@@ -166,7 +166,7 @@ def add_cable(
     cause: Callable[[str], object],
     before: Sequence[tuple[QWidget, int]] = (),
 ) -> None:
-    """Add what disturbs the cable; `prefix` starts object names.
+    """Add what disturbs the cable. `prefix` starts object names.
 
     `mute` and `noise` are tool tips. `faults` are texts and values for `cause`; `choice` and `once`
     are object name, text and tool tip of their list and its button. `before` is at the left.
@@ -309,7 +309,7 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
         state_text: Callable[[SnapshotT], str],
         parent: QWidget | None = None,
     ) -> None:
-        """Show `device`; the label with its state has the object name `state_name`."""
+        """Show `device`. The label with its state has the object name `state_name`."""
         super().__init__(parent)
         self._device = device
         self._use = use
@@ -322,7 +322,7 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
     def arrange(
         self, groups: Sequence[Rows[SnapshotT]], reset: QPushButton, *head: QWidget
     ) -> None:
-        """Lay out everything; Tab goes through the groups, then to `reset`."""
+        """Lay out everything. Tab goes through the groups, then to `reset`."""
         self._groups, self._reset = groups, reset
         right = (reset, 0, Qt.AlignmentFlag.AlignRight)
         ui.column(*head, self._state, *groups, right, 1, into=self, margins=3, spacing=6)
@@ -332,7 +332,7 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
         self.refresh()
 
     def show_head(self, snapshot: SnapshotT | None) -> None:
-        """Update the head; `None` while the simulator does not run."""
+        """Update the head. `None` while the simulator does not run."""
         raise NotImplementedError
 
     def sizeHint(self) -> QSize:

@@ -17,7 +17,7 @@ Controller = DeviceController[Any]
 
 
 class DeviceManager(QObject):
-    """Connects to one device at a time; the previous one is disconnected first."""
+    """Connects to one device at a time. The previous one is disconnected first."""
 
     changed = Signal()  # any property of `current`
     progressed = Signal(int, int, str)  # steps done, steps in all, the next step
@@ -80,7 +80,7 @@ class DeviceManager(QObject):
         self._switch_to(controller, lambda: controller.connect_with(port, settings))
 
     def switch_to(self, device: str, then: Callable[[], object]) -> bool:
-        """Use another kind of device, without connecting to one; then call `then`.
+        """Use another kind of device, without connecting to one. Then call `then`.
 
         A device that is disconnecting is waited for. Return whether `then` was or will be called:
         a connected device is not disconnected for it.
@@ -153,7 +153,7 @@ class DeviceManager(QObject):
 
     @property
     def unconfirmed_stop(self) -> str:
-        """Warning about motors that may turn although every line is closed; empty if none may."""
+        """Warning about motors that may turn although every line is closed. Empty if none may."""
         return "\n".join(
             filter(None, (controller.unconfirmed_stop for controller in self._controllers.values()))
         )
@@ -171,12 +171,12 @@ class DeviceManager(QObject):
         return any(controller.needs_stop for controller in self._controllers.values())
 
     def stop_now(self, *, ending: bool = False) -> None:
-        """Stop every device, from any thread; close the ports if the program is `ending`."""
+        """Stop every device, from any thread. Close the ports if the program is `ending`."""
         for controller in self._controllers.values():
             controller.stop_now(ending=ending)
 
     def shut_down(self) -> bool:
-        """Close every line and end a scan; return whether all ended in time.
+        """Close every line and end a scan. Return whether all ended in time.
 
         All start to end before the first is waited for.
         """

@@ -30,7 +30,7 @@ class PortKind(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Port:
-    """One entry of the list; `url` is what pyserial opens, empty for a simulated device.
+    """One entry of the list. `url` is what pyserial opens, empty for a simulated device.
 
     `device` is the key of the kind of device that it leads to, `adapter` what it is on USB.
     `settings` are those at which a device was found there, packed; empty if none was.
@@ -44,7 +44,7 @@ class Port:
     settings: str = field(default="", compare=False)
 
     def is_same(self, other: "Port") -> bool:
-        """Whether this is the other port, whatever it is called and leads to now.
+        """True if this is the other port, whatever it is called and leads to now.
 
         An adapter that is plugged in while its old name is in use gets another one, and its name
         may go to another adapter.
@@ -102,7 +102,7 @@ class Ports(QObject):
         return self.now(newest) if newest is not None else None
 
     def now(self, port: Port) -> Port | None:
-        """Return a port as it is listed now, perhaps by another name; `None` if it is not there.
+        """Return a port as it is listed now, perhaps by another name. `None` if it is not there.
 
         Of several adapters with one serial number it is the one in the same socket.
         """
@@ -140,7 +140,7 @@ class Ports(QObject):
             self.changed.emit()
 
     def add_typed(self, url: str) -> Port:
-        """Remember an address that the user typed; return its entry.
+        """Remember an address that the user typed. Return its entry.
 
         A link to a listed port, as in `/dev/serial/by-id`, is that port: its adapter is known then.
         """
@@ -160,7 +160,7 @@ class Ports(QObject):
         self.refresh()
 
     def lead_to(self, port: Port, device: str, settings: str = "") -> Port:
-        """Remember which kind of device a port leads to; return its entry.
+        """Remember which kind of device a port leads to. Return its entry.
 
         `settings` are those at which such a device was found, packed; a kind that was only chosen
         has none.
@@ -200,14 +200,14 @@ def _label(device: str, description: str) -> str:
 
 
 def _line(port: Port) -> str:
-    """Return what is remembered of a port; see `_read`."""
+    """Return what is remembered of a port. See `_read`."""
     adapter = () if port.adapter is None else astuple(port.adapter)
     words = (port.device, port.settings, port.url, *adapter)
     return "\t".join(" ".join(word.split()) for word in words)
 
 
 def _read(line: str) -> Port | None:
-    """Return a port as it was remembered; `None` if the line is none."""
+    """Return a port as it was remembered. `None` if the line is none."""
     match line.split("\t"):
         case [device, settings, url]:
             return Port(PortKind.TYPED, url, url, device, None, settings)

@@ -80,7 +80,7 @@ class ScanFinding:
 
 
 class DeviceScanner(QObject):
-    """Scans one port after the other; requests only, moves nothing."""
+    """Scans one port after the other. Requests only, moves nothing."""
 
     changed = Signal()  # `running`, `findings` or `summary`
     progressed = Signal()  # `done`, `total` or `text`
@@ -93,7 +93,7 @@ class DeviceScanner(QObject):
         *,
         timeouts: Timeouts | None = None,
     ) -> None:
-        """Look for these kinds of devices; see `core.discovery.scan` for the order."""
+        """Look for these kinds of devices. See `core.discovery.scan` for the order."""
         super().__init__()
         self._plugins = tuple(plugins)
         self._timeouts = timeouts or Timeouts()
@@ -121,7 +121,7 @@ class DeviceScanner(QObject):
         simulator.ended.connect(self.simulators_changed)
 
     def can_search(self, port: Port) -> bool:
-        """Whether a port can be scanned: a simulated device has to run."""
+        """True if a port can be scanned: a simulated device has to run."""
         if port.kind is not PortKind.DEMO:
             return True
         simulator = self._simulators.get(port.device)
@@ -133,7 +133,7 @@ class DeviceScanner(QObject):
 
     @property
     def time_left(self) -> str:
-        """The longest that the scan still takes, for the user; empty while that is not known."""
+        """The longest that the scan still takes, for the user. Empty while that is not known."""
         left = seconds_left(now() - self._begun, self.done, self.total)
         if not self.running or self.was_cancelled or left is None:
             return ""
@@ -147,7 +147,7 @@ class DeviceScanner(QObject):
     def start(
         self, ports: Sequence[Port], *, full: bool = False, only_recall: bool = False
     ) -> None:
-        """Scan ports; `only_recall`: only at the settings at which a device was found before.
+        """Scan ports. `only_recall`: only at the settings at which a device was found before.
 
         That says nothing about ports without a reply.
         """
@@ -173,7 +173,7 @@ class DeviceScanner(QObject):
 
     @Slot()
     def cancel(self) -> None:
-        """End the scan after the current probe; does not wait."""
+        """End the scan after the current probe. Does not wait."""
         if self._worker is not None and not self.was_cancelled:
             self.was_cancelled = True
             self.text = tr("Ending the search …")
@@ -181,7 +181,7 @@ class DeviceScanner(QObject):
             self.progressed.emit()
 
     def shut_down(self) -> bool:
-        """End the scan and wait at most a second; return whether it ended in time."""
+        """End the scan and wait at most a second. Return whether it ended in time."""
         worker, self._worker = self._worker, None
         if worker is None:
             return True

@@ -114,7 +114,7 @@ class Simulator(QObject):
 
 @dataclass(frozen=True, slots=True)
 class DemoLine:
-    """The wire to this computer; `noise` is the probability that a byte is corrupted."""
+    """The wire to this computer. `noise` is the probability that a byte is corrupted."""
 
     plugged: bool
     mute: bool
@@ -150,7 +150,7 @@ class DemoDevice(QObject, Generic[SnapshotT]):
         read: Callable[[str], SnapshotT],
         parent: QObject | None = None,
     ) -> None:
-        """Operate the device in `simulator`; `read` parses the JSON that `show` reports."""
+        """Operate the device in `simulator`. `read` parses the JSON that `show` reports."""
         super().__init__(parent)
         self._simulator = simulator
         self._read = read

@@ -1,4 +1,4 @@
-"""Edits as commands that can be taken back; they alone change what waits for Apply.
+"""Edits as commands that can be taken back. They alone change what waits for Apply.
 
 What the device reports by itself is no edit. A command knows the value that was shown before,
 so taking an edit back after it was applied makes the old value an edit of its own.
@@ -60,7 +60,7 @@ class Edit(QUndoCommand, Generic[KeyT, ValueT]):
         return -1 if self.run is None else _OF_A_RUN
 
     def mergeWith(self, other: QUndoCommand) -> bool:
-        """Take in the next edit of the run; one that leads back to the start leaves no step."""
+        """Take in the next edit of the run. One that leads back to the start leaves no step."""
         if not isinstance(other, Edit) or (other.run, other.key) != (self.run, self.key):
             return False
         self.after = other.after

@@ -228,7 +228,7 @@ class Span:
         self._end = middle + self.length / 2
 
     def zoom(self, factor: float, around: float) -> None:
-        """Show `factor` times as much; `around` keeps its place on the screen.
+        """Show `factor` times as much. `around` keeps its place on the screen.
 
         While live the right edge remains the newest sample.
         """

@@ -47,7 +47,7 @@ class _Shape:
 
 class Curve(_Shape):
     def set_points(self, x: Floats, y: Floats, *, gaps: bool = False) -> None:
-        """Set the points; with `gaps`, NaN interrupts the line."""
+        """Set the points. With `gaps`, NaN interrupts the line."""
         self.item.setData(x, y, connect="finite" if gaps else "all", skipFiniteCheck=not gaps)
 
 

@@ -57,7 +57,7 @@ class ExportButton(QToolButton):
         name: str = "currents",
         tables: bool = True,
     ) -> None:
-        """Propose files called `name`; without `tables`, offer pictures only.
+        """Propose files called `name`. Without `tables`, offer pictures only.
 
         What has tables is live: the proposed name and the heading of a picture have date and time
         as well.
@@ -161,7 +161,7 @@ def write_csv(
     events: Sequence[tuple[float, str]] = (),
     origin: float = 0.0,
 ) -> int:
-    """Write curves as CSV (RFC 4180), a row for each sample; return the number of samples.
+    """Write curves as CSV (RFC 4180), a row for each sample. Return the number of samples.
 
     The first column is in seconds; each curve has one, headed by its name and its unit
     in brackets; the last has the events, in the row of the first sample at or after them. Unknown

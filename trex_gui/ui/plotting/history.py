@@ -1,4 +1,4 @@
-"""Many rows of samples in bounded memory; any span is drawn and summarized at once.
+"""Many rows of samples in bounded memory. Any span is drawn and summarized at once.
 
 A plot of an hour needs the extremes of some hundred spans of samples. `SampleColumn` keeps those of
 blocks of rows: a million samples cost as much as some ten thousand.
@@ -135,7 +135,7 @@ class Statistics:
 
 
 class SampleHistory:
-    """The last `capacity` rows of a time and one value per column; times rise, NaN means unknown.
+    """The last `capacity` rows of a time and one value per column. Times rise, NaN means unknown.
 
     Memory grows with the rows; at capacity the oldest are dropped. The average cost of adding
     a row does not depend on their number.

@@ -247,7 +247,7 @@ class TracePanel(QWidget):
         self._window.setPlaceholderText(duration_text(span.length))
 
     def show_moment(self, time: float, text: str) -> None:
-        """Show the last event up to a time that says `text`; without one, the time."""
+        """Show the last event up to a time that says `text`. Without one, the time."""
         self.refresh()
         source = self.plot.source
         events = [] if source is None else source.events_between(-math.inf, time)

@@ -25,7 +25,7 @@ class TraceInfo:
 
 
 class Traces:
-    """One curve for each column of a history, and events; both may grow while they are shown.
+    """One curve for each column of a history, and events. Both may grow while they are shown.
 
     `limits` are in the curves' units; `events` are in the order of time.
     """

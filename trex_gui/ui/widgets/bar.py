@@ -30,7 +30,7 @@ class LimitState(Enum):
 
 
 def limit_state(value: float | None, limit: float | None) -> LimitState:
-    """Return where a value of at least 0 is; without a limit it is below."""
+    """Return where a value of at least 0 is. Without a limit it is below."""
     if not limit or value is None or value < _NEAR * limit:
         return LimitState.BELOW
     return LimitState.NEAR if value <= limit else LimitState.OVER

@@ -75,7 +75,7 @@ def paint_jumper(painter: QPainter, place: QRectF, is_on: bool | None) -> None:
 
 
 Jumper = tuple[str, bool | None]
-"""What is said of a jumper, and whether it is on."""
+"""Words for a jumper, and whether it is on."""
 
 
 def jumpers_size(font: QFont, jumpers: Sequence[Jumper]) -> QSizeF:

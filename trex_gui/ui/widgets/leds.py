@@ -93,7 +93,7 @@ class Leds(QWidget):
     def show_patterns(
         self, shown: tuple[str, str], words: Sequence[str] = ("", ""), meaning: str = ""
     ) -> None:
-        """Show a pattern on each LED, with words beside it; `meaning` is said instead of them."""
+        """Show a pattern on each LED, with words beside it. `meaning` is said instead of them."""
         self._shown = shown
         names = tr("Red"), tr("Green")
         for lamp, label, name, text in zip(self.lamps, self._labels, names, words, strict=True):

@@ -34,7 +34,7 @@ class Animation:
         return self._widget.style().styleHint(duration, None, self._widget) > 0
 
     def run(self, moves: bool) -> None:
-        """Make frames from now on if something moves; to be called again when it is shown."""
+        """Make frames from now on if something moves. To be called again when it is shown."""
         if not (moves and self.is_wanted and self._widget.isVisible()):
             self._timer.stop()
         elif not self._timer.isActive():

@@ -69,7 +69,7 @@ class PaintedSlider(QSlider, Spoken):
 
 
 class PressSlider(PaintedSlider):
-    """Pressed with the left button only; released, too, when `PressMonitor` reports a loss.
+    """Pressed with the left button only. Released, too, when `PressMonitor` reports a loss.
 
     `held` is whether the user presses it.
     """
@@ -120,7 +120,7 @@ class PressSlider(PaintedSlider):
 
 
 class StickSlider(PaintedSlider):
-    """Horizontal; `rest` is where its fill begins.
+    """Horizontal. `rest` is where its fill begins.
 
     `follow` shows a value without disturbing a drag; `valueChanged` is a change by the user.
     """

@@ -16,7 +16,7 @@ _LEAST_LINE = 16
 
 
 class StepStrip(Painted):
-    """Ticks the steps that are done; names all steps, or the current one where space is short."""
+    """Ticks the steps that are done. Names all steps, or the current one where space is short."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)

@@ -16,7 +16,7 @@ from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan, release_orph
 NO_HANDLER = 0  # number of a request without a handler for its outcome
 _TIMEOUT_MS = 1000
 _WRITING_TIMEOUT_MS = 3000
-"""How long `shut_down` waits: line settings and polynomial must be stored together."""
+"""Longest wait of `shut_down`: line settings and polynomial must be stored together."""
 
 
 class Session(Protocol):

@@ -53,7 +53,7 @@ def port_settings(port: str | None, extra_time: float) -> PortSettings:
 
 
 class CommandSession:
-    """An open line to a robot that has responded; reports the running motion.
+    """An open line to a robot that has responded. Reports the running motion.
 
     CommandFailed: the line is lost, or the robot waits for a motor or rejects the request.
     """
@@ -86,7 +86,7 @@ class CommandSession:
         self.faults: list[str] = []  # what went wrong, as sentences
 
     def __enter__(self) -> Self:
-        """Connect; CommandFailed if that fails or was interrupted."""
+        """Connect. CommandFailed if that fails or was interrupted."""
         self._join = self._host.start_thread(self._session.run)
         try:
             for report in self._received():
@@ -114,7 +114,7 @@ class CommandSession:
         return reply.held
 
     def set_led(self, *, on: bool) -> bool:
-        """Switch the debug LED; return whether it is on then."""
+        """Switch the debug LED. Return whether it is on then."""
         return bool(self._result(SetLed(next(self._ids), on)))
 
     def report_faults(self) -> None:
@@ -148,7 +148,7 @@ class CommandSession:
             yield report
 
     def move(self, goals: Sequence[int], speeds: Sequence[int]) -> tuple[int, ...]:
-        """Move every motor at a speed that every servo has confirmed; return where they stop."""
+        """Move every motor at a speed that every servo has confirmed. Return where they stop."""
         moved = self._result(Move(next(self._ids), tuple(goals), tuple(speeds)))
         assert isinstance(moved, Moved)  # noqa: S101 - for the type checker
         return moved.present

@@ -40,7 +40,7 @@ class DemoServo:
 
 @dataclass(frozen=True, slots=True)
 class RobotSnapshot:
-    """State of the simulated robot; `boots` counts the starts of its firmware."""
+    """State of the simulated robot. `boots` counts the starts of its firmware."""
 
     state: FirmwareState
     boots: int
@@ -88,7 +88,7 @@ class DemoRobot(DemoDevice[RobotSnapshot]):
         super().__init__(simulator, read_snapshot, parent)
 
     def restart(self) -> None:
-        """Pull the board's reset line; the servos are not affected."""
+        """Pull the board's reset line. The servos are not affected."""
         self._send("reset")
 
     def set_servo_power(self, on: bool) -> None:
@@ -109,7 +109,7 @@ class DemoRobot(DemoDevice[RobotSnapshot]):
         self._send(f"line {what}")
 
     def repair(self) -> None:
-        """Clear all faults but an unplugged cable; servos keep their positions and speeds."""
+        """Clear all faults but an unplugged cable. Servos keep their positions and speeds."""
         self._unsent.clear()
         for motor in range(len(self.snapshot.servos) if self.snapshot is not None else 0):
             self.set_dead(motor, dead=False)

@@ -42,7 +42,7 @@ class ItemKey:
 
 
 class Library(QObject):
-    """One project; each edit replaces it and is one undo step.
+    """One project. Each edit replaces it and is one undo step.
 
     Edits raise `BadRequest`, and change nothing, for an unknown or invalid name, a name that is
     taken, or a position outside 0-1023. Saving keeps the undo steps.
@@ -84,7 +84,7 @@ class Library(QObject):
         self._load(file.project, path, file.data)
 
     def content(self) -> Content:
-        """Return what Save writes now; edits made while that is being saved stay unsaved."""
+        """Return what Save writes now. Edits made while that is being saved stay unsaved."""
         text, project, opened = write_ppr(self.project), self.project, self._opened
 
         def note_saved(path: Path) -> None:
@@ -105,7 +105,7 @@ class Library(QObject):
     # --- Edits of poses and sequences ---------------------------------------------------
 
     def rename(self, kind: ItemKind, name: str, new_name: str) -> None:
-        """Rename an item; steps follow a renamed pose."""
+        """Rename an item. Steps follow a renamed pose."""
         items, place = self._find(kind, name)
         new_name = checked_name(new_name, [item.name for item in items if item.name != name])
         after = self._with(kind, place, [replace(items[place], name=new_name)])
@@ -122,12 +122,12 @@ class Library(QObject):
         return str(copy.name)
 
     def delete(self, kind: ItemKind, name: str) -> None:
-        """Delete an item; sequences keep the names of deleted poses."""
+        """Delete an item. Sequences keep the names of deleted poses."""
         _, place = self._find(kind, name)
         self._edit(tr("Delete {0}").format(name), self._with(kind, place, []))
 
     def move(self, kind: ItemKind, name: str, place: int) -> None:
-        """Move an item to a place in the order, from 0; one beyond the end is the end."""
+        """Move an item to a place in the order, from 0. One beyond the end is the end."""
         items, old = self._find(kind, name)
         others = [*items[:old], *items[old + 1 :]]
         others.insert(min(max(place, 0), len(others)), items[old])
@@ -142,7 +142,7 @@ class Library(QObject):
         return name
 
     def set_positions(self, name: str, positions: Many[int], *, run: object = None) -> None:
-        """Change a pose; successive edits with the same `run` are one undo step."""
+        """Change a pose. Successive edits with the same `run` are one undo step."""
         _, place = self._find(ItemKind.POSE, name)
         after = self._with(ItemKind.POSE, place, [Pose(name, tuple(positions))])
         self._edit(tr("Change pose {0}").format(name), after, run)
@@ -159,7 +159,7 @@ class Library(QObject):
         self._edit(tr("Change sequence {0}").format(name), after, run)
 
     def add_gait(self, gait: Gait) -> str:
-        """Append a gait as a sequence, with those of its poses that are missing; return its name.
+        """Append a gait as a sequence, with those of its poses that are missing. Return its name.
 
         Poses with the same name and other positions stay, and the gait's own get another name.
         """

@@ -87,13 +87,13 @@ class Robot(DeviceConnection[PortSettings]):
 
     @property
     def rate(self) -> float | None:
-        """Commands answered per second while dragging; `None` before there are three replies."""
+        """Commands answered per second while dragging. `None` before there are three replies."""
         if len(self._replies) < 3 or self._replies[-1] <= self._replies[0]:
             return None
         return (len(self._replies) - 1) / (self._replies[-1] - self._replies[0])
 
     def remaining(self) -> float:
-        """Return the seconds until the running motion should end, observed or not; 0 for none."""
+        """Return the seconds until the running motion should end, observed or not. 0 for none."""
         until = self.state.moving_until
         return 0.0 if until is None else max(until - now(), 0.0)
 
@@ -181,7 +181,7 @@ class Robot(DeviceConnection[PortSettings]):
     # --- Commands -----------------------------------------------------------------------
 
     def move(self, goals: Sequence[int]) -> bool:
-        """Move every motor to a goal, after a running motion; return whether the goals are sent."""
+        """Move every motor to a goal, after a running motion. Return whether the goals are sent."""
         if not self._can_move():
             return False
         cropped = self.limits.crop(goals)
@@ -208,12 +208,12 @@ class Robot(DeviceConnection[PortSettings]):
             self.changed.emit()
 
     def drag(self, goals: Sequence[int]) -> None:
-        """Send goals as soon as the robot is ready; only the newest ones count."""
+        """Send goals as soon as the robot is ready. Only the newest ones count."""
         if self.dragging and self.link is ConnectionState.CONNECTED:
             self._request_move(self.limits.crop(goals), dragged=True)
 
     def end_drag(self) -> None:
-        """End dragging; the newest goals are still sent."""
+        """End dragging. The newest goals are still sent."""
         if self.dragging:
             self.dragging = False
             self.changed.emit()
@@ -231,12 +231,12 @@ class Robot(DeviceConnection[PortSettings]):
         self.changed.emit()
 
     def set_led(self, *, on: bool) -> None:
-        """Switch the debug LED of the board, between motions; nothing moves."""
+        """Switch the debug LED of the board, between motions. Nothing moves."""
         if self.link is ConnectionState.CONNECTED:
             self.request(lambda number: SetLed(number, on), self._on_led_done)
 
     def play(self, play: Play) -> bool:
-        """Play steps, which the session crops to the limits; return whether they are sent.
+        """Play steps, which the session crops to the limits. Return whether they are sent.
 
         From unknown positions the robot first goes slowly to the start.
         """
@@ -294,7 +294,7 @@ class Robot(DeviceConnection[PortSettings]):
         self.submit_now(*((Halt(), Close()) if ending else (Halt(),)))
 
     def stop_because(self, reason: str) -> str:
-        """Halt for a `reason`, a clause without a full stop; return what that means.
+        """Halt for a `reason`, a clause without a full stop. Return what that means.
 
         Empty if no robot is connected and no motion of an earlier connection runs.
         """
@@ -322,7 +322,7 @@ class Robot(DeviceConnection[PortSettings]):
 
     @property
     def move_blocker(self) -> str:
-        """Reason that the robot cannot be moved now; empty if it can."""
+        """Reason that the robot cannot be moved now. Empty if it can."""
         if self.link is not ConnectionState.CONNECTED:
             return tr("No robot is connected.")
         if self.state.play is not None:

@@ -1,4 +1,4 @@
-"""The state of the robot as its session or a recording reports it; no Qt, no clock of its own."""
+"""The state of the robot as its session or a recording reports it. No Qt, no clock of its own."""
 
 from dataclasses import dataclass, field
 
@@ -22,7 +22,7 @@ from trex_gui.devices.aracna.session.messages import (
 
 @dataclass(slots=True)
 class RobotState:
-    """The newest of everything; times are on the session's clock."""
+    """The newest of everything. Times are on the session's clock."""
 
     motors: int
     version: int | None = None
@@ -112,14 +112,14 @@ class RobotState:
         return None if speeds is None else rejected_speeds(speeds.requested, speeds.held)
 
     def held_speed(self, motor: int) -> int | None:
-        """Return the speed that a servo reported last, or `UNREADABLE`; `None` if unknown."""
+        """Return the speed that a servo reported last, or `UNREADABLE`. `None` if unknown."""
         if self.speeds is None or motor >= len(self.speeds.held):
             return None
         return self.speeds.held[motor]
 
     @property
     def ends_at(self) -> float | None:
-        """End of the observed motion on the session's clock; `None` if there is none."""
+        """End of the observed motion on the session's clock. `None` if there is none."""
         return None if self.moving is None else self.moving.time + self.moving.expected
 
     @property

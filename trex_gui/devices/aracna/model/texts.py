@@ -13,7 +13,7 @@ from trex_gui.ui.translations import error_text
 
 
 def joint_text(motor: int) -> str:
-    """Return motor and joint, such as `0 inner`; only the motor where the joint is unknown."""
+    """Return motor and joint, such as `0 inner`. Only the motor where the joint is unknown."""
     if motor >= MOTORS:
         return str(motor)
     return f"{motor} {tr('outer') if motor % 2 else tr('inner')}"
@@ -45,7 +45,7 @@ def assumed_text() -> str:
 
 
 def missed_goals_text(state: RobotState) -> str:
-    """Describe every motor that missed its goal; empty if none did."""
+    """Describe every motor that missed its goal. Empty if none did."""
     if state.reply_lost:
         return tr("The reply was lost (or no motor responds): positions are not known.")
     return " ".join(map(error_text, state.missed_goals.values()))
@@ -95,7 +95,7 @@ def activity_text(state: RobotState, left: float) -> tuple[str, bool]:
 
 
 def ending_text(left: float) -> str:
-    """Return when a running motion should end; `left` is in seconds."""
+    """Return when a running motion should end. `left` is in seconds."""
     return tr("The motion ends by itself in about {0:.1f} s.").format(Number(left))
 
 
@@ -114,7 +114,7 @@ def _playing_text(state: RobotState) -> str:
 
 
 def waiting_text(motor: int | None) -> str:
-    """Return why a stuck robot reads nothing; `motor` is the awaited one, if it is known."""
+    """Return why a stuck robot reads nothing. `motor` is the awaited one, if it is known."""
     if motor is None:
         return tr("The robot does not respond.")
     return tr(ErrorCode.MOTOR_STUCK.value).format(motor)

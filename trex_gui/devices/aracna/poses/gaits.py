@@ -47,7 +47,7 @@ BUILT_IN_POSES = (
 
 @dataclass(frozen=True, slots=True)
 class Gait(Sequence):
-    """A sequence with its own poses; it has at least one step."""
+    """A sequence with its own poses. It has at least one step."""
 
     poses: tuple[Pose, ...] = ()
     about: str = ""

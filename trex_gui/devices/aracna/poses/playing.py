@@ -34,7 +34,7 @@ def steps_of(
 def limited_motors(
     played: Sequence, poses: Iterable[Pose], limits: Many[Limits]
 ) -> dict[int, list[int]]:
-    """Return the motors that `steps_of` crops, by step; raises as it does."""
+    """Return the motors that `steps_of` crops, by step. Raises as it does."""
     found = {}
     for number, (pose, _) in enumerate(stages_of(played, poses)):
         pairs = enumerate(zip(pose.first(len(limits)), limits, strict=True))
@@ -62,7 +62,7 @@ def cropped(pose: Pose, limits: Many[Limits]) -> tuple[int, ...]:
 def blend_in(
     played: Sequence, poses: Iterable[Pose], limits: Many[Limits], present: Present = ()
 ) -> tuple[Step, ...]:
-    """Return the slow step to the start; none if it starts anywhere, or the robot is there.
+    """Return the slow step to the start. None if it starts anywhere, or the robot is there.
 
     A cyclic gait starts in its last pose, a sequence in its first. Raises as `steps_of` does.
     """

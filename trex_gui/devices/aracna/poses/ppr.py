@@ -52,7 +52,7 @@ class PoseFile:
 
 
 def read_file(path: Path) -> PoseFile:
-    """Read a pose file; SettingsError if it cannot be read, is too large, or not text."""
+    """Read a pose file. SettingsError if it cannot be read, is too large, or not text."""
     data = load(path, tr("poses"))
     found: list[Finding] = []
     content = data.removeprefix(BOM_UTF8)
@@ -107,7 +107,7 @@ def read_ppr(text: str) -> tuple[Project, tuple[Finding, ...]]:
 
 
 def write_ppr(project: Project) -> str:
-    """Return the text of a pose file, as PyPose would write it; short poses are filled up."""
+    """Return the text of a pose file, as PyPose would write it. Short poses are filled up."""
     lines = [":".join([project.name, str(project.motors), *map(str, project.resolutions)])]
     for pose in project.poses:
         positions = pose.first(max(project.motors, len(pose.positions)))
@@ -123,7 +123,7 @@ def _joined(values: Iterable[object]) -> str:
 
 
 class _Reader:
-    """Reads the lines of one file; items are kept with their line numbers."""
+    """Reads the lines of one file. Items are kept with their line numbers."""
 
     def __init__(self) -> None:
         self.poses: list[tuple[int, Pose]] = []
@@ -179,7 +179,7 @@ class _Reader:
         self.poses.append((number, pose))
 
     def with_unique_names(self, items: list[tuple[int, ItemT]], kind: str) -> tuple[ItemT, ...]:
-        """Return the items; of several with one name the last keeps it.
+        """Return the items. Of several with one name the last keeps it.
 
         One without blanks around its name goes first: steps can only mean that one.
         """
@@ -236,7 +236,7 @@ def _name(line: str, no_colon: str, kind: str) -> tuple[str, str]:
 
 
 def _fields(values: str) -> list[str]:
-    """Split values; a comma after the last one is ignored."""
+    """Split values. A comma after the last one is ignored."""
     fields = values.split(",")
     if not fields[-1].strip():
         fields.pop()

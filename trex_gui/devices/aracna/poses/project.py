@@ -29,7 +29,7 @@ class Pose:
             raise BadRequest(f"no pose: {self!r}")
 
     def first(self, motors: int) -> tuple[int, ...]:
-        """Return the positions of so many motors; missing ones are in the centre."""
+        """Return the positions of so many motors. Missing ones are in the centre."""
         missing = max(motors - len(self.positions), 0)
         return self.positions[:motors] + (CENTRE,) * missing
 
@@ -124,7 +124,7 @@ def free_number(name: str, taken: AbstractSet[str], first: int = 2) -> tuple[str
 
 
 def checked_name(name: str, taken: Iterable[str]) -> str:
-    """Return a name without blanks around it; BadRequest if it is taken or not possible."""
+    """Return a name without blanks around it. BadRequest if it is taken or not possible."""
     found = name.strip()
     is_possible = found.isprintable() and not any(sign in _SEPARATORS for sign in found)
     if not is_possible or not 0 < len(found) <= _LONGEST_NAME:

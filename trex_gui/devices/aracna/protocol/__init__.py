@@ -1,1 +1,1 @@
-"""Lines, replies, units and joints of Aracna; no I/O, no clock."""
+"""Lines, replies, units and joints of Aracna. No I/O, no clock."""

@@ -16,7 +16,7 @@ EMPTY = b"\n"  # ends an unfinished line in the firmware's buffer; has no other 
 
 
 def led(*, on: bool) -> bytes:
-    """Return the command that switches the debug LED of the board; it moves nothing."""
+    """Return the command that switches the debug LED of the board. It moves nothing."""
     return b".l1\n" if on else b".l0\n"
 
 

@@ -35,7 +35,7 @@ Assumed: motors 0-3 are in front and 4-7 at the back, 2-5 right and 6, 7, 0, 1 l
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """Lowest and highest position of a joint, 0-1023; BadRequest if they are not in order."""
+    """Lowest and highest position of a joint, 0-1023. BadRequest if they are not in order."""
 
     low: int = 0
     high: int = HIGHEST
@@ -65,7 +65,7 @@ def factory_limits(motors: int = MOTORS) -> tuple[Limits, ...]:
 
 
 def crop(goals: Iterable[float], limits: Sequence[Limits]) -> tuple[int, ...]:
-    """Return the nearest allowed goals; a motor without limits keeps its goal."""
+    """Return the nearest allowed goals. A motor without limits keeps its goal."""
     known = len(limits)
     return tuple(
         limits[motor].crop(goal) if motor < known else round(goal)
@@ -84,12 +84,12 @@ def position(angle: float) -> int:
 
 
 def degrees_per_second(speed: int) -> float | None:
-    """Convert a speed setting; `None` for 0, which means unlimited."""
+    """Convert a speed setting. `None` for 0, which means unlimited."""
     return speed * DEGREES_PER_SECOND if speed else None
 
 
 def travel_seconds(distance: int, speed: int, ceiling: int = CEILING) -> float:
-    """Return the time for a distance in position units without load; speed 0 is unlimited."""
+    """Return the time for a distance in position units without load. Speed 0 is unlimited."""
     return abs(distance) / (UNITS_PER_SECOND * min(speed or ceiling, ceiling))
 
 

@@ -14,7 +14,7 @@ _MOTORS_BY_VERSION = {0: 2}  # motors of firmware that does not report their num
 
 @dataclass(frozen=True, slots=True)
 class Hello:
-    """`.h`: the firmware has started; a pending command is void."""
+    """`.h`: the firmware has started. A pending command is void."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,7 +90,7 @@ def read_line(line: bytes) -> Reply:
 
 
 def read_lines(line: bytes) -> list[Reply]:
-    """Parse a line that may end in the `.h` of a restart; an empty line has no reply."""
+    """Parse a line that may end in the `.h` of a restart. An empty line has no reply."""
     if not line:
         return []
     reply = read_line(line)
@@ -100,7 +100,7 @@ def read_lines(line: bytes) -> list[Reply]:
 
 
 def _chunks(line: bytes) -> list[bytes]:
-    """Split an endless line at fixed places; the last chunk is the rest."""
+    """Split an endless line at fixed places. The last chunk is the rest."""
     return [line[at : at + _LONGEST] for at in range(0, max(len(line), 1), _LONGEST)]
 
 
@@ -116,7 +116,7 @@ class Reader:
 
     @property
     def arrived(self) -> tuple[int, ...] | None:
-        """The positions in an unfinished `.c` reply so far; `None` if none is arriving.
+        """The positions in an unfinished `.c` reply so far. `None` if none is arriving.
 
         A number counts once its comma has arrived: the firmware then waits for the next motor.
         """

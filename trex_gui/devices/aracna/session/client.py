@@ -48,7 +48,7 @@ _KEPT = 48  # bytes kept of unrecognized data, for error messages
 
 @dataclass(frozen=True, slots=True)
 class SentCommand:
-    """A command on its way; `timeout` is in seconds from `sent`."""
+    """A command on its way. `timeout` is in seconds from `sent`."""
 
     letter: str
     values: tuple[int, ...]
@@ -67,7 +67,7 @@ class Answered:
 
 @dataclass(frozen=True, slots=True)
 class ReplyLost:
-    """No reply will come; `robot_free`: the robot has answered a `.q` sent behind the command."""
+    """No reply will come. `robot_free`: the robot has answered a `.q` sent behind the command."""
 
     command: SentCommand
     error: RobotError
@@ -107,7 +107,7 @@ class AracnaClient:
 
     @property
     def awaited_motor(self) -> int | None:
-        """The motor that an arriving `.c` reply is waiting for; `None` if none is arriving."""
+        """The motor that an arriving `.c` reply is waiting for. `None` if none is arriving."""
         arrived = self._reader.arrived
         return None if arrived is None else len(arrived)
 

@@ -82,7 +82,7 @@ class RobotError(CodedError):
 
 
 class RobotBusyError(RobotError, BadRequest):
-    """Rejected in the present state; nothing was sent."""
+    """Rejected in the present state. Nothing was sent."""
 
 
 class RobotNoReplyError(RobotError, NoReply):
@@ -94,7 +94,7 @@ class RobotBadReplyError(RobotError, BadReply):
 
 
 class RobotInternalError(RobotError, InternalError):
-    """The session failed; what is known of its error is the only field."""
+    """The session failed. What is known of its error is the only field."""
 
 
 def diagnose(settings: PortSettings, received: bytes) -> RobotError:
@@ -132,7 +132,7 @@ def missed_goals(
 
 
 def rejected_speeds(requested: tuple[int, ...], held: tuple[int, ...]) -> RobotError | None:
-    """Return the error for speeds that servos did not take; `None` if all did."""
+    """Return the error for speeds that servos did not take. `None` if all did."""
     if held != requested and all(speed < 0 for speed in held):
         return RobotNoReplyError(ErrorCode.NO_SERVO_POWER)
     wrong = tuple(

@@ -58,7 +58,7 @@ class JobQueue:
         self._report(Outcome(job.id, error=RobotError(ErrorCode.SUPERSEDED)))
 
     def send_next(self, send: Callable[[Job], bool]) -> None:
-        """Send the first job; a BadRequest of `send` is its outcome.
+        """Send the first job. A BadRequest of `send` is its outcome.
 
         `send` returns whether it sent only the speeds of a motion, which is then sent again.
         """
@@ -78,7 +78,7 @@ class JobQueue:
             self._queued.appendleft(job)
 
     def finish(self, value: object = None, error: StudioError | None = None) -> bool:
-        """End the request in flight; return whether there was one."""
+        """End the request in flight. Return whether there was one."""
         job, self._in_flight = self._in_flight, None
         self.is_setting_speeds = False
         if job is not None:

@@ -73,7 +73,7 @@ class LivenessMonitor:
             self._query_at = now + RECONNECT_INTERVAL - QUERY_INTERVAL
 
     def seconds_to_query(self, now: float) -> float:
-        """Return how long until a query is due, if the line is free; 0 if it is."""
+        """Return how long until a query is due, if the line is free. 0 if it is."""
         return max(0.0, (self._keepalive_at if self.reason is None else self._query_at) - now)
 
     def timed_out(self, now: float) -> bool:

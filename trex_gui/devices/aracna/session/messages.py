@@ -17,7 +17,7 @@ from trex_gui.devices.aracna.protocol.joints import Limits
 
 @dataclass(frozen=True, slots=True)
 class SetSpeeds:
-    """Set every servo's speed; the value of its `Outcome` is the `SpeedsHeld`.
+    """Set every servo's speed. The value of its `Outcome` is the `SpeedsHeld`.
 
     It replaces a queued one, and queued motions with speeds take the new ones.
     """
@@ -28,7 +28,7 @@ class SetSpeeds:
 
 @dataclass(frozen=True, slots=True)
 class SetLed:
-    """Switch the board's debug LED; the value of its `Outcome` is whether it is on then."""
+    """Switch the board's debug LED. The value of its `Outcome` is whether it is on then."""
 
     id: int
     on: bool
@@ -36,7 +36,7 @@ class SetLed:
 
 @dataclass(frozen=True, slots=True)
 class Move:
-    """Move every motor to a goal, instead of a queued one; its `Outcome` has the `Moved`.
+    """Move every motor to a goal, instead of a queued one. Its `Outcome` has the `Moved`.
 
     With `speeds` it runs at these or not at all: they are sent first unless the servos are known to
     hold them, and its outcome is an error if a servo does not take its speed. `dragged`: one of
@@ -67,7 +67,7 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class Play:
-    """Play steps `rounds` times (0: endless), between the blends; `PlayEnded` follows.
+    """Play steps `rounds` times (0: endless), between the blends. `PlayEnded` follows.
 
     Aborted steps are not followed by the blend-out. `time_scale` 2 is half as fast.
     """
@@ -107,7 +107,7 @@ Request = SetSpeeds | SetLed | SetLimits | Move | Play | SetTimeScale | EndPlay 
 
 @dataclass(frozen=True, slots=True)
 class LineStats:
-    """Counts since the robot's first reply; reported once a second at most, when they change."""
+    """Counts since the robot's first reply. Reported once a second at most, when they change."""
 
     requests: int = 0  # commands sent, including a pending one
     replies: int = 0
@@ -125,7 +125,7 @@ class LineStats:
 
 @dataclass(frozen=True, slots=True)
 class Connected:
-    """The robot has answered `.q`; `motors` is valid from now on."""
+    """The robot has answered `.q`. `motors` is valid from now on."""
 
     version: int
     motors: int
@@ -141,7 +141,7 @@ class Restarted:
 
 @dataclass(frozen=True, slots=True)
 class Moving:
-    """A `.c` was sent; its reply should take `expected` seconds. Starts may be unknown (`None`)."""
+    """A `.c` was sent. Its reply should take `expected` seconds. Starts may be unknown (`None`)."""
 
     time: float
     goals: tuple[int, ...]
@@ -178,7 +178,7 @@ class SpeedsHeld:
 
 @dataclass(frozen=True, slots=True)
 class Stuck:
-    """The reply to a `.c` is late: the robot waits for `motor`; `None` if nothing has arrived.
+    """The reply to a `.c` is late: the robot waits for `motor`. `None` if nothing has arrived.
 
     The firmware waits forever for a servo that is blocked or does not answer. Reported once for
     each command; `Moved` may still follow. Queued requests are dropped, and motions are rejected
@@ -191,7 +191,7 @@ class Stuck:
 
 @dataclass(frozen=True, slots=True)
 class NotResponding:
-    """The robot has stopped responding; it is queried until `Connected`."""
+    """The robot has stopped responding. It is queried until `Connected`."""
 
     time: float
     error: StudioError | None = None
@@ -226,7 +226,7 @@ class Ending(Enum):
 
 @dataclass(frozen=True, slots=True)
 class PlayEnded:
-    """The sequence has ended; its `Outcome` follows."""
+    """The sequence has ended. Its `Outcome` follows."""
 
     time: float
     why: Ending

@@ -106,13 +106,13 @@ class SequencePlayer:
             self._report(Outcome(play.id, None if error else why, error))
 
     def seconds_to_next(self, now: float) -> float:
-        """Return how long until something is to be sent; infinity while nothing plays."""
+        """Return how long until something is to be sent. Infinity while nothing plays."""
         if self._play is None or self._is_moving:
             return math.inf
         return 0.0 if self._goals is not None else max(0.0, self._due - now)
 
     def next_speeds(self, now: float) -> tuple[int, ...] | None:
-        """Start the due step; return the speeds it needs if they are to be set.
+        """Start the due step. Return the speeds it needs if they are to be set.
 
         At the end these are the speeds from before: otherwise the next move could take minutes,
         because a motor hardly had to move in the last step.
@@ -141,7 +141,7 @@ class SequencePlayer:
         return self.servos.speeds_to(self._goals, left)
 
     def next_goals(self) -> tuple[int, ...] | None:
-        """Return the goals of the step once its speeds are set; `None`: nothing to send."""
+        """Return the goals of the step once its speeds are set. `None`: nothing to send."""
         goals, self._goals = self._goals, None
         self._is_moving = goals is not None
         return goals

@@ -88,7 +88,7 @@ class ServoEstimates:
         )
 
     def speeds_to(self, goals: Sequence[int], seconds: float) -> tuple[int, ...] | None:
-        """Return speeds at which every motor arrives in time; `None`: the present ones fit.
+        """Return speeds at which every motor arrives in time. `None`: the present ones fit.
 
         Includes the time for setting them. A motor that has arrived keeps its speed. One whose
         position is unknown gets `ASSUMED_SPEED` at most.

@@ -193,7 +193,7 @@ class AracnaSession:
             raise RobotNoReplyError(ErrorCode.STUCK)
 
     def _drop(self, now: float, why: Ending, reason: StudioError) -> None:
-        """Drop all queued requests; after a halt the one in flight continues."""
+        """Drop all queued requests. After a halt the one in flight continues."""
         is_halt = why is Ending.HALTED
         if not is_halt:
             self._jobs.finish(error=reason)
@@ -203,7 +203,7 @@ class AracnaSession:
     # --- Sending ------------------------------------------------------------------------
 
     def _send(self, job: Job) -> bool:
-        """Send a job, or first the speeds of a motion; return whether it was only those.
+        """Send a job, or first the speeds of a motion. Return whether it was only those.
 
         BadRequest: not one value of 0-1023 for each motor.
         """
@@ -349,7 +349,7 @@ class AracnaSession:
         self._drop(now, Ending.RESTARTED, RobotError(ErrorCode.RESTARTED))
 
     def _set_not_responding(self, error: StudioError) -> None:
-        """Report that the robot does not respond; raise why, if none has ever answered."""
+        """Report that the robot does not respond. Raise why, if none has ever answered."""
         if self._liveness.reason is QueryReason.CONNECTING:
             raise diagnose(self._settings, self._client.received)
         now = self._now()

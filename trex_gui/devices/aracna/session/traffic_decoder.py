@@ -25,7 +25,7 @@ _COMMANDS = {
 
 class AracnaDecoder(Decoder):
     def shown(self, data: bytes) -> str:
-        r"""Text; line ends as `\r` and `\n`, other bytes as `\x00`."""
+        r"""Text. Line ends as `\r` and `\n`, other bytes as `\x00`."""
         return data.decode("latin-1").encode("unicode_escape").decode("ascii")
 
     def bytes_of(self, shown: str) -> bytes:
@@ -97,7 +97,7 @@ class AracnaDecoder(Decoder):
 
 
 def _answers(reply: Reply, sent: bytes) -> bool:
-    """Return whether it is the reply to this command, or voids it; an empty line has none."""
+    """Return whether it is the reply to this command, or voids it. An empty line has none."""
     kind = ANSWERS.get(sent[1:2].decode("latin-1"))
     return kind is None or isinstance(reply, kind | Hello)
 

@@ -67,10 +67,10 @@ class Restart(Exception):  # noqa: N818 - an event, not an error
 
 
 class Firmware:
-    """The firmware and its state; `boots` counts its starts."""
+    """The firmware and its state. `boots` counts its starts."""
 
     def __init__(self, servos: Sequence[Servo], version: int, boot_loader: float) -> None:
-        """Create a board without power; `boot_loader` is in seconds before `.h`."""
+        """Create a board without power. `boot_loader` is in seconds before `.h`."""
         self.servos = tuple(servos)
         self.version = version
         self.reports_motors = True  # false before 22 Sep 2012
@@ -83,7 +83,7 @@ class Firmware:
         self._boot_loader = boot_loader
 
     def program(self) -> Program:
-        """Run from power-up; certain invalid lines restart it."""
+        """Run from power-up. Certain invalid lines restart it."""
         while True:
             yield from self._boot()
             try:
@@ -118,7 +118,7 @@ class Firmware:
         return bytes(line)
 
     def _execute(self, line: bytes) -> Program:
-        """Execute a line by its second character; the first is ignored."""
+        """Execute a line by its second character. The first is ignored."""
         self.state = State.ANSWERING
         self.counters["commands"] += 1
         yield Pause(PARSING)
@@ -161,7 +161,7 @@ class Firmware:
 
     @staticmethod
     def _await(servo: Servo) -> Program:
-        """Poll the moving flag until it is 0; -1 is no reply."""
+        """Poll the moving flag until it is 0. -1 is no reply."""
         while True:
             yield Pause(READING)
             if servo.read(Register.MOVING) == 0:

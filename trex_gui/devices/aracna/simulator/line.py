@@ -77,7 +77,7 @@ class RobotStation:
         self.firmware.led = False
 
     def reset(self) -> None:
-        """Pull the reset line; the servos are not affected."""
+        """Pull the reset line. The servos are not affected."""
         self.power_off()
         self.power_on()
 
@@ -148,7 +148,7 @@ class RobotStation:
 
 
 class AracnaLine(SimulatedLine):
-    """One robot with its wire, just switched on; servos and booting take time even unpaced."""
+    """One robot with its wire, just switched on. Servos and booting take time even unpaced."""
 
     def __init__(
         self,
@@ -175,5 +175,5 @@ class AracnaLine(SimulatedLine):
 
 
 def _is_other_parity(host: SerialFormat | None) -> bool:
-    """Return whether a host uses a parity bit; a second stop bit does not matter."""
+    """Return whether a host uses a parity bit. A second stop bit does not matter."""
     return host is not None and host.parity is not Parity.NONE

@@ -42,13 +42,13 @@ class Servo:
         self.to_fail: Counter[Register] = Counter()  # number of reads of a register that fail next
 
     def write_goal(self, value: int) -> None:
-        """Write a goal; one above 1023 is rejected."""
+        """Write a goal. One above 1023 is rejected."""
         if self.answers and 0 <= value <= HIGHEST:
             self.goal = value
             self.torque = True
 
     def write_speed(self, value: int) -> None:
-        """Write a speed; one above 1023 is rejected."""
+        """Write a speed. One above 1023 is rejected."""
         if self.answers and 0 <= value <= HIGHEST:
             self.speed = value
 
@@ -76,7 +76,7 @@ class Servo:
 
     @property
     def rate(self) -> float:
-        """Units per second in motion; 0 while it cannot move."""
+        """Units per second in motion. 0 while it cannot move."""
         if not self.answers or self.blocked:
             return 0.0
         speed = min(self.speed or CEILING, CEILING)
@@ -84,7 +84,7 @@ class Servo:
 
     @property
     def remaining(self) -> float:
-        """Seconds until it stops; infinite while it cannot move."""
+        """Seconds until it stops. Infinite while it cannot move."""
         if not self.moving:
             return 0.0
         distance = abs(self.goal - self.position) - self.margin
@@ -100,7 +100,7 @@ class Servo:
             self.position += math.copysign(self.rate * seconds, self.goal - self.position)
 
     def set_power(self, *, on: bool) -> None:
-        """Switch servo power; without it everything but the position is lost."""
+        """Switch servo power. Without it everything but the position is lost."""
         if self.powered and not on:
             self.speed = 0
             self.torque = False

@@ -208,7 +208,7 @@ def _cable_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRow
 
 
 class ServoGauge(Painted):
-    """A servo on its way to a goal; without torque only its position."""
+    """A servo on its way to a goal. Without torque only its position."""
 
     spoken_role = QAccessible.Role.ProgressBar
 

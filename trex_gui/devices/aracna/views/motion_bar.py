@@ -18,7 +18,7 @@ _REFRESH_MS = 100
 
 
 class StopSequenceButton(RedButton):
-    """Halts the robot, as Esc does; also in windows that may cover the pages."""
+    """Halts the robot, as Esc does. Also in windows that may cover the pages."""
 
     def __init__(self, robot: Robot, name: str, parent: QWidget | None = None) -> None:
         super().__init__(name, title_of(tr("&Stop sequence")), robot.halt, parent)
@@ -78,7 +78,7 @@ class MotionBar(ActionBar):
             self._timer.start() if is_counting else self._timer.stop()
 
     def _activity_text(self, left: float) -> tuple[str, bool]:
-        """Return what the robot is known to do, and if that alarms; `left` is in seconds."""
+        """Return what the robot is known to do, and if that alarms. `left` is in seconds."""
         if self._robot.link not in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}:
             ending = ending_text(left) if left > 0 else ""
             return f"{tr('No robot is connected.')} {ending}".rstrip(), left > 0

@@ -91,7 +91,7 @@ class RobotPlaybackWindow(RecordingWindow):
 
 
 class JointValues(QTableWidget):
-    """A row for each motor; a dash where nothing was known. Its check box draws its curve."""
+    """A row for each motor. A dash where nothing was known. Its check box draws its curve."""
 
     toggled = Signal(int, bool)  # a motor, and whether its curve is drawn
 

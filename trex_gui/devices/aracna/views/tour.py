@@ -12,7 +12,7 @@ _DEAD_SERVO = 3
 
 
 def tour_steps(tour: Tour, controller: AracnaController) -> Iterator[Do]:
-    """Look at the pages; the panel of the simulated robot shows what the robot does not report."""
+    """Look at the pages. The panel of the simulated robot shows what the robot does not report."""
     robot, demo = controller.robot, controller.demo_robot
     pairs = robot.state.motors // 2
     steps = tuple(
@@ -22,7 +22,7 @@ def tour_steps(tour: Tour, controller: AracnaController) -> Iterator[Do]:
     play = partial(robot.play, Play(0, steps, rounds=0))
 
     def is_stuck() -> bool:
-        """Let a servo die while it moves; return whether the robot waits for it.
+        """Let a servo die while it moves. Return whether the robot waits for it.
 
         On a busy computer it may miss a byte, which aborts the sequence: then it is played again.
         """

@@ -71,7 +71,7 @@ class AracnaRecordings(RecordingManager["RobotPlaybackWindow"]):
 
 
 class AracnaWorkspace(Workspace):
-    """Everything in the window that is specific to an Aracna; has no state of the robot."""
+    """Everything in the window that is specific to an Aracna. Has no state of the robot."""
 
     def __init__(self, controller: AracnaController, frame: MainWindow) -> None:
         robot = controller.robot

@@ -16,7 +16,7 @@ _NOISE_COUNTS = 2  # counts from which a reading is a current; one alone may be 
 
 @dataclass(frozen=True, slots=True)
 class Figures:
-    """The figures of a test; `None` where the readings are not sufficient."""
+    """The figures of a test. `None` where the readings are not sufficient."""
 
     peak: float | None = None  # highest reading, A
     mean: float | None = None  # A, from the first setpoint until the motor began to brake
@@ -29,7 +29,7 @@ class Figures:
 
 
 def figures(run: Run, band: float = BAND) -> Figures:
-    """Return the figures of a test; `band` is the share of `steady` (0 to 1) for `settled`."""
+    """Return the figures of a test. `band` is the share of `steady` (0 to 1) for `settled`."""
     command = next((time for time, speed in run.setpoints if speed), None)
     driven = [(time, amps) for time, amps in run.currents if 0 <= time <= run.ended]
     if command is None or not driven:
@@ -57,7 +57,7 @@ def figures(run: Run, band: float = BAND) -> Figures:
 
 
 def _flow(readings: Sequence[tuple[float, float]]) -> tuple[float | None, float]:
-    """Return the mean in A and the charge in mAh; gaps count for neither."""
+    """Return the mean in A and the charge in mAh. Gaps count for neither."""
     seconds = coulombs = 0.0
     for (start, before), (end, after) in pairwise(readings):
         if end - start <= LONGEST_GAP:

@@ -35,11 +35,11 @@ ValueT = TypeVar("ValueT")
 
 
 class BenchFileError(StudioError):
-    """A file is not a bench test; the text names the line and the reason."""
+    """A file is not a bench test. The text names the line and the reason."""
 
 
 def load_run(path: Path) -> Run:
-    """Return the test in a file; SettingsError if it cannot be read, BenchFileError if damaged."""
+    """Return the test in a file. SettingsError if it cannot be read, BenchFileError if damaged."""
     data = load(path, tr("bench tests"), _LARGEST_FILE)
     try:
         return from_csv(data.decode("utf-8"))
@@ -48,7 +48,7 @@ def load_run(path: Path) -> Run:
 
 
 def to_csv(run: Run) -> str:
-    """Return a test as text; times keep a tenth of a millisecond, currents a tenth of a mA."""
+    """Return a test as text. Times keep a tenth of a millisecond, currents a tenth of a mA."""
     lines = [_TITLE, *(f"# {name}: {value}" for name, value in _facts(run))]
     out = io.StringIO("\n".join(lines) + "\n")
     out.seek(0, io.SEEK_END)
@@ -81,7 +81,7 @@ def _facts(run: Run) -> Iterable[tuple[str, str]]:
 
 
 def from_csv(text: str) -> Run:
-    """Return the test that `to_csv` wrote; BenchFileError for another or a damaged text."""
+    """Return the test that `to_csv` wrote. BenchFileError for another or a damaged text."""
     lines = text.removeprefix("\ufeff").splitlines()
     if not lines or lines[0].strip() != _TITLE:
         raise BenchFileError(tr("line 1: a bench test begins with {0!r}").format(_TITLE))

@@ -17,7 +17,7 @@ LONGEST = 120.0  # seconds that a test lasts at most; the user holds a button al
 
 
 class Shape(Enum):
-    """The shape of a profile; the values are those of saved files."""
+    """The shape of a profile. The values are those of saved files."""
 
     STEP = "step"
     RAMP = "ramp"
@@ -62,7 +62,7 @@ class Profile:
             raise ValueError(text.format(*limits, Number(self.period)))
 
     def speed_at(self, seconds: float) -> int:
-        """Return the speed at a moment; 0 before the start and from the end on."""
+        """Return the speed at a moment. 0 before the start and from the end on."""
         if not 0 <= seconds < self.duration:
             return 0
         return round(self.speed * self._share(seconds))
@@ -85,7 +85,7 @@ class Profile:
         return replace(self, speed=ceiling if self.speed > 0 else -ceiling)
 
     def plateau(self, end: float) -> tuple[float, float] | None:
-        """Return the first span of constant speed in a test until `end`; `None` without one."""
+        """Return the first span of constant speed in a test until `end`. `None` without one."""
         if self.shape is Shape.SINE:
             return None
         first = self.period if self.shape is Shape.RAMP else 0.0
@@ -115,7 +115,7 @@ class Plan:
 
 
 class End(Enum):
-    """How a test ended; the values are those of saved files."""
+    """Result of a test. The values are those of saved files."""
 
     COMPLETE = "complete"
     RELEASED = "released"
@@ -124,7 +124,7 @@ class End(Enum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Run:
-    """A test and its measurements; all times in seconds since its first setpoint."""
+    """A test and its measurements. All times in seconds since its first setpoint."""
 
     motor: int  # 1 or 2
     profile: Profile
@@ -151,7 +151,7 @@ class Run:
         return self.setpoints[index - 1][1] if index and seconds <= self.ended else 0
 
     def current_at(self, seconds: float) -> float | None:
-        """Return the last reading in A at a moment; `None` before the first and after the last."""
+        """Return the last reading in A at a moment. `None` before the first and after the last."""
         index = bisect_right(self.currents, seconds, key=itemgetter(0))
         if not index or seconds > self.currents[-1][0]:
             return None

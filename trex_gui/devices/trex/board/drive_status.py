@@ -1,4 +1,4 @@
-"""Whether the motors follow the setpoints, why not, and what to do about it."""
+"""Reasons why the motors do not follow the setpoints, and remedies."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -38,7 +38,7 @@ class DriveInputs:
 
 @dataclass(frozen=True, slots=True)
 class DriveStatus:
-    """Why the motors do what they do, and what the user can do about it, in sentences."""
+    """Explanation of what the motors do, and a remedy, in sentences."""
 
     blocker: DriveBlocker
     text: str
@@ -116,7 +116,7 @@ def drive_statuses(now: DriveInputs) -> tuple[DriveStatus, ...]:
 
 
 def _own_reasons(now: DriveInputs, *, by_serial: bool) -> Iterator[Reason]:
-    """Yield why this program sends nothing, or that it does; nothing where channels drive."""
+    """Yield why this program sends nothing, or that it does. Nothing where channels drive."""
     if now.armed:
         yield Reason(DriveBlocker.RUNNING)
     elif now.may_move:

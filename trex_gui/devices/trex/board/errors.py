@@ -50,7 +50,7 @@ _STATUS_REMEDIES = {
     Status.MOTOR2_OVER_LIMIT: DriveBlocker.OVER_LIMIT.remedy,
     Status.UART_ERROR: _CHECK_LINE,
 }
-"""What to do about each status bit, in the order in which the bits are shown."""
+"""Remedy for each status bit, in the order in which the bits are shown."""
 
 _UART_REMEDIES = {
     UartError.TIMEOUT: DriveBlocker.TIMEOUT.remedy,
@@ -132,7 +132,7 @@ class ErrorCounts:
     def take(
         self, latched: LatchedStatus, now: float, utc: datetime, *, is_doubtful: bool = False
     ) -> None:
-        """Count the bits of a status; `is_doubtful`: its reply may have been corrupted.
+        """Count the bits of a status. `is_doubtful`: its reply may have been corrupted.
 
         Bits that are older than the connection are only noted.
         """
@@ -156,7 +156,7 @@ class ErrorCounts:
         self._changed()
 
     def select(self, before: str, board: str) -> None:
-        """Show the counts of another board on the line; keep those of the one `before`."""
+        """Show the counts of another board on the line. Keep those of the one `before`."""
         self._others[before] = self.entries
         self.entries = self._others.pop(board, UNSEEN)
         self._changed()

@@ -20,7 +20,7 @@ _KINDS: dict[Status, EventKind] = {
 
 
 class StatusEvents:
-    """Makes events of latched bits; a bit that goes on is one event."""
+    """Makes events of latched bits. A bit that goes on is one event."""
 
     def __init__(self) -> None:
         self._seen: dict[str, float] = {}
@@ -57,7 +57,7 @@ def _earlier(latched: LatchedStatus) -> Event:
 
 
 def read_event(report: Connected, now: float) -> Event | None:
-    """Return what it means that a board was read; `None` if the user has requested that."""
+    """Return what it means that a board was read. `None` if the user has requested that."""
     is_problem = report.occasion is ReadReason.SETTING_CHANGED
     match report.occasion:
         case ReadReason.OPENED:

@@ -33,7 +33,7 @@ Say = Callable[[str], None]
 
 
 def read_record(board: BoardIdentity, warn: Say) -> BoardRecord | None:
-    """Return what this computer keeps of a board; `None`: nothing, or it is damaged (warns)."""
+    """Return what this computer keeps of a board. `None`: nothing, or it is damaged (warns)."""
     try:
         return BoardRecords().load(board)
     except SettingsError as error:
@@ -42,7 +42,7 @@ def read_record(board: BoardIdentity, warn: Say) -> BoardRecord | None:
 
 
 class Keeper:
-    """Snapshots, record and accepted values of a board; files are read when first needed."""
+    """Snapshots, record and accepted values of a board. Files are read when first needed."""
 
     def __init__(self, say: Say, warn: Say) -> None:
         """`say` takes sentences about what was kept, `warn` those about what was not."""
@@ -93,7 +93,7 @@ class Keeper:
         progress: Progress = lambda _done, _total, _what: None,
         cancelled: Callable[[], bool] = lambda: False,
     ) -> tuple[WriteResult, ...]:
-        """Save a snapshot, write, and remember what was applied; see `write_all`.
+        """Save a snapshot, write, and remember what was applied. See `write_all`.
 
         Nothing is written after a BadRequest: another board on the line has the device number.
         """

@@ -1,4 +1,4 @@
-"""What this computer keeps of the board that is connected: see `BoardRecord`. It does no I/O.
+"""Record of the connected board on this computer: see `BoardRecord`. It does no I/O.
 
 What is to be read and saved goes to its `Files`.
 """
@@ -27,21 +27,21 @@ DOUBTED = tr_noop(
 
 
 class Files(Protocol):
-    """What a face does for a `BoardMemory`, at once or later."""
+    """Requests of a `BoardMemory` to its face, done at once or later."""
 
     def find(self, board: BoardIdentity, /) -> None:
         """Read the record of a board, and call `take_record`."""
 
     def find_lost(self, board: BoardIdentity, adapter: str) -> None:
-        """Find what was applied at an adapter to a board with another number; `take_lost`."""
+        """Find what was applied at an adapter to a board with another number. `take_lost`."""
 
     def save(self, board: BoardIdentity, record: BoardRecord | None, /) -> None:
-        """Replace the record of a board; `None` removes it."""
+        """Replace the record of a board. `None` removes it."""
 
     def move(
         self, old: BoardIdentity, new: BoardIdentity, record: BoardRecord, /, *, keeps_old: bool
     ) -> None:
-        """Save a record under another identity; a file of another board that has it is renamed.
+        """Save a record under another identity. A file of another board that has it is renamed.
 
         With `keeps_old` the old file stays as well: it may be of another board.
         """
@@ -53,7 +53,7 @@ class Files(Protocol):
         """Warn that the record may be of another board, which was at another adapter."""
 
     def show_notes(self, notes: Mapping[str, str] | None, board: BoardIdentity) -> None:
-        """Show the notes of a board; `None`: of another one, whose notes are not known yet."""
+        """Show the notes of a board. `None`: of another one, whose notes are not known yet."""
 
     def note_change(self) -> None:
         """Show what the memory knows now."""
@@ -96,7 +96,7 @@ class BoardMemory:
 
     @property
     def expected(self) -> BoardRecord | None:
-        """The record with what the board should store; `None`: not known.
+        """The record with what the board should store. `None`: not known.
 
         A board that lost its settings has lost its device number, too: one to which nothing was
         applied may be the board that was at the same adapter before.
@@ -106,7 +106,7 @@ class BoardMemory:
 
     @property
     def applied(self) -> Settings | None:
-        """What was applied last, as far as the board shows it now; `None`: not known."""
+        """Settings applied last, as far as the board shows them now. `None` if unknown."""
         if self.expected is None or self._stored is None:
             return None
         return self.expected.applied_to(self._stored)
@@ -129,7 +129,7 @@ class BoardMemory:
         is_simulated: bool = False,
         adapter: str = "",
     ) -> None:
-        """Take what was read; the record is found anew for another board, or `opened`.
+        """Take what was read. The record is found anew for another board, or `opened`.
 
         `adapter` is the key of the one that the board is at; empty if that is not known.
         """
@@ -177,7 +177,7 @@ class BoardMemory:
     def note_written(
         self, stored: Settings, source: InputSource, uncertain: Collection[str], now: datetime
     ) -> None:
-        """Take what the board stores after a write that began; some values may be `uncertain`."""
+        """Take what the board stores after a write that began. Some values may be `uncertain`."""
         self._stored, self._source = stored, source
         if self._board is not None:
             self._rename(BoardIdentity.of(stored, is_simulated=self._board.is_simulated))
@@ -194,7 +194,7 @@ class BoardMemory:
         self._change(BoardRecord.after_reset)
 
     def note_accepted(self, kind: Signature, values: Mapping[str, int]) -> None:
-        """Take values beyond inferred limits; a simulated board says nothing about real ones."""
+        """Take values beyond inferred limits. A simulated board says nothing about real ones."""
         if values and self._board is not None and not self._board.is_simulated:
             self._files.add_accepted(kind, values)
 

@@ -1,4 +1,4 @@
-"""How good the line to a board is, from its latest transactions."""
+"""Quality of the line to a board, from its latest transactions."""
 
 import math
 from collections import deque
@@ -50,14 +50,14 @@ class ConnectionQuality:
         self._failed_at = -math.inf
 
     def reset(self) -> bool:
-        """Begin to measure again; return whether that changed the judgement."""
+        """Begin to measure again. Return whether that changed the judgement."""
         changed = self.is_noisy is not None
         self.is_noisy, self.lost, self.seconds, self.rate = None, 0.0, 0.0, 0.0
         self._marks.clear()
         return changed
 
     def take(self, time: float, counters: Counters) -> bool:
-        """Take what was counted since the line was opened; return whether the judgement changed.
+        """Take what was counted since the line was opened. Return whether the judgement changed.
 
         `time` is on the session's clock, in seconds.
         """
@@ -86,7 +86,7 @@ class ConnectionQuality:
         return (self.is_noisy, round(self.lost, 3)) != before
 
     def has_failed_lately(self, time: float, counters: Counters) -> bool:
-        """Return whether what was read may be corrupted; `time` in seconds, on any one clock."""
+        """Return whether what was read may be corrupted. `time` in seconds, on any one clock."""
         failures = counters.missing + counters.corrupted
         if failures > self._failures:
             self._failed_at = time

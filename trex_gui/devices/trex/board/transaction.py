@@ -60,7 +60,7 @@ class WriteTransaction:
         self._memory.begin_writing({key for key, _ in (*parameters, *calibrations)})
 
     def finish(self, results: Sequence[WriteResult], state: DeviceState, now: datetime) -> None:
-        """Remember what was verified, and what the board stores now; `now` is in UTC."""
+        """Remember what was verified, and what the board stores now. `now` is in UTC."""
         uncertain = {result.key for result in results if result.error is not None}
         self._memory.note_written(settings_of(state), state.source, uncertain, now)
         if any(result.key == ParameterKey.FACTORY_RESET for result in results):

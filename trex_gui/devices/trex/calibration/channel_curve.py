@@ -1,4 +1,4 @@
-"""What channels make of raw counts: the curve of each, and whether two of them are mixed."""
+"""Curves that map raw counts of channels, and the mix of two channels."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ _NEAR = 10  # how far values of two moments may differ while a stick moves
 
 @dataclass(frozen=True, slots=True)
 class ChannelCurve:
-    """A calibration with the channel's bits of the masks; the arithmetic is the protocol's."""
+    """A calibration with the channel's bits of the masks. The arithmetic is the protocol's."""
 
     calibration: Calibration
     reversed_: bool = False
@@ -27,7 +27,7 @@ class ChannelCurve:
     def stored(
         cls, channel: int, calibration: Calibration, value_of: Callable[[ParameterKey], int | None]
     ) -> Self:
-        """Return the curve of a channel (1-5); `value_of` gives the stored masks of a board."""
+        """Return the curve of a channel (1-5). `value_of` gives the stored masks of a board."""
 
         def has(key: ParameterKey) -> bool:
             return channel in channels_in(value_of(key) or 0)
@@ -88,7 +88,7 @@ def _corners(curve: ChannelCurve, low: int, high: int) -> tuple[tuple[int, ...],
 
 
 def is_mixed(outputs: tuple[int, int], reported: tuple[int, int]) -> bool | None:
-    """Return whether channels 1 and 2 were mixed; `None` if unknown, as it is at neutral.
+    """Return whether channels 1 and 2 were mixed. `None` if unknown, as it is at neutral.
 
     No command reads the mix jumper, so it is inferred from the output of each curve and the
     values that the board reports.

@@ -1,4 +1,4 @@
-"""Where a channel rests, and how much of its changing is noise."""
+"""Rest position of a channel, and its noise."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -40,7 +40,7 @@ _STILL = 0.75  # share of equal neighbours at standstill; polling reads some val
 
 @dataclass(frozen=True, slots=True)
 class Sample:
-    """A raw count at a time in seconds; `None` without a valid signal."""
+    """A raw count at a time in seconds. `None` without a valid signal."""
 
     time: float
     count: int | None
@@ -77,7 +77,7 @@ class Neutral:
 
     @property
     def seconds_left(self) -> float:
-        """How much longer it has to be sampled, as far as is known; 0 when it is complete."""
+        """Remaining sampling time, as far as it is known. 0 when it is complete."""
         time_left = max(0.0, SAMPLING_SECONDS - self.seconds)
         if self.samples >= _LEAST_SAMPLES:
             return time_left
@@ -116,7 +116,7 @@ def lost_pulses(share: float, *, fatal: bool = True) -> Problem:
 
 
 def measure_neutral(samples: Sequence[Sample], source: InputSource) -> Neutral | None:
-    """Judge a channel that should be at rest; `None` before the first valid sample."""
+    """Judge a channel that should be at rest. `None` before the first valid sample."""
     if not samples:
         return None
     counts = [sample.count for sample in samples if sample.count is not None]
@@ -157,7 +157,7 @@ def _deviation(counts: Sequence[int]) -> float:
 
 
 def _without_spikes(counts: Sequence[int], limit: float) -> tuple[Sequence[int], int]:
-    """Leave out lone wild values; return the remaining ones and how many spikes there were.
+    """Leave out lone wild values. Return the remaining ones and how many spikes there were.
 
     Wild is what is far from its neighbours: a stick that drifts is far from its own middle.
     """

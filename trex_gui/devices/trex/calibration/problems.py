@@ -1,4 +1,4 @@
-"""Problems of a channel that is learned, as codes; `problem_text` has their sentences."""
+"""Problems of a channel that is learned, as codes. `problem_text` has their sentences."""
 
 from dataclasses import dataclass
 from enum import Enum, auto
@@ -27,7 +27,7 @@ class ProblemKind(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """A problem; nothing can be learned while a `fatal` one remains."""
+    """A problem. Nothing can be learned while a `fatal` one remains."""
 
     kind: ProblemKind
     variant: str = ""  # which of the sentences of this kind applies

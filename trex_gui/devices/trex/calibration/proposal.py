@@ -31,7 +31,7 @@ class Proposal:
 
 
 def propose(neutral: Neutral, travel: Travel, *, reversed_now: bool) -> Proposal:
-    """Create a calibration from the measurements; the board accepts every one that is created."""
+    """Create a calibration from the measurements. The board accepts every one that is created."""
     problems = neutral.problems + travel.problems
     if has_fatal(problems):
         return Proposal(None, reversed_now, "", (), problems)

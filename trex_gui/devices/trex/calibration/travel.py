@@ -1,4 +1,4 @@
-"""How far a channel goes to each side of its rest, followed while it moves."""
+"""Travel of a channel to each side of its rest, followed while it moves."""
 
 from bisect import bisect_left
 from collections import deque
@@ -114,7 +114,7 @@ class _End:
 
 
 class Travel:
-    """Follows one channel; wild single samples do not count."""
+    """Follows one channel. Wild single samples do not count."""
 
     def __init__(self, neutral: Neutral, task: Task) -> None:
         self.source = neutral.source
@@ -178,20 +178,20 @@ class Travel:
     # --- Its ends -----------------------------------------------------------------------
 
     def end(self, way: Way) -> int:
-        """Return the furthest count that way; where it rests before anything was seen."""
+        """Return the furthest count that way. Where it rests before anything was seen."""
         furthest = self._ends[way].furthest
         return self.neutral if furthest is None else furthest
 
     def length(self, way: Way) -> int:
-        """Return how far it went that way, in counts; below 0 if it never came back to its rest."""
+        """Return how far it went that way, in counts. Below 0 if it never came back to its rest."""
         return way.value * (self.end(way) - self.neutral)
 
     def reached(self, way: Way) -> bool:
-        """Whether it went far enough that way."""
+        """True if it went far enough that way."""
         return self.length(way) >= least_travel(self.deadband)
 
     def held(self, way: Way) -> bool:
-        """Whether it went far enough that way and was held at the end of it."""
+        """True if it went far enough that way and was held at the end of it."""
         return self.reached(way) and self._ends[way].is_held
 
     @property
@@ -222,7 +222,7 @@ class Travel:
 
     @property
     def is_enough(self) -> bool:
-        """Whether it was held everywhere that its task needs."""
+        """True if it was held everywhere that its task needs."""
         held = [self.held(way) for way in Way]
         return all(held) if self.task is Task.STICK else any(held)
 
@@ -230,18 +230,18 @@ class Travel:
 
     @property
     def interval(self) -> float:
-        """Seconds between two samples, most often; 0 before it is known."""
+        """Seconds between two samples, most often. 0 before it is known."""
         steps = [b - a for a, b in pairwise(self._times)]
         return median(steps) if steps else 0.0
 
     @property
     def is_slow(self) -> bool:
-        """Whether samples come so seldom that an end has to be held for longer."""
+        """True if samples come so seldom that an end has to be held for longer."""
         return self.interval > _SLOW
 
     @property
     def hold_seconds(self) -> float:
-        """How long an end has to be held to be surely seen: a sample more than have to agree."""
+        """Seconds for which an end has to be held: a sample more than have to agree."""
         held = _SLOW_HELD if self.is_slow else HELD
         return max(_LEAST_HOLD, (held + 1) * self.interval)
 

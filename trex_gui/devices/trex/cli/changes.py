@@ -1,4 +1,4 @@
-"""What every command does before and after it changes what a board stores."""
+"""Steps of every command before and after it changes stored settings."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -24,7 +24,7 @@ from trex_gui.devices.trex.settings.rules import Context, lint
 
 
 def read_board(client: TrexClient) -> DeviceState:
-    """Read everything, with a progress line; see `identify` for errors."""
+    """Read everything, with a progress line. See `identify` for errors."""
     identify(client)
     with ProgressLine("Reading") as line:
         return read_everything(client.request, line, has_crc=client.has_crc)
@@ -116,7 +116,7 @@ def write_one(
     parameters: Sequence[tuple[str, int]],
     calibrations: Sequence[tuple[CalibrationKey, Calibration]] = (),
 ) -> None:
-    """Store one setting, if the board still stores what was read; raise what prevents it."""
+    """Store one setting, if the board still stores what was read. Raise what prevents it."""
     with Interruption():
         (stored,) = keeper_of(client, state).write(client, state, command, parameters, calibrations)
     if stored.error is not None:
@@ -141,7 +141,7 @@ def remember_notes(client: TrexClient, state: DeviceState, notes: Mapping[str, s
 
 
 def remembered(stored: Settings) -> BoardRecord:
-    """Return what this computer keeps of a board; empty, with a warning, if it is damaged."""
+    """Return what this computer keeps of a board. Empty, with a warning, if it is damaged."""
     board = BoardIdentity.of(stored)
     return read_record(board, say_warning) or BoardRecord(Settings(board.product, board.firmware))
 

@@ -70,7 +70,7 @@ class _Checked:
         }
 
     def written(self, settings: Settings, *, keep_all: bool) -> str:
-        """Return the text with the settings; a last line without an end gets one.
+        """Return the text with the settings. A last line without an end gets one.
 
         Raises:
             SettingsError: with `keep_all`, comments or order could not be kept.
@@ -120,7 +120,7 @@ def _board(
 def check_settings(
     file: str, out: str | None, fix: bool, board: tuple[Model, str | None] | None, as_json: bool
 ) -> None:
-    """Check a settings file without a board; with OUT, write the checked file there.
+    """Check a settings file without a board. With OUT, write the checked file there.
 
     Lists errors and warnings by line on standard error; - is standard input or output. With
     --fix, values with units become wire values, numbers beyond their range the nearest one in it,

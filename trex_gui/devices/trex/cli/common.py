@@ -1,4 +1,4 @@
-"""What several commands share: options, the open line, and what list and find report."""
+"""Options, the open line, and the reports of list and find, which several commands share."""
 
 import contextlib
 import difflib
@@ -123,7 +123,7 @@ link_options = all_options(
 
 
 def link_settings(options: Mapping[str, Any], url: str | None = None) -> ConnectionSettings:
-    """Make settings of the common options; UsageError if they contradict each other."""
+    """Make settings of the common options. UsageError if they contradict each other."""
     url = url or required_port(options["port"])
     if options["crc"] and options["parity"] != "none":
         raise click.UsageError("A TReX has either CRC or parity, not both.")
@@ -151,7 +151,7 @@ boards_option = click.option(
 
 
 def grouped(settings: ConnectionSettings, boards: str) -> ConnectionSettings:
-    """Return settings for the boards with these numbers; UsageError if they do not form a group."""
+    """Return settings for the boards with these numbers. UsageError if they do not form a group."""
     if not boards:
         return settings
     try:
@@ -197,7 +197,7 @@ def open_port(
     settings: ConnectionSettings,
     logged: Callable[[OpenTransport], OpenTransport] = lambda plain: plain,
 ) -> tuple[Transport, ConnectionSettings]:
-    """Open a port, or connect to a server; also return how the board is addressed there.
+    """Open a port, or connect to a server. Also return how the board is addressed there.
 
     `logged` changes what opens it, beside the option for traffic.
     """
@@ -213,7 +213,7 @@ def open_port(
 
 @contextlib.contextmanager
 def open_line(settings: ConnectionSettings) -> Iterator[TrexClient]:
-    """Open the line; any error on it ends the program with its message."""
+    """Open the line. Any error on it ends the program with its message."""
     with refusals(), _begun(*open_port(settings)) as client:
         yield client
 
@@ -222,7 +222,7 @@ def open_line(settings: ConnectionSettings) -> Iterator[TrexClient]:
 def open_line_to_change(
     settings: ConnectionSettings,
 ) -> Iterator[tuple[TrexClient, frozenset[int] | None]]:
-    """Open the line; also yield the baud rates that the port supports, `None` if unknown."""
+    """Open the line. Also yield the baud rates that the port supports, `None` if unknown."""
     with refusals():
         transport, settings = open_port(settings)
         rates = transport.rates(baud_rates())  # nothing may have been sent yet
@@ -286,7 +286,7 @@ def _only_board(client: TrexClient) -> Signature:
 
 
 def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
-    """Look at the line settings of the options only; `trexcmd find` tries the others."""
+    """Look at the line settings of the options only. `trexcmd find` tries the others."""
     settings = link_settings(options, url)
     client = TrexClient(*open_port(settings))
     try:
@@ -334,7 +334,7 @@ PORT_REPORTS = PortReports(_identify, _describe, row_of)
 
 
 def specs_of(name: str) -> list[ParameterSpec]:
-    """Return a parameter as each model and firmware has it; UsageError if none does."""
+    """Return a parameter as each model and firmware has it. UsageError if none does."""
     specs = []
     for model in device_table().models:
         for firmware in model.firmware:

@@ -1,4 +1,4 @@
-"""Settings files of the command line; get-settings, diff and export, which change no board."""
+"""Settings files of the command line. Get-settings, diff and export, which change no board."""
 
 import sys
 from collections.abc import Iterable
@@ -39,7 +39,7 @@ def content_of(file: str) -> bytes:
 
 
 def read_file(file: str, *, fix: bool = False) -> Settings:
-    """Return the settings of a file and report its warnings; `fix` repairs single values."""
+    """Return the settings of a file and report its warnings. `fix` repairs single values."""
     with refusals():
         data = content_of(file)
         text, repairs = repair_values(data, name_of(file)) if fix else (data, ())
@@ -95,7 +95,7 @@ class ComparisonCommand(click.Command):
 def _print_differences(
     before: Settings, after: Settings, names: tuple[str, str], *, as_json: bool
 ) -> bool:
-    """Report how settings differ; return whether they are equal."""
+    """Report how settings differ. Return whether they are equal."""
     if before.product != after.product:
         say(
             f"Warning: these settings are for different models: {names[0]} "
@@ -116,7 +116,7 @@ def _print_differences(
 @link_options
 @click.argument("file", type=FILE)
 def get_settings(file: str, **options: Any) -> None:
-    """Save the board's settings to FILE; - is standard output.
+    """Save the board's settings to FILE. - is standard output.
 
     All parameters, the notes kept on this computer, and the calibrations of the active input
     source: the board does not show the others. An existing file is replaced.
@@ -179,7 +179,7 @@ def diff(first: str | None, second: str | None, last: bool, as_json: bool, **opt
 @click.option("--ignore", "ignored", multiple=True, metavar="KEY", help="Do not check KEY.")
 @json_option
 def audit(profile: str, ignored: tuple[str, ...], as_json: bool, **options: Any) -> bool:
-    """Check that the board stores what PROFILE gives; - is standard input.
+    """Check that the board stores what PROFILE gives. - is standard input.
 
     Settings that PROFILE does not give are not checked, nor are notes. Prints what differs, the
     board's value left. Exit codes: 0 equal, 1 different, 2 wrong usage or not readable.
@@ -208,7 +208,7 @@ def audit(profile: str, ignored: tuple[str, ...], as_json: bool, **options: Any)
 )
 @click.argument("file", type=FILE)
 def export(file: str, language: str, **options: Any) -> None:
-    """Write a program to FILE that stores these settings in a board; - is standard output.
+    """Write a program to FILE that stores these settings in a board. - is standard output.
 
     The program verifies what it stores, uses the line settings of this connection, and has
     functions to drive and to stop the motors.

@@ -105,7 +105,7 @@ def motor(
 def run_motors(
     settings: ConnectionSettings, orders: Sequence[Setpoint | SendPacket], seconds: float | None
 ) -> None:
-    """Arm the motors, send the orders, and stop after `seconds` or Ctrl-C; print replies.
+    """Arm the motors, send the orders, and stop after `seconds` or Ctrl-C. Print replies.
 
     Raises:
         CommandFailed: it ended otherwise than intended; the motors were stopped if possible.
@@ -148,7 +148,7 @@ _UNCONFIRMED = "The stop is not confirmed. If a motor still turns, cut its power
     help="Stop this served board, or all of them; may be repeated.",
 )
 def stop(robots: tuple[str, ...], boards: str, **options: Any) -> None:
-    """Brake both motors and switch the auxiliary motor off; repeat until confirmed."""
+    """Brake both motors and switch the auxiliary motor off. Repeat until confirmed."""
     if robots or is_served(options["port"] or ""):
         _stop_served(robots or [options["port"]])
         return
@@ -200,7 +200,7 @@ def _stop_at(settings: ConnectionSettings) -> None:
 
 
 def _why_not_stopped(client: TrexClient, run: StopRun) -> str:
-    """Return why motors may turn after a stop; empty if they do not."""
+    """Return why motors may turn after a stop. Empty if they do not."""
     if not run.is_confirmed:
         try:
             identify(client, quick=True)  # says why there is no reply
@@ -408,7 +408,7 @@ class _Run:
     # --- The end ------------------------------------------------------------------------
 
     def conclude(self) -> None:
-        """Report how it ended; CommandFailed if not as intended."""
+        """Report how it ended. CommandFailed if not as intended."""
         error = self._line_error or self._stop_error
         if error is not None:
             text = str(error)

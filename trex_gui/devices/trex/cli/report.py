@@ -53,7 +53,7 @@ def report(file: str, **options: Any) -> None:
 
 
 def _parts(options: dict[str, Any]) -> dict[str, Callable[[], str]]:
-    """Read the board now; a part says why if that fails."""
+    """Read the board now. A part says why if that fails."""
     if not options["port"]:
         return {}
     settings, present = link_settings(options), host()

@@ -93,7 +93,7 @@ def set_settings(
     devices: tuple[int, ...] | None,
     **options: Any,
 ) -> None:
-    """Write the settings of FILE to the board; - is standard input.
+    """Write the settings of FILE to the board. - is standard input.
 
     Checks the file, saves a snapshot of what the board stores, writes only what differs, the
     serial settings last, and reads each value back. Ctrl-C ends it after the setting that is
@@ -147,7 +147,7 @@ def _review(
     force: bool,
     kept: Collection[str],
 ) -> tuple[DeviceState, list[ComparisonRow]]:
-    """Report what the settings change of the board; return what it stores, and what to write."""
+    """Report what the settings change of the board. Return what it stores, and what to write."""
     state = read_board(client)
     if convert:
         conversion = convert_settings(wanted, state.signature.model, state.signature.firmware)
@@ -177,7 +177,7 @@ def _review(
 
 
 def _fitted(file: str, wanted: Settings, state: DeviceState) -> Settings:
-    """Return the settings of a file that fit this board; SettingsError if none can."""
+    """Return the settings of a file that fit this board. SettingsError if none can."""
     board = state.signature
     if wanted.product != board.model:
         message = (
@@ -225,7 +225,7 @@ def _write(
 
 
 def _say_failures(failed: list[WriteResult], names: dict[str, str]) -> None:
-    """Name failed writes; settings not tried after a fatal error are only listed."""
+    """Name failed writes. Settings not tried after a fatal error are only listed."""
     said: set[int] = set()
     untried: list[str] = []
     for result in failed:

@@ -228,7 +228,7 @@ def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
 
 
 def _errors(before: LatchedStatus, active: LatchedStatus) -> list[dict[str, str | bool]]:
-    """Return a row for each bit; line errors that are over may be of a search for the board."""
+    """Return a row for each bit. Line errors that are over may be of a search for the board."""
     status, uart = before.status | active.status, before.uart | active.uart
     earlier = before.uart & ~active.uart & ~UartError.TIMEOUT
     is_announced = bool(earlier) and earlier == uart  # by the bit in the status

@@ -71,7 +71,7 @@ class Counters:
 
 @dataclass(slots=True)
 class _Wire:
-    """What the next transaction has to wait for, whichever board of the line it is with."""
+    """Conditions that the next transaction on the line waits for, with any of its boards."""
 
     free_at: float
     is_unanswered: bool = False
@@ -201,7 +201,7 @@ class TrexClient:
         self.counters.unsolicited += len(late)
 
     def send(self, command: Command[None]) -> None:
-        """Send a command without a reply; an echo is awaited and not checked."""
+        """Send a command without a reply. An echo is awaited and not checked."""
         packet = self.settings.framing.encode(command)
         self.drain()
         self.counters.requests += 1
@@ -231,7 +231,7 @@ class TrexClient:
         return self.echo
 
     def _drain_late_reply(self) -> bytes:
-        """Discard a late reply, which would be taken for the next one; a stop does not wait."""
+        """Discard a late reply, which would be taken for the next one. A stop does not wait."""
         if not self._wire.is_unanswered:
             return b""
         self._wire.is_unanswered = False
@@ -267,7 +267,7 @@ class TrexClient:
         return self.transport.read(len(packet), seconds)
 
     def stop_sequence(self, board: str) -> StopSequence:
-        """Return how the guardian has to stop the motors at present; `board` names their board."""
+        """Return how the guardian has to stop the motors at present. `board` names their board."""
         known = self._stop_sequence
         if known is None or known[:3] != (self.settings, self.echo, board):
             framing, line = self.settings.framing, self.settings.line

@@ -50,16 +50,16 @@ Progress = Callable[[int, int, str], None]
 ATTEMPTS = 3  # how often a transaction is tried on a line that corrupts bytes
 
 CONNECTING_ATTEMPTS = 7
-"""How often the first one is tried: a line that was just opened may swallow some replies. On a
+"""Attempts of the first request: a line that was just opened may swallow some replies. On a
 silent local line the last four take half a second."""
 
 _DISAGREEMENTS = 3
-"""How often a reading may differ from the one before it; then the value counts as unknown."""
+"""Number of differing readings in a row after which the value counts as unknown."""
 
 
 @dataclass(frozen=True, slots=True)
 class DeviceState:
-    """What a board stores, and its mode, as it was last reported."""
+    """Stored settings and mode of a board, as it reported them last."""
 
     signature: Signature
     mode: Mode
@@ -75,13 +75,13 @@ class DeviceState:
 
     @property
     def serial_timeout(self) -> float:
-        """Seconds without a byte after which the board stops its motors; 0 for never."""
+        """Seconds without a byte after which the board stops its motors. 0 for never."""
         wire = self.parameters.get(ParameterKey.SERIAL_TIMEOUT, 0)
         return wire * self.specs[ParameterKey.SERIAL_TIMEOUT].scale
 
     @property
     def stops_on_error(self) -> bool:
-        """Whether the board stops its motors on a serial error."""
+        """True if the board stops its motors on a serial error."""
         return bool(self.parameters.get(ParameterKey.UART_ERROR_SHUTDOWN))
 
     @property
@@ -106,7 +106,7 @@ class DeviceState:
 
 
 def may_be_same_board(one: DeviceState, other: DeviceState) -> bool:
-    """Whether two readings may be of one board.
+    """True if two readings may be of one board.
 
     They are not if the models or firmwares differ, or any stored value that both have. Its mode
     may differ: a jumper was moved.
@@ -136,7 +136,7 @@ def other_board(
 
 
 def board_at(client: TrexClient, number: int, *, attempts: int = 1) -> Signature | None:
-    """Return which board on the line has a device number; `None` if none replies or may.
+    """Return which board on the line has a device number. `None` if none replies or may.
 
     It also has to reply with that number: what another master asked for is no answer.
 
@@ -164,7 +164,7 @@ def board_at(client: TrexClient, number: int, *, attempts: int = 1) -> Signature
 
 
 def is_several(client: TrexClient, stored_number: int) -> bool:
-    """Whether several boards respond to commands without a number, as if they were one.
+    """True if several boards respond to commands without a number, as if they were one.
 
     Boards of one model reply alike, and are read as one that has the bits which all of their
     numbers have. Unless that is the number of one of them, no board responds to it.
@@ -179,7 +179,7 @@ def is_several(client: TrexClient, stored_number: int) -> bool:
 def require_free_number(
     client: TrexClient, number: int, before: Callable[[], object] = lambda: None
 ) -> None:
-    """Check that no board has a device number; `before` is called before each query.
+    """Check that no board has a device number. `before` is called before each query.
 
     Raises:
         BadRequest: one has, or several have, whose replies never can be read.
@@ -223,7 +223,7 @@ def agreed(
     has_crc: bool = False,
     earlier: ReplyT_co | None = None,
 ) -> ReplyT_co:
-    """Read a stored value until two readings in a row are equal; with a CRC once.
+    """Read a stored value until two readings in a row are equal. With a CRC once.
 
     Without a CRC nothing shows that a byte was corrupted. One corrupted byte can even spoil two
     replies: a request that becomes another one has a longer reply, whose rest is taken for the
@@ -247,7 +247,7 @@ def agreed(
 
 
 def read_signature(request: Requester, *, has_crc: bool = False) -> Signature:
-    """Return which board responds; NoReply and BadReply as for `agreed`."""
+    """Return which board responds. NoReply and BadReply as for `agreed`."""
     signature = query(request, GetSignature(), attempts=CONNECTING_ATTEMPTS)
     return agreed(request, GetSignature(), has_crc=has_crc, earlier=signature)
 

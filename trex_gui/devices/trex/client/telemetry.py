@@ -38,13 +38,13 @@ class Sample:
     time: float
 
     def __bool__(self) -> bool:
-        """Whether there is something to report."""
+        """True if there is something to report."""
         return True
 
 
 @dataclass(frozen=True, slots=True)
 class Raw(Sample):
-    """Raw inputs of channels 1-5 in counts; `None` without a valid signal."""
+    """Raw inputs of channels 1-5 in counts. `None` without a valid signal."""
 
     counts: tuple[int | None, ...]
 
@@ -65,7 +65,7 @@ class Currents(Sample):
 
 @dataclass(frozen=True, slots=True)
 class LatchedStatus(Sample):
-    """Status bits and UART error bits that were latched since they were last read; false if none.
+    """Status bits and UART error bits that were latched since they were last read. False if none.
 
     `is_earlier`: the bits were latched before the board was connected or selected, or by the
     search for it. `is_whole`: no error can be latched that was not read.
@@ -81,12 +81,12 @@ class LatchedStatus(Sample):
 
     @property
     def is_clean(self) -> bool:
-        """Whether the line has corrupted nothing since the last status."""
+        """True if the line has corrupted nothing since the last status."""
         return self.is_whole and not self.has_line_error
 
     @property
     def has_line_error(self) -> bool:
-        """Whether the line has corrupted bytes; a timeout does not count.
+        """True if the line has corrupted bytes. A timeout does not count.
 
         An announced error of unknown kind counts: the query for its kind was corrupted.
         """
@@ -99,14 +99,14 @@ class LatchedStatus(Sample):
         return (*bit_names(self.status), *bit_names(self.uart))
 
     def stops_motors(self, *, on_error: bool = False) -> bool:
-        """Whether the board has stopped motors; `on_error`: UART-Error Shutdown is set."""
+        """True if the board has stopped motors. `on_error`: UART-Error Shutdown is set."""
         bits = self.status, self.uart
         return any(stops_motors(one, errors_stop=on_error) for one in bits)
 
 
 @dataclass(frozen=True, slots=True)
 class Control(Sample):
-    """Whether serial commands reach the motors."""
+    """Source of control: serial commands or channels."""
 
     by_serial: bool
 
@@ -131,7 +131,7 @@ class Newest:
         return replace(self, samples=self.samples.copy())
 
     def __getitem__(self, kind: type[SampleT]) -> SampleT:
-        """Return a sample; KeyError while there is none."""
+        """Return a sample. KeyError while there is none."""
         sample: SampleT = self.samples[kind]
         return sample
 
@@ -322,7 +322,7 @@ class StatusReader:
 def poll(
     request: Requester, topic: type[Sample], clock: Callable[[], float], reader: StatusReader
 ) -> Sample:
-    """Read one topic; return its sample with the time of its reply, false if no bit was latched.
+    """Read one topic. Return its sample with the time of its reply, false if no bit was latched.
 
     Raises:
         NoReply, BadReply: as every transaction.

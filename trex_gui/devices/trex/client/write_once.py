@@ -59,7 +59,7 @@ def write_parameter(
 def write_calibration(
     request: Requester, key: CalibrationKey, wanted: Calibration, *, has_crc: bool = False
 ) -> Calibration:
-    """Store a calibration for the active input source; return what was read back.
+    """Store a calibration for the active input source. Return what was read back.
 
     A board that lost power for a moment may have another active source now. Then nothing more is
     written: its calibrations are different ones.
@@ -105,7 +105,7 @@ def _write_and_verify(
     has_crc: bool,
     before: Callable[[], None] = lambda: None,
 ) -> ValueT:
-    """Write until the value is read back; return what was read last.
+    """Write until the value is read back. Return what was read last.
 
     `before` is called before each write.
 

@@ -76,7 +76,7 @@ class WriteResult:
 
     @property
     def channel(self) -> int | None:
-        """The channel of a calibration; `None` for a parameter."""
+        """The channel of a calibration. `None` for a parameter."""
         return CALIBRATION_KEYS[self.key].channel if self.key in CALIBRATION_KEYS else None
 
 
@@ -158,7 +158,7 @@ def after_writing(state: DeviceState, results: Sequence[WriteResult]) -> DeviceS
 
 
 class _Route(Enum):
-    """The order in which serial settings are written; see `write_all` for the reasons."""
+    """The order in which serial settings are written. See `write_all` for the reasons."""
 
     POLYNOMIAL_FIRST = auto()
     LINE_FIRST = auto()
@@ -271,7 +271,7 @@ class _Work:
             self.results[doubtful[-1]] = WriteResult(key, error=stray)
 
     def _replies(self, before: DeviceState) -> bool:
-        """Whether the board, or one like it, replies in the same mode."""
+        """True if the board, or one like it, replies in the same mode."""
         try:
             signature = query(self.request, GetSignature())
             return (signature, query(self.request, GetMode())) == (before.signature, before.mode)
@@ -279,7 +279,7 @@ class _Work:
             return False
 
     def _restore_all_but_unknown(self, before: DeviceState) -> StudioError | None:
-        """Restore what is stored otherwise than it should be; return why something is not."""
+        """Restore what is stored otherwise than it should be. Return why something is not."""
         after = after_writing(before, [one for one in self.results if one.error is None])
         wanted: dict[str, int | Calibration] = {**after.parameters}
         for channel, calibration in after.calibrations.items():
@@ -317,7 +317,7 @@ class _Work:
     def _restore(
         self, wanted: Mapping[str, int | Calibration]
     ) -> tuple[StudioError | None, list[str]]:
-        """Write what is stored otherwise; return the last error, and the keys that had one."""
+        """Write what is stored otherwise. Return the last error, and the keys that had one."""
         last: StudioError | None = None
         keys: list[str] = []
         for key, value in wanted.items():

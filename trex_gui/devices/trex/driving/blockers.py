@@ -18,7 +18,7 @@ class Effect(IntEnum):
 
 @unique
 class DriveBlocker(Enum):
-    """A reason why the motors do not follow the setpoints; the last ones say that they do.
+    """A reason why the motors do not follow the setpoints. The last ones say that they do.
 
     Reasons with the same effect are shown in this order. Fields of the sentences are in braces.
     """
@@ -166,7 +166,7 @@ class DriveBlocker(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Reason:
-    """A blocker with the fields of its sentences; a tuple is a list of names, translated too."""
+    """A blocker with the fields of its sentences. A tuple is a list of names, translated too."""
 
     blocker: DriveBlocker
     fields: tuple[object, ...] = ()
@@ -176,7 +176,7 @@ class Reason:
         return tr(self.blocker.text).format(*self._words())
 
     def remedy(self) -> str:
-        """Return what the user can do about it, as a sentence; empty if nothing."""
+        """Return what the user can do about it, as a sentence. Empty if nothing."""
         return tr(self.blocker.remedy).format(*self._words()) if self.blocker.remedy else ""
 
     def _words(self) -> Iterator[object]:

@@ -1,4 +1,4 @@
-"""Why the motors of a board do not run, and what its LEDs show, from what was read of it."""
+"""Reasons why the motors of a board do not run, and the state of its LEDs."""
 
 from bisect import bisect_right
 from collections.abc import Mapping, Sequence
@@ -25,7 +25,7 @@ _NO_ERROR = UartError(0)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BoardInputs:
-    """What a board reports that decides whether its motors run."""
+    """Reports of a board that decide whether its motors run."""
 
     mode: Mode = Mode.SERIAL_RC
     by_serial: bool = True  # whether serial commands reach the motors
@@ -46,7 +46,7 @@ class BoardInputs:
 
     @property
     def lacks_signal(self) -> bool:
-        """Whether a channel that the board requires has no signal: that begins safe-start."""
+        """True if a channel that the board requires has no signal: that begins safe-start."""
         return any(one.blocker is DriveBlocker.CHANNEL_SILENT for one in self.safe_start)
 
 

@@ -59,7 +59,7 @@ The window waits for a second; the last round may begin just before this time.
 
 @dataclass(slots=True, eq=False)
 class StopRun:
-    """A stop of one board that is repeated until clean statuses follow; see `stop_together`."""
+    """A stop of one board that is repeated until clean statuses follow. See `stop_together`."""
 
     driver: "MotorDriver"
     attempts: int  # rounds that are left
@@ -127,7 +127,7 @@ class MotorDriver:
             run.was_sent = True
 
     def check_stop(self, run: StopRun) -> bool:
-        """Read the status after a stop; return whether no other round is needed."""
+        """Read the status after a stop. Return whether no other round is needed."""
         run.clean += 1
         try:
             if not run.was_sent:
@@ -155,7 +155,7 @@ class MotorDriver:
         run.end(confirmed)
 
     def stop_and_confirm(self, *, careful: bool = False) -> bool:
-        """Stop unprompted, at once and for good; return whether the board has confirmed it."""
+        """Stop unprompted, at once and for good. Return whether the board has confirmed it."""
         run = self.final_stop(careful=careful)
         stop_together([run])
         return run.is_confirmed
@@ -165,7 +165,7 @@ class MotorDriver:
         return self._stop(_ATTEMPTS, is_final=True, is_careful=careful)
 
     def take_over_stop(self) -> StopRun:
-        """Return the stop on a line that the guardian has used; see `LineQuality.is_shared`."""
+        """Return the stop on a line that the guardian has used. See `LineQuality.is_shared`."""
         self._is_quiet()
         self.output.quality.is_shared = False
         return self.final_stop()
@@ -192,7 +192,7 @@ class MotorDriver:
         return self._stop(attempts, is_final=True, aborts=is_late, stops=stops, end=report)
 
     def stop_early(self) -> None:
-        """Send the requested stops on a line that is not tested yet; its echo is discarded.
+        """Send the requested stops on a line that is not tested yet. Its echo is discarded.
 
         They stay queued until they are confirmed. If motors may be moving since an earlier session
         it may have driven another board on the line: each gets a stop without a number, too.
@@ -238,7 +238,7 @@ class MotorDriver:
         self.output.report(MotorsStopped(ErrorCode.NO_HEARTBEAT, confirmed))
 
     def serve(self) -> bool:
-        """Drive if that is due; return whether the line was used.
+        """Drive if that is due. Return whether the line was used.
 
         Raises:
             NoReply, BadReply: the echo of a setpoint is corrupted; it is sent again.
@@ -267,7 +267,7 @@ class MotorDriver:
         return max(DRIVE_INTERVAL, 2 * self.client.settings.line.seconds(_LONGEST_DRIVE))
 
     def avoids_risky_polls(self) -> bool:
-        """Whether to send no query that one damaged bit turns into a motor command."""
+        """True if queries that one damaged bit turns into a motor command are left out."""
         return (self.output.may_move or self.output.is_armed) and not self._is_quiet()
 
     def _drive(self) -> None:
@@ -309,7 +309,7 @@ class MotorDriver:
         refresh.note_sent(self._now())
 
     def refresh_while_waiting(self, waited: float) -> float:
-        """Send what is due while only the adapter can be late; return seconds to the next call."""
+        """Send what is due while only the adapter can be late. Return seconds to the next call."""
         reply = self.client.settings.line.seconds(LONGEST_REPLY) + BOARD_DELAY - waited
         seconds = max(reply, self.output.refresh_due(self._interval) - self._now())
         if self.client.echo:

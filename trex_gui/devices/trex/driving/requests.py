@@ -39,7 +39,7 @@ class SetAuxiliary:
 
 @dataclass(frozen=True, slots=True)
 class Stop:
-    """Stop every motor before anything else is sent; its `Outcome` is its confirmation.
+    """Stop every motor before anything else is sent. Its `Outcome` is its confirmation.
 
     Setpoints are dropped until an `Arm`, and other motor commands are rejected.
     """
@@ -49,7 +49,7 @@ class Stop:
 
 @dataclass(frozen=True, slots=True)
 class Arm:
-    """Arm the motors until a `Stop`; has no outcome.
+    """Arm the motors until a `Stop`. Has no outcome.
 
     While they are armed, polling keeps the board's serial timeout from expiring. Without a
     `Heartbeat` or a setpoint for `Timeouts.heartbeat` seconds the motors are stopped and
@@ -62,14 +62,14 @@ class Arm:
 
 @dataclass(frozen=True, slots=True)
 class Heartbeat:
-    """The window that armed the motors still responds; due every `HEARTBEAT_INTERVAL` seconds."""
+    """The window that armed the motors still responds. Due every `HEARTBEAT_INTERVAL` seconds."""
 
     sent: float | None = None  # on the line's clock; `None`: when it is received
 
 
 @dataclass(frozen=True, slots=True)
 class StopSent:
-    """A stop has left, requested or not; its confirmation follows."""
+    """A stop has left, requested or not. Its confirmation follows."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,7 +97,7 @@ def setpoints_in(request: SetpointRequest) -> Sequence[Setpoint]:
 
 
 def is_idle(setpoint: Setpoint) -> bool:
-    """Whether a setpoint brings its motor to rest."""
+    """True if a setpoint brings its motor to rest."""
     if isinstance(setpoint, SetAuxiliary):
         return not setpoint.speed
     return setpoint.drive.is_brake or not setpoint.drive.signed

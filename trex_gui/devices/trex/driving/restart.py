@@ -41,7 +41,7 @@ class RestartWatch:
 
     @property
     def is_checking(self) -> bool:
-        """Whether the board may have restarted. No speed is refreshed meanwhile."""
+        """True if the board may have restarted. No speed is refreshed meanwhile."""
         return bool(self._drawing) and (self._is_reply_lost or self._fallen_at < math.inf)
 
     def note_setpoints(self, setpoints: Sequence[Setpoint], now: float) -> None:

@@ -1,4 +1,4 @@
-"""Whether the board stops its motors by itself when it hears nothing any more.
+"""Expected stop of the motors by the board itself when the line falls silent.
 
 The command document says that the serial timeout (0x07) stops the motors. The guide of the twin,
 the qik 2s12v10 (5.a), adds that it does so only with shutdown on serial errors set. Which of both
@@ -32,7 +32,7 @@ class TimeoutStop(Enum):
 
     @property
     def may_be_mended(self) -> bool:
-        """Whether other values of both parameters may let the board stop its motors."""
+        """True if other values of both parameters may let the board stop its motors."""
         return self in {TimeoutStop.OFF, TimeoutStop.DOUBTFUL, TimeoutStop.REFUTED}
 
 
@@ -63,7 +63,7 @@ def with_shutdown(timeout: int) -> dict[str, int]:
 
 
 def turning_text(motors: Collection[int]) -> str:
-    """Warn that motors (1, 2; 3 is the auxiliary) may be turning beyond reach; empty: unknown."""
+    """Warn that motors (1, 2. 3 is the auxiliary) may be turning beyond reach; empty: unknown."""
     match [*motors]:
         case [3]:
             return tr("The auxiliary motor may still be turning.")
@@ -73,6 +73,6 @@ def turning_text(motors: Collection[int]) -> str:
 
 
 def remedy_for_silence(stop: TimeoutStop, timeout: str) -> str:
-    """Return what to do when a driven board was lost; `timeout` is the serial timeout as text."""
+    """Return what to do when a driven board was lost. `timeout` is the serial timeout as text."""
     text = tr("The board should stop {0} after the last byte; if not, cut the power.")
     return text.format(timeout) if stop.is_reliable else tr("Cut the power.")

@@ -20,7 +20,7 @@ LEFT, RIGHT = 1, 2  # the sides, as the motors of one board alone
 
 @dataclass(frozen=True, slots=True)
 class Wheel:
-    """Motor 1 or 2 of a board, at a side; `is_reversed`: forward is backward for the motor."""
+    """Motor 1 or 2 of a board, at a side. `is_reversed`: forward is backward for the motor."""
 
     board: int
     motor: int
@@ -51,7 +51,7 @@ def packed(wheels: Iterable[Wheel]) -> str:
 
 
 def unpacked(text: str) -> tuple[Wheel, ...]:
-    """Return the wheels that were packed; ValueError if the text is another one."""
+    """Return the wheels that were packed. ValueError if the text is another one."""
     found = [_WHEEL.fullmatch(word) for word in text.split()]
     wheels = [Wheel(int(m[1]), int(m[2]), int(m[3]), m[4] == "-") for m in found if m is not None]
     if len(wheels) < len(found):

@@ -1,1 +1,1 @@
-"""Qt objects that mirror the board; no widgets, no I/O."""
+"""Qt objects that mirror the board. No widgets, no I/O."""

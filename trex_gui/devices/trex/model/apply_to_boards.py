@@ -97,7 +97,7 @@ class ApplyToBoards(QObject):
             self._begin(plans, is_writing=True)
 
     def cancel(self) -> None:
-        """End the work after the board that is being read or written; no other one is written."""
+        """End the work after the board that is being read or written. No other one is written."""
         self._is_cancelled = True
         if self._device.writer.is_saving_snapshot and self._current is not None:
             self._device.writer.cancel()

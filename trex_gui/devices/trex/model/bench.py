@@ -102,7 +102,7 @@ class Bench(QObject):
 
     @property
     def highest_current(self) -> float:
-        """The highest current in A that the board can measure; without a board, a TReX."""
+        """The highest current in A that the board can measure. Without a board, a TReX."""
         return self._device.telemetry.ampere * _HIGHEST_COUNT
 
     def tuned_keys(self) -> tuple[str, ...]:
@@ -125,7 +125,7 @@ class Bench(QObject):
     # --- Commands -----------------------------------------------------------------------
 
     def set_plan(self, plan: Plan) -> None:
-        """Set the next test; one that runs keeps its own plan."""
+        """Set the next test. One that runs keeps its own plan."""
         if plan != self.plan:
             self.plan = plan
             self.changed.emit()
@@ -170,7 +170,7 @@ class Bench(QObject):
             self._end(End.RELEASED)
 
     def abort(self, reason: str) -> None:
-        """Stop, disarm and lock out all motors; `reason` is for the user."""
+        """Stop, disarm and lock out all motors. `reason` is for the user."""
         if self.is_driving:
             self._end(End.ABORTED, reason)
 
@@ -263,7 +263,7 @@ class Bench(QObject):
     # --- The end ------------------------------------------------------------------------
 
     def _end(self, how: End, reason: str = "") -> None:
-        """Brake the motor first; continue recording its current for a moment."""
+        """Brake the motor first. Continue recording its current for a moment."""
         self.phase = Phase.BRAKING
         if how is not End.ABORTED:
             self._motors.release(_HOLDER)

@@ -12,7 +12,7 @@ _NAMED = 3  # written settings that an event names; the rest are counted
 
 
 class BoardEvents(EventLog):
-    """What the mirror of the board reports, stops, and what Apply has written."""
+    """Events of the board: reports of its mirror, stops, and writes by Apply."""
 
     def __init__(self, motors: Motors, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -20,7 +20,7 @@ class BoardEvents(EventLog):
         motors.stop_requested.connect(self._on_stop_requested)
 
     def note_applied(self, results: tuple[WriteResult, ...], names: tuple[str, ...]) -> None:
-        """Log what Apply has written; `names` are those of `results`."""
+        """Log what Apply has written. `names` are those of `results`."""
         done = [name for name, one in zip(names, results, strict=True) if one.error is None]
         failed = len(results) - len(done)
         text = ", ".join(done[:_NAMED])

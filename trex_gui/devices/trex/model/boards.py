@@ -39,7 +39,7 @@ class Presence(Enum):
 
 @dataclass(frozen=True, slots=True)
 class LineBoard:
-    """One board; `signature` is `None` while it is not known."""
+    """One board. `signature` is `None` while it is not known."""
 
     number: int
     signature: Signature | None
@@ -82,7 +82,7 @@ class BoardList(QObject):
 
     @property
     def selected(self) -> int | None:
-        """The number of the board that the pages show; `None` without one."""
+        """The number of the board that the pages show. `None` without one."""
         device = self._device
         if device.settings is not None and device.settings.device_number is not None:
             return device.settings.device_number
@@ -113,12 +113,12 @@ class BoardList(QObject):
 
     @property
     def can_change_number(self) -> bool:
-        """Whether the selected board can get another number: that asks for it, and is a write."""
+        """True if the selected board can get another number: that asks for it, and is a write."""
         return self._may_ask and not self._device.writer.is_rejected
 
     @property
     def _may_ask(self) -> bool:
-        """Whether other boards may be asked: not while motors are driven."""
+        """True if other boards may be asked: not while motors are driven."""
         device = self._device
         is_driven = device.motors.armed or device.may_move
         is_busy = is_driven or self.is_selecting or self._is_group
@@ -126,20 +126,20 @@ class BoardList(QObject):
 
     @property
     def _is_group(self) -> bool:
-        """Whether several boards are driven together: all of them are polled."""
+        """True if several boards are driven together: all of them are polled."""
         return self._device.settings is not None and bool(self._device.settings.group)
 
     # --- Finding ------------------------------------------------------------------------
 
     def scan(self) -> None:
-        """Ask for every device number who has it; ends when the motors are armed."""
+        """Ask for every device number who has it. Ends when the motors are armed."""
         if self.can_scan:
             self.scanned = 0
             self.changed.emit()
             self._ask_next()
 
     def cancel_scan(self) -> None:
-        """Ask no more; what was found stays."""
+        """Ask no more. What was found stays."""
         if self.scanned is not None:
             self.scanned = None
             self.changed.emit()
@@ -163,14 +163,14 @@ class BoardList(QObject):
             self._ask(number)
 
     def _go_on_after(self, number: int) -> None:
-        """Continue the scan; before it, or before it began again, another number was asked."""
+        """Continue the scan. Before it, or before it began again, another number was asked."""
         if number == self.scanned:
             self.scanned += 1
             self.changed.emit()
         self._ask_next()
 
     def _finish_scan(self) -> None:
-        """Keep and report what was found; from now on address one board if there are several."""
+        """Keep and report what was found. From now on address one board if there are several."""
         missing = {Presence.SILENT, Presence.UNKNOWN}
         found = [one for one in self.boards if one.presence not in missing]
         self.boards = tuple(found)
@@ -232,7 +232,7 @@ class BoardList(QObject):
 
     @property
     def is_addressed(self) -> bool:
-        """Whether commands carry a device number, and so reach one board."""
+        """True if commands carry a device number, and so reach one board."""
         settings = self._device.settings
         return settings is not None and settings.device_number is not None
 

@@ -23,7 +23,7 @@ class Handle(Enum):
         return self in {Handle.DEADBAND_LOW, Handle.DEADBAND_HIGH}
 
     def count(self, calibration: Calibration) -> int:
-        """Return the raw count of the handle; that of a deadband may be negative."""
+        """Return the raw count of the handle. That of a deadband may be negative."""
         match self:
             case Handle.MINIMUM:
                 return calibration.minimum
@@ -74,7 +74,7 @@ def moved(c: Calibration, handle: Handle, count: int) -> tuple[Calibration, str]
 def within_input(
     calibration: Calibration, handle: Handle, count: int, source: InputSource
 ) -> tuple[int, str]:
-    """Limit a count to the range of the input; also return why it was limited.
+    """Limit a count to the range of the input. Also return why it was limited.
 
     A handle that is already beyond the range may stay there.
     """
@@ -99,7 +99,7 @@ def symmetric(calibration: Calibration, source: InputSource, *, larger: bool) ->
 
 
 def why_not_symmetric(made: Calibration, source: InputSource) -> str:
-    """Return why equal travel made a calibration unusable; empty if it did not.
+    """Return why equal travel made a calibration unusable. Empty if it did not.
 
     Each step of the output needs a count of its own, else a slight touch gives full output.
     """

@@ -69,7 +69,7 @@ def function_text(
     overridden: bool = False,
     mixed: bool | None = None,
 ) -> str:
-    """Return what a channel does now; `curve` is that for `source`, if it is known.
+    """Return what a channel does now. `curve` is that for `source`, if it is known.
 
     `overridden` is whether serial commands control the motors of a board in RC or analog mode,
     `mixed` whether the mix jumper is on, `None` if that is not known.
@@ -137,7 +137,7 @@ def write_failure(error: StudioError) -> str:
 
 
 def wrong_order(calibration: Calibration, source: InputSource) -> str:
-    """Return why the board would reject a calibration; empty if it would not."""
+    """Return why the board would reject a calibration. Empty if it would not."""
     lowest, middle, highest = (
         source.text(count)
         for count in (calibration.minimum, calibration.neutral, calibration.maximum)
@@ -160,7 +160,7 @@ def input_range_text(source: InputSource) -> str:
 
 
 def beyond_input(calibration: Calibration, source: InputSource) -> str:
-    """Return which values of a calibration no valid input can have; empty if there are none.
+    """Return which values of a calibration no valid input can have. Empty if there are none.
 
     Ref: Pololu TReX User's Guide 4.c: a pulse that is shorter than 0.5 ms or longer than 2.5 ms
     is an error.
@@ -187,14 +187,14 @@ def _exactly(count: int, source: InputSource) -> str:
 
 
 def concern(calibration: Calibration, source: InputSource) -> str:
-    """Warn of a calibration that the board rejects or that makes no sense; may be empty."""
+    """Warn of a calibration that the board rejects or that makes no sense. May be empty."""
     if text := wrong_order(calibration, source) or beyond_input(calibration, source):
         return text
     return deadband_problem(calibration, source, "minimum", "maximum")
 
 
 def deadband_problem(calibration: Calibration, source: InputSource, *ends: str) -> str:
-    """Warn of a deadband that reaches one of these ends, `minimum` or `maximum`; may be empty."""
+    """Warn of a deadband that reaches one of these ends, `minimum` or `maximum`. May be empty."""
     travel = {end: abs(getattr(calibration, end) - calibration.neutral) for end in ends}
     reached = [tr(end) for end in ends if travel[end] <= calibration.deadband]
     if not reached:

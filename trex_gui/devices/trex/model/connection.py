@@ -116,7 +116,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
     def select(
         self, number: int, sharing: tuple[int, ...], then: Callable[[Outcome], None]
     ) -> None:
-        """Address another board on the open line; `link` is `CONNECTING` until it is read.
+        """Address another board on the open line. `link` is `CONNECTING` until it is read.
 
         `sharing` are the numbers of all boards that are known on it. If it cannot be selected,
         the present board stays connected, or silent.
@@ -135,7 +135,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
         self.request(lambda request: SelectBoard(request, number, sharing), report)
 
     def stop_now(self, *, ending: bool = False) -> None:
-        """Stop every motor, and close the port if the program is `ending`; from any thread.
+        """Stop every motor, and close the port if the program is `ending`. From any thread.
 
         Does not wait and reports nothing; `Motors.stop` has to follow in the window's thread.
         Setpoints that are queued behind it are dropped until motors are armed again.
@@ -222,7 +222,7 @@ class MemberConnection(Connection):
         return self._main.is_open
 
     def submit(self, request: object) -> bool:
-        """Queue a request for this board; those for its motors are made for the whole group."""
+        """Queue a request for this board. Those for its motors are made for the whole group."""
         if isinstance(request, Job):
             return self._main.submit(ToBoard(self._number, request))
         return False

@@ -45,7 +45,7 @@ class DemoChannel:
         return self.signal not in {"silent", "invalid"}
 
     def stick(self, source: InputSource) -> float | None:
-        """Return the position of the stick in µs or V; `None` if it is unknown.
+        """Return the position of the stick in µs or V. `None` if it is unknown.
 
         The signal is newer than the measurement.
         """
@@ -57,7 +57,7 @@ class DemoChannel:
 
 @dataclass(frozen=True, slots=True)
 class DemoMotor:
-    """One output and its motor; current and load in A."""
+    """One output and its motor. Current and load in A."""
 
     direction: str
     speed: int
@@ -68,7 +68,7 @@ class DemoMotor:
 
 @dataclass(frozen=True, slots=True)
 class DemoJumpers:
-    """The jumpers as they are now; the board reads them at power-up."""
+    """The jumpers as they are now. The board reads them at power-up."""
 
     mode: str
     mix: bool
@@ -139,7 +139,7 @@ _OFF_MS = 1000  # power cycles take this long, so that the program notices that 
 
 
 class DemoBoard(DemoDevice[DemoSnapshot]):
-    """A simulated TReX with its sticks; `changed`: `snapshot` or `automatic`."""
+    """A simulated TReX with its sticks. `changed`: `snapshot` or `automatic`."""
 
     factory_reset = Signal()  # the board is about to be reset to its state at the start
 
@@ -157,7 +157,7 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
     # --- Power, jumpers, bytes ----------------------------------------------------------
 
     def power_cycle(self) -> None:
-        """Switch the power off for a second; the jumpers are read then."""
+        """Switch the power off for a second. The jumpers are read then."""
         if not self._off.isActive():
             self._switch_off_and("power on")
 

@@ -134,7 +134,7 @@ class Device(QObject):
 
     @property
     def is_writable(self) -> bool:
-        """Whether the board is connected and no settings are being written."""
+        """True if the board is connected and no settings are being written."""
         return self.is_connected and not self.writer.running
 
     @property
@@ -143,7 +143,7 @@ class Device(QObject):
 
     @property
     def board_name(self) -> str:
-        """Model, firmware and device number; empty while no board is connected."""
+        """Model, firmware and device number. Empty while no board is connected."""
         if self.state is None or not self.is_connected:
             return ""
         number = self.parameters.values.stored.get(ParameterKey.DEVICE_NUMBER)
@@ -171,14 +171,14 @@ class Device(QObject):
         return self.main.driving.may_move
 
     def drive_of(self, motor: int) -> Drive | None:
-        """Return the setpoint of motor 1 or 2; `None` if there was none since arming."""
+        """Return the setpoint of motor 1 or 2. `None` if there was none since arming."""
         if not self.wheels:
             return self.main.motors.drive(motor)
         wheel = self.wheels.get(motor)
         return None if wheel is None else wheel.turned(self.main.motors.drive(wheel.side))
 
     def current_limit(self, motor: int) -> float | None:
-        """Return the limit in A that the board stores; `None` when off or not known."""
+        """Return the limit in A that the board stores. `None` when off or not known."""
         key = MotorParameter.CURRENT_LIMIT.of(motor)
         wire = self.parameters.values.stored.get(key)
         return wire * self.parameters.values.specs[key].scale if wire else None
@@ -195,7 +195,7 @@ class Device(QObject):
 
     @property
     def serial_timeout_s(self) -> float | None:
-        """Seconds of silence after which the board stops its motors; 0: never; `None`: unknown."""
+        """Seconds of silence after which the board stops its motors. 0: never; `None`: unknown."""
         if self.state is None or _TIMEOUT not in self.state.parameters or not self.is_connected:
             return None
         return self.state.serial_timeout
@@ -208,16 +208,16 @@ class Device(QObject):
         self.connection.open(settings, may_move=may_move)
 
     def set_seen(self, seen: bool) -> None:
-        """Set whether a window is seen; otherwise views are not updated and polling is slow."""
+        """Set whether a window is seen. Otherwise views are not updated and polling is slow."""
         self.connection.watch("window", seen)
         self.telemetry.set_seen(seen)
 
     def disconnect_line(self) -> None:
-        """Stop the motors if they were driven, and close the line; does not wait."""
+        """Stop the motors if they were driven, and close the line. Does not wait."""
         self.connection.close()
 
     def press_stop(self) -> None:
-        """Stop for the user; without a connection there is nothing to lock."""
+        """Stop for the user. Without a connection there is nothing to lock."""
         if self.link is not ConnectionState.DISCONNECTED:
             self.motors.press_stop()
         elif self.may_stop_matter:
@@ -225,11 +225,11 @@ class Device(QObject):
 
     @property
     def may_stop_matter(self) -> bool:
-        """Whether a motor may turn that this program has driven, connected or not."""
+        """True if a motor may turn that this program has driven, connected or not."""
         return self.may_move or bool(self.main.driving.lost_board)
 
     def shut_down(self) -> bool:
-        """Close the line at the end of the program; see `SessionThread.shut_down`."""
+        """Close the line at the end of the program. See `SessionThread.shut_down`."""
         return self.connection.shut_down()
 
     def reload(self) -> None:
@@ -331,13 +331,13 @@ class Device(QObject):
         self._take_files(read.report, opened=opened)
 
     def _take_files(self, report: Connected, *, opened: bool) -> None:
-        """Follow in its files what the board stores; `opened`: it may be another board."""
+        """Follow in its files what the board stores. `opened`: it may be another board."""
         state, is_simulated = report.state, bool(report.settings.name)
         self.edit_backup.take_board(ask=opened, is_simulated=is_simulated)
         self.kept.set_kind(state.signature, opened=opened, is_simulated=is_simulated)
 
     def _on_selected(self, report: Connected) -> None:
-        """Show another board on the line, with its edits; those of the last are kept."""
+        """Show another board on the line, with its edits. Those of the last are kept."""
         self.writer.give_up(tr("Nothing was written: another board was selected."))
         if pending := self.draft.pending:
             text = tr(

@@ -131,12 +131,12 @@ class DriveController(QObject):
             self.changed.emit()
 
     def stop(self, then: AfterStop, reason: str = "") -> None:
-        """Stop everything and disarm; `then` is called once with the confirmation or its error."""
+        """Stop everything and disarm. `then` is called once with the confirmation or its error."""
         self._after_stop.append(then)
         self._motors.stop(reason)
 
     def send_packet(self, packet: RawPacket, then: Callable[[Outcome], None]) -> bool:
-        """Send bytes that the user typed; return whether there is a session."""
+        """Send bytes that the user typed. Return whether there is a session."""
         is_sent = self._connection.request(lambda number: SendPacket(number, packet), then)
         self.may_move = self.may_move or (is_sent and packet.moves)
         return is_sent
@@ -178,7 +178,7 @@ class DriveController(QObject):
 
     @Slot()
     def _on_heartbeat_due(self) -> None:
-        """Send a heartbeat; disarm if the session, which polls the board, reports nothing."""
+        """Send a heartbeat. Disarm if the session, which polls the board, reports nothing."""
         self._connection.submit(Heartbeat(now()))
         self._unreported += 1
         seconds, settings = self._unreported * HEARTBEAT_INTERVAL, self._connection.settings
@@ -216,7 +216,7 @@ class DriveController(QObject):
 
     @Slot()
     def _on_stop_not_sent(self) -> None:
-        """Warn that the session does not respond; its guardian, which gets no heartbeat, stops."""
+        """Warn that the session does not respond. Its guardian, which gets no heartbeat, stops."""
         text = tr("The connection is not responding, so the stop could not be sent.")
         parts = [turning_text(self.driven), tr("Cut the power."), text]
         if self._connection.is_guarded:
@@ -261,7 +261,7 @@ class DriveController(QObject):
 
     @property
     def _is_group(self) -> bool:
-        """Whether one board of several has confirmed its stop: the others may still move."""
+        """True if one board of several has confirmed its stop: the others may still move."""
         settings = self._connection.settings
         return settings is not None and bool(settings.group)
 
@@ -297,7 +297,7 @@ class DriveController(QObject):
         self.changed.emit()
 
     def note_stored(self, state: DeviceState, uncertain: Collection[str]) -> None:
-        """Take what the board stores after a write; values with `uncertain` keys are not known."""
+        """Take what the board stores after a write. Values with `uncertain` keys are not known."""
         if self._board is not None:
             parameters = {k: w for k, w in state.parameters.items() if k not in uncertain}
             calibrations = {

@@ -1,4 +1,4 @@
-"""Whether the motors follow the setpoints of the window, and which drivers have shut down."""
+"""State of the motors in the window, and the drivers that have shut down."""
 
 from collections.abc import Iterable
 
@@ -54,5 +54,5 @@ def setpoint_of(device: Device, motor: int, inputs: DriveInputs) -> MotorSetpoin
 
 
 def fault_text(statuses: Iterable[DriveStatus]) -> str:
-    """Return which motor drivers have shut down recently, as sentences; empty if none has."""
+    """Return which motor drivers have shut down recently, as sentences. Empty if none has."""
     return " ".join(one.text for one in statuses if one.blocker is DriveBlocker.FAULT)

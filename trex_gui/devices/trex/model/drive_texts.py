@@ -1,4 +1,4 @@
-"""What the Motors page says of a motor, and of a serial timeout that is off or too short."""
+"""Texts of the Motors page for a motor, and for a serial timeout that is off or too short."""
 
 from dataclasses import dataclass
 
@@ -16,7 +16,7 @@ from trex_gui.ui.runtime import now
 
 
 def setpoint_text(drive: Drive | None) -> str:
-    """Setpoint of motor 1 or 2 beside its number; `None`: none since it was armed."""
+    """Setpoint of motor 1 or 2 beside its number. `None`: none since it was armed."""
     if drive is None:
         return "–"
     if not drive.is_brake:
@@ -76,7 +76,7 @@ and no line that works is silent for so long."""
 
 @dataclass(frozen=True, slots=True)
 class TimeoutWarning:
-    """What is wrong with the serial timeout, in sentences, and how many seconds would be better.
+    """Problem of the serial timeout, in sentences, and a better timeout in seconds.
 
     `seconds` is `None` if another timeout is no remedy.
     """
@@ -86,7 +86,7 @@ class TimeoutWarning:
 
 
 def timeout_warning(device: Device) -> TimeoutWarning | None:
-    """Return what is wrong with it; `None` if nothing is, or it is unknown.
+    """Return what is wrong with it. `None` if nothing is, or it is unknown.
 
     Of boards that are driven together, each has to have a timeout.
     """

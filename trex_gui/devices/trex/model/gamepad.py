@@ -63,13 +63,13 @@ class Gamepad(QObject):
 
     @property
     def stops_unfocused(self) -> bool:
-        """Whether motors that it drives stop when the window loses the focus."""
+        """True if motors that it drives stop when the window loses the focus."""
         return self._store.flag("gamepad/stops_unfocused", default=True)
 
     # --- User actions -------------------------------------------------------------------
 
     def switch_on(self) -> None:
-        """Begin to read gamepads; `failure` says why if that is impossible."""
+        """Begin to read gamepads. `failure` says why if that is impossible."""
         if self.on:
             return
         try:
@@ -85,7 +85,7 @@ class Gamepad(QObject):
 
     @Slot()
     def switch_off(self) -> None:
-        """Read none any more; motors that one drives stop."""
+        """Read none any more. Motors that one drives stop."""
         self.failure = ""
         if self.on:
             self.on = False
@@ -98,7 +98,7 @@ class Gamepad(QObject):
         self._refresh()
 
     def choose(self, pad: Pad) -> None:
-        """Read this one from now on; motors that another drives stop."""
+        """Read this one from now on. Motors that another drives stop."""
         if pad in self.pads and pad != self.pad:
             self._store.set("gamepad/last", pad.guid)
             self._drive_with.abort(tr("Another gamepad was chosen."))
@@ -106,7 +106,7 @@ class Gamepad(QObject):
             self._refresh()
 
     def set_profile(self, profile: GamepadProfile) -> None:
-        """Use this profile for this kind of gamepad, now and later; motors that it drives stop."""
+        """Use this profile for this kind of gamepad, now and later. Motors that it drives stop."""
         if self.pad is not None and profile != self.profile:
             self._drive_with.abort(tr("The gamepad settings were changed."))
             self._store.set(f"gamepad/profiles/{self.pad.guid}", profile.to_text())
@@ -118,7 +118,7 @@ class Gamepad(QObject):
         self.changed.emit()
 
     def attend(self, reason: str) -> None:
-        """Set why the user cannot see what the gamepad drives; empty: they can.
+        """Set why the user cannot see what the gamepad drives. Empty: they can.
 
         Motors that it drives stop with that reason, and none can be driven until it is empty.
         """
@@ -168,7 +168,7 @@ class Gamepad(QObject):
         self.changed.emit()
 
     def _on_pad_lost(self, pad: Pad) -> None:
-        """Stop what this one drives, and read it no more; the next look may find another."""
+        """Stop what this one drives, and read it no more. The next look may find another."""
         self.gone = pad.name
         self._take(None)
         self._drive_with.abort(tr("The gamepad “{0}” was disconnected.").format(pad.name))
@@ -261,7 +261,7 @@ def axis_text(pad: Pad, number: int) -> str:
 
 
 def _with_part(text: str, part: str) -> str:
-    """Add SDL's name of a part in words; as SDL has it where there is no better one."""
+    """Add SDL's name of a part in words. As SDL has it where there is no better one."""
     words = {
         "leftx": tr("left stick, sideways"),
         "lefty": tr("left stick, up and down"),

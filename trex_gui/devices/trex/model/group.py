@@ -48,7 +48,7 @@ class BoardGroup(QObject):
 
     @property
     def devices(self) -> dict[int, Device]:
-        """The device of each board by its number, in their order; empty for one board alone."""
+        """The device of each board by its number, in their order. Empty for one board alone."""
         settings = self._device.settings
         if settings is None or not self._others or not settings.group:
             return {}
@@ -72,7 +72,7 @@ class BoardGroup(QObject):
 
     @property
     def can_change(self) -> bool:
-        """Whether boards can be joined or parted here: a server serves those that it was told."""
+        """True if boards can be joined or parted here: a server serves those that it was told."""
         settings = self._device.settings
         return settings is not None and not is_served(settings.url)
 
@@ -94,7 +94,7 @@ class BoardGroup(QObject):
         return tuple(setpoints_of(self.wheels, request).items())
 
     def _lacking(self) -> int | None:
-        """Return the number of another board that cannot be driven; `None`: all can."""
+        """Return the number of another board that cannot be driven. `None`: all can."""
         for number, device in self._others.items():
             if not device.is_connected or not device.board.serial_controls:
                 return number

@@ -1,4 +1,4 @@
-"""What keeps a motor from being driven while a button is held."""
+"""Conditions for driving a motor while a button is held."""
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
@@ -8,7 +8,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 def held_drive_blocker(
     device: Device, holder: str, *, is_driving: bool, wheels_are_free: bool = False
 ) -> str:
-    """Return why no motor can be driven now and what to do, for the user; empty if one can.
+    """Return why no motor can be driven now and what to do, for the user. Empty if one can.
 
     `holder` is the name by which the motors will be acquired, `is_driving` whether it drives now,
     `wheels_are_free` whether the user has confirmed that the wheels are off the ground.

@@ -25,13 +25,13 @@ class SettingsLinter(QObject):
         self._on_changed()
 
     def set_context(self, context: Context | None) -> None:
-        """Set the facts beside the settings; `None` switches the check off."""
+        """Set the facts beside the settings. `None` switches the check off."""
         if context != self._context:
             self._context = context
             self._on_changed()
 
     def accept(self, finding: LintFinding) -> None:
-        """Make the proposed change an edit; one step to undo."""
+        """Make the proposed change an edit. One step to undo."""
         if finding.change:
             with self._draft.one_edit(finding.proposal):
                 for key, wire in finding.change.items():
@@ -52,7 +52,7 @@ class SettingsLinter(QObject):
 
 
 class BoardLinter(SettingsLinter):
-    """Uses the line and the motors as context; reports nothing while no board is connected."""
+    """Uses the line and the motors as context. Reports nothing while no board is connected."""
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(device.draft, parent)

@@ -1,4 +1,4 @@
-"""What is said once a board that was lost while it was driven has confirmed a stop."""
+"""Messages after a board that was lost while driven has confirmed a stop."""
 
 from functools import partial
 

@@ -1,4 +1,4 @@
-"""Whether the mix jumper of a board is on."""
+"""State of the mix jumper of a board."""
 
 from PySide6.QtCore import QObject, Signal, Slot
 

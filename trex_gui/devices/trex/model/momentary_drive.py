@@ -11,7 +11,7 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.ui.runtime import new_timer, now
 
 GROWTH = 127.0
-"""How much faster pad, keys and gamepads make a motor within a second; inferred.
+"""Largest change of speed within a second by pad, keys and gamepads. Inferred.
 
 From rest to full speed takes a second, and to 30 % a third of one.
 """
@@ -20,7 +20,7 @@ _GROWTH_MS = 20
 
 
 class MomentaryDrive(QObject):
-    """Drives with forward and turn under one name; `joint`: both drivers work as one motor.
+    """Drives with forward and turn under one name. `joint`: both drivers work as one motor.
 
     Speeds grow by `GROWTH` a second, so that a tapped key or an edge of the pad is no jump; they
     fall at once.
@@ -43,11 +43,11 @@ class MomentaryDrive(QObject):
 
     @property
     def can_turn(self) -> bool:
-        """Whether the motors may differ: not where they are linked or one."""
+        """True if the motors may differ: not where they are linked or one."""
         return not (self.joint or self._motors.linked)
 
     def steer(self, forward: float, turn: float) -> bool:
-        """Drive at -1 to 1 of the speed ceiling each way; return whether the motors are ours."""
+        """Drive at -1 to 1 of the speed ceiling each way. Return whether the motors are ours."""
         if not self._motors.acquire(self.name):
             return False
         self._direction = forward, turn
@@ -57,7 +57,7 @@ class MomentaryDrive(QObject):
 
     @Slot()
     def _grow(self) -> None:
-        """Go on towards the direction; neither a late timer nor a first step makes a jump."""
+        """Go on towards the direction. Neither a late timer nor a first step makes a jump."""
         forward, turn = self._direction
         ceiling = self._motors.ceiling_in_force
         goal: tuple[float, float] = mix(forward, turn if self.can_turn else 0.0, ceiling)
@@ -79,7 +79,7 @@ class MomentaryDrive(QObject):
             self._speeds = 0.0, 0.0
 
     def release(self) -> None:
-        """Brake the motors that this control drives; they stay armed."""
+        """Brake the motors that this control drives. They stay armed."""
         self._motors.release(self.name)
 
     def abort(self, reason: str) -> None:
@@ -121,14 +121,14 @@ def mix(forward: float, turn: float, ceiling: int = FULL_SCALE) -> tuple[int, in
 
 
 TURN_WHILE_GOING = 0.5
-"""How much turn is set while a key for forward or back is held, too.
+"""Turn that is set while a key for forward or back is held, too.
 
 With a full turn one side would stop; half of one leaves a curve that can be steered.
 """
 
 
 class Heading(Enum):
-    """Forward and turn of a key; forward and right are positive."""
+    """Forward and turn of a key. Forward and right are positive."""
 
     FORWARD = 1, 0
     BACK = -1, 0

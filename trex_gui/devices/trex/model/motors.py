@@ -36,7 +36,7 @@ _AUXILIARY = 0  # the number of the auxiliary motor beside motors 1 and 2
 
 
 class Motors(QObject):
-    """The setpoints of both motors and the auxiliary; they are ignored before `arm`.
+    """The setpoints of both motors and the auxiliary. They are ignored before `arm`.
 
     A momentary control (pad, keys, gamepad, bench test) acquires the motors and passes its name as
     `holder` with each setpoint. Until it releases them all other setpoints are ignored, and its own
@@ -88,7 +88,7 @@ class Motors(QObject):
         return self.is_available and not self.armed and not self.locked_for
 
     def drive(self, motor: int) -> Drive | None:
-        """The setpoint of motor 1 or 2; `None` if there was none since arming."""
+        """The setpoint of motor 1 or 2. `None` if there was none since arming."""
         return self._drives.get(motor)
 
     @property
@@ -127,7 +127,7 @@ class Motors(QObject):
         self._limit_to(chosen or FIRST_CEILING)
 
     def set_ceiling(self, speed: int) -> None:
-        """Send no greater speed to this board, now and later; faster motors are slowed down to it.
+        """Send no greater speed to this board, now and later. Faster motors are slowed down to it.
 
         A higher ceiling applies from the next setpoint, and to a held control from its release.
         """
@@ -146,7 +146,7 @@ class Motors(QObject):
 
     @property
     def arms_without_timeout(self) -> bool:
-        """Whether the user arms this board although no serial timeout would stop it."""
+        """True if the user arms this board although no serial timeout would stop it."""
         return self._store.flag(f"motors/without_timeout/{self.board}", default=False)
 
     def remember_arming_without_timeout(self) -> None:
@@ -168,13 +168,13 @@ class Motors(QObject):
 
     @property
     def can_link(self) -> bool:
-        """Whether linking would change no speed: both at rest, or both at the same setpoint."""
+        """True if linking would change no speed: both at rest, or both at the same setpoint."""
         first, second = (self._drives.get(motor, Drive.brake()) for motor in (1, 2))
         at_rest = all(drive.is_brake or not drive.speed for drive in (first, second))
         return at_rest or first == second
 
     def set_linked(self, linked: bool) -> None:
-        """Apply setpoints to both motors from now on; ignored unless `can_link`."""
+        """Apply setpoints to both motors from now on. Ignored unless `can_link`."""
         self.linked = linked and (self.linked or self.can_link)
         self.options_changed.emit()
 
@@ -185,7 +185,7 @@ class Motors(QObject):
     # --- Arming and stopping ------------------------------------------------------------
 
     def set_available(self, available: bool) -> None:
-        """Set whether a board can be driven; without one the motors are disarmed without a stop."""
+        """Set whether a board can be driven. Without one the motors are disarmed without a stop."""
         was_available, self.is_available = self.is_available, available
         if not available:
             self._disarm()
@@ -193,14 +193,14 @@ class Motors(QObject):
             self.arming_changed.emit()
 
     def arm(self) -> None:
-        """Send setpoints from now on, beginning at rest; ignored while locked or unavailable."""
+        """Send setpoints from now on, beginning at rest. Ignored while locked or unavailable."""
         if self.can_arm:
             self.armed = True
             self.stop_reason = ""
             self.arming_changed.emit()
 
     def press_stop(self, *, reason: str = "") -> None:
-        """Stop for the user, or for a `reason`; no arming for `lockout` seconds."""
+        """Stop for the user, or for a `reason`. No arming for `lockout` seconds."""
         self._locked_until = max(self._locked_until, now() + self.lockout)
         self._announced = math.ceil(self.locked_for)
         self._lockout_timer.start()
@@ -243,7 +243,7 @@ class Motors(QObject):
     # --- Momentary controls -------------------------------------------------------------
 
     def acquire(self, holder: str) -> bool:
-        """Reserve the motors for a momentary control; return whether it has them now."""
+        """Reserve the motors for a momentary control. Return whether it has them now."""
         if not self.armed or self.holder not in {"", holder}:
             return False
         if not self.holder:
@@ -252,7 +252,7 @@ class Motors(QObject):
         return True
 
     def release(self, holder: str) -> None:
-        """End the reservation; motors that this control drove brake with `release_brake`."""
+        """End the reservation. Motors that this control drove brake with `release_brake`."""
         if not holder or self.holder != holder:
             return
         rest = Drive.brake(self.release_brake)
@@ -279,7 +279,7 @@ class Motors(QObject):
         self._set_for({motor: self._at(speed)}, holder)
 
     def set_speeds(self, first: int, second: int, holder: str = "") -> None:
-        """Drive both motors at signed speeds; if they are linked, the first applies to both."""
+        """Drive both motors at signed speeds. If they are linked, the first applies to both."""
         self._set_for({1: self._at(first), 2: self._at(second)}, holder)
 
     def set_brake(self, motor: int, duty: int, holder: str = "") -> None:

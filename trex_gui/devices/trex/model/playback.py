@@ -20,7 +20,7 @@ MAX_ROWS = 3_000_000  # rows that are drawn: ten hours at 80 a second, 240 MB
 
 
 class Playback(RecordingPlayer[Header, Record, BoardSnapshot]):
-    """One recording of a board; a row is drawn for each sample of the currents."""
+    """One recording of a board. A row is drawn for each sample of the currents."""
 
     def __init__(self, recording: Recording[Header, Record]) -> None:
         header = recording.header

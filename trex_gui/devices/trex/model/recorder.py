@@ -117,7 +117,7 @@ class Recorder(RecordThread[Record]):
             self.end_because(tr("Recording {0} ended: the board or its input source has changed."))
 
     def _identity(self, state: DeviceState) -> tuple[object, ...]:
-        """Return what a recording is of; another board on the line has another `selection`."""
+        """Return what a recording is of. Another board on the line has another `selection`."""
         return state.signature, state.source, self._device.connection.selection
 
     def _put_settings(self, state: DeviceState) -> None:
@@ -278,7 +278,7 @@ class EventRecorder(Recorder):
         self.changed.emit()
 
     def _finish(self) -> None:
-        """Forget the board; what just happened to it is still written."""
+        """Forget the board. What just happened to it is still written."""
         if self._begin_timer.isActive() and self._worker is None:
             self._begin()
         self.stop()

@@ -1,4 +1,4 @@
-"""What a report for support says of the board."""
+"""Parts of a support report that describe the board."""
 
 from collections.abc import Callable
 from functools import partial

@@ -130,7 +130,7 @@ class Telemetry(QObject):
         self._renew_views()
 
     def add(self, sample: Sample) -> None:
-        """Take a sample that is the newest of its kind now; `finish` shows it."""
+        """Take a sample that is the newest of its kind now. `finish` shows it."""
         if isinstance(sample, Raw):
             values = (math.nan if count is None else count for count in sample.counts)
             self.inputs.append(sample.time, *values)
@@ -177,9 +177,9 @@ class Telemetry(QObject):
         return None if sample is None else (sample.counts[0] * unit, sample.counts[1] * unit)
 
     def raw_of(self, channel: int) -> int | None:
-        """Raw count of a channel (1-5); `None` without a valid signal or a connection."""
+        """Raw count of a channel (1-5). `None` without a valid signal or a connection."""
         return self.raw[CHANNELS.index(channel)] if self.raw else None
 
     def remapped_of(self, channel: int) -> int | None:
-        """Remapped value of a channel (1-5), -127 to 127; `None` without a connection."""
+        """Remapped value of a channel (1-5), -127 to 127. `None` without a connection."""
         return self.remapped[CHANNELS.index(channel)] if self.remapped else None

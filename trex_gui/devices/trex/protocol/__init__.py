@@ -1,1 +1,1 @@
-"""The TReX on the wire: pure functions and frozen data; no I/O, no clock, no Qt."""
+"""The TReX on the wire: pure functions and frozen data. No I/O, no clock, no Qt."""

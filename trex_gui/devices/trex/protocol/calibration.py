@@ -72,7 +72,7 @@ class Calibration:
     deadband: int
 
     def problem(self) -> str | None:
-        """Say why the board would reject these values; `None` if it accepts them."""
+        """Say why the board would reject these values. `None` if it accepts them."""
         for name in self.__slots__:
             if not 0 <= (value := getattr(self, name)) <= HIGHEST_CODED:
                 return tr("{0} is {1}; a calibration value is 0 to {2}").format(
@@ -87,7 +87,7 @@ class Calibration:
         return None
 
     def encode(self) -> bytes:
-        """Return the eight data bytes of 0xA0-0xA4; BadRequest if the board would reject them."""
+        """Return the eight data bytes of 0xA0-0xA4. BadRequest if the board would reject them."""
         if problem := self.problem():
             raise BadRequest(tr("calibration: {0}").format(problem))
         return b"".join(map(encode_14_bits, astuple(self)))

@@ -35,7 +35,7 @@ ReplyT_co = TypeVar("ReplyT_co", covariant=True)
 
 
 class Command(ABC, Generic[ReplyT_co]):
-    """One command; subclasses are frozen dataclasses."""
+    """One command. Subclasses are frozen dataclasses."""
 
     __slots__ = ()
 
@@ -52,23 +52,23 @@ class Command(ABC, Generic[ReplyT_co]):
         return self.opcodes[0]
 
     def data(self) -> bytes:
-        """Return the data bytes; BadRequest names a value that does not fit, and its limits."""
+        """Return the data bytes. BadRequest names a value that does not fit, and its limits."""
         return b""
 
     @classmethod
     def from_packet(cls, opcode: int, data: bytes) -> Self:
-        """Read a command back from its packet; BadRequest if the data cannot be its."""
+        """Read a command back from its packet. BadRequest if the data cannot be its."""
         del opcode, data
         return cls()
 
     def reply_size(self, head: bytes = b"") -> int:
-        """Return how long the reply is, in bytes, judging by its `head`; 0 is no reply."""
+        """Return how long the reply is, in bytes, judging by its `head`. 0 is no reply."""
         del head
         return self.fixed_reply
 
     @abstractmethod
     def parse(self, reply: bytes) -> ReplyT_co:
-        """Read a reply of `reply_size` bytes; BadReply if no TReX sends it."""
+        """Read a reply of `reply_size` bytes. BadReply if no TReX sends it."""
 
 
 def _motor_index(motor: int) -> int:
@@ -104,7 +104,7 @@ class Signature:
 
 @dataclass(frozen=True, slots=True)
 class GetSignature(Command[Signature]):
-    """0x81: model and firmware; 7 bytes from a TReX, 9 from a TReX Jr."""
+    """0x81: model and firmware. 7 bytes from a TReX, 9 from a TReX Jr."""
 
     opcodes = (0x81,)
 
@@ -177,7 +177,7 @@ class GetUartErrors(Command[UartError]):
 
 @dataclass(frozen=True, slots=True)
 class _ChannelQuery(Command[ReplyT_co]):
-    """A command whose data byte names channels; bit n is channel n+1."""
+    """A command whose data byte names channels. Bit n is channel n+1."""
 
     data_size = 1
     reply_of_channel: ClassVar[int] = 1  # bytes
@@ -210,7 +210,7 @@ class _ChannelQuery(Command[ReplyT_co]):
 
 @dataclass(frozen=True, slots=True)
 class GetRawChannels(_ChannelQuery[Mapping[int, int | None]]):
-    """0x86: raw counts by requested channel; `None` for a channel without a valid pulse."""
+    """0x86: raw counts by requested channel. `None` for a channel without a valid pulse."""
 
     opcodes = (0x86,)
     reply_of_channel = 2
@@ -240,7 +240,7 @@ class GetRemappedChannels(_ChannelQuery[Mapping[int, int]]):
 
 @dataclass(frozen=True, slots=True)
 class GetCurrent(Command[int]):
-    """0x8D, 0x8E: current of one motor in counts; `Model.current_unit` is ampere a count."""
+    """0x8D, 0x8E: current of one motor in counts. `Model.current_unit` is ampere a count."""
 
     opcodes = (0x8D, 0x8E)
     fixed_reply = 1
@@ -262,7 +262,7 @@ class GetCurrent(Command[int]):
 
 @dataclass(frozen=True, slots=True)
 class GetCurrents(Command[tuple[int, int]]):
-    """0x8F: currents of both motors in counts; `Model.current_unit` is ampere a count."""
+    """0x8F: currents of both motors in counts. `Model.current_unit` is ampere a count."""
 
     opcodes = (0x8F,)
     fixed_reply = 2
@@ -493,7 +493,7 @@ Set commands, so neither acceleration nor a reversal delays them.
 
 @dataclass(frozen=True, slots=True)
 class Null(Command[None]):
-    """0xFF: does nothing; only an echo shows that it passed."""
+    """0xFF: does nothing. Only an echo shows that it passed."""
 
     opcodes = (0xFF,)
     has_crc = False  # inferred

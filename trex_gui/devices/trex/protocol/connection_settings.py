@@ -1,4 +1,4 @@
-"""How to reach one board: which port, how bytes travel on it, how packets are wrapped."""
+"""Settings to reach one board: port, line, and wrapping of packets."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
@@ -12,7 +12,7 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
 
 def numbers_in(text: str) -> frozenset[int]:
-    """Return the device numbers in a list such as `0,1`; ValueError for another text."""
+    """Return the device numbers in a list such as `0,1`. ValueError for another text."""
     words = text.replace(",", " ").split()
     return frozenset(seven_bits(int(word), tr("device number")) for word in words)
 
@@ -35,7 +35,7 @@ class ConnectionSettings(PortSettings):
 
     @classmethod
     def on(cls, port: PortSettings) -> "ConnectionSettings":
-        """Return the default settings of a board on a port; keeps those of a board."""
+        """Return the default settings of a board on a port. Keeps those of a board."""
         if isinstance(port, ConnectionSettings):
             return port
         return cls(port.url, name=port.name, timeouts=port.timeouts)
@@ -67,13 +67,13 @@ class ConnectionSettings(PortSettings):
         return settings
 
     def at(self, line: SerialFormat) -> PortSettings:
-        """Return these settings with another line; without addressing if no board can have it."""
+        """Return these settings with another line. Without addressing if no board can have it."""
         if isinstance(line, LineSettings):
             return replace(self, line=line)
         return PortSettings(self.url, line, name=self.name, timeouts=self.timeouts)
 
     def with_group(self, numbers: Iterable[int]) -> "ConnectionSettings":
-        """Return the settings of these boards, driven together; BadRequest for wrong numbers."""
+        """Return the settings of these boards, driven together. BadRequest for wrong numbers."""
         group = tuple(seven_bits(one, tr("device number")) for one in numbers)
         if len(set(group)) < 2 or len(set(group)) < len(group) or self.reserved & set(group):
             raise BadRequest(tr("Boards that are driven together need numbers of their own."))

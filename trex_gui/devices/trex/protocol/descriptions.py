@@ -77,7 +77,7 @@ BEYOND_A_STOP = tr_noop(
 
 
 def describe(command: c.Command[Any], board: c.Signature | None = None) -> str:
-    """Say a command in words; units are those of `board`, else of the newest TReX."""
+    """Say a command in words. Units are those of `board`, else of the newest TReX."""
     if (text := _QUERIES.get(type(command))) is not None:
         return tr(text)
     match command:
@@ -112,7 +112,7 @@ def describe(command: c.Command[Any], board: c.Signature | None = None) -> str:
 
 
 def describe_reply(command: c.Command[Any], value: Any, board: c.Signature | None = None) -> str:
-    """Say the result of a command's `parse` in words; empty for a command without a reply."""
+    """Say the result of a command's `parse` in words. Empty for a command without a reply."""
     match command, value:
         case _, c.Signature():
             return str(value)

@@ -1,4 +1,4 @@
-"""What the device table says of boards, clocks and rates.
+"""Boards, clocks and rates in the device table.
 
 `resources/trex_parameters.toml` is the one place that holds these facts and says which of
 them are inferred; `parameters.py` reads its parameter entries.
@@ -31,7 +31,7 @@ class Model:
 
 @dataclass(frozen=True, slots=True)
 class PwmClock:
-    """How prescaler and PWM maximum make a frequency. Inferred, fits both sourced anchors."""
+    """Frequency from prescaler and PWM maximum. Inferred, fits both sourced anchors."""
 
     clock: int
     divisors: tuple[int, ...]
@@ -43,7 +43,7 @@ class PwmClock:
         return self.scale * wire + self.offset
 
     def frequency(self, prescaler: int, maximum_wire: int) -> float:
-        """Return the frequency in Hz for two wire values; BadRequest without such a prescaler."""
+        """Return the frequency in Hz for two wire values. BadRequest without such a prescaler."""
         if not 0 <= prescaler < len(self.divisors):
             raise BadRequest(
                 tr("PWM prescaler is 0 to {0}, not {1}").format(len(self.divisors) - 1, prescaler)
@@ -71,7 +71,7 @@ class PwmClock:
 
 @dataclass(frozen=True, slots=True)
 class DeviceTable:
-    """The whole table; `rows` are its parameter entries as written."""
+    """The whole table. `rows` are its parameter entries as written."""
 
     models: tuple[Model, ...]
     baud_rates: tuple[int, ...]

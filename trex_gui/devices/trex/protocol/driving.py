@@ -31,7 +31,7 @@ class Drive:
 
     @classmethod
     def at(cls, speed: int) -> "Drive":
-        """Return the drive for a speed of -127 to 127; 0 is forward. Else raise BadRequest."""
+        """Return the drive for a speed of -127 to 127. 0 is forward. Else raise BadRequest."""
         if not -FULL_SCALE <= speed <= FULL_SCALE:
             raise BadRequest(tr("a motor's speed is -127 to 127, not {0}").format(speed))
         return cls(Direction.REVERSE if speed < 0 else Direction.FORWARD, abs(speed))
@@ -43,7 +43,7 @@ class Drive:
 
     @property
     def signed(self) -> int:
-        """The speed with its sign; braking is 0."""
+        """The speed with its sign. Braking is 0."""
         if self.is_brake:
             return 0
         return -self.speed if self.direction is Direction.REVERSE else self.speed

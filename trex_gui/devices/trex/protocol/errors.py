@@ -171,7 +171,7 @@ class TrexError(CodedError):
 
 
 class TrexRequestError(TrexError, BadRequest):
-    """Rejected in the present state; nothing was sent."""
+    """Rejected in the present state. Nothing was sent."""
 
 
 class TrexNoReplyError(TrexError, NoReply):
@@ -196,7 +196,7 @@ class TrexBadReplyError(TrexError, BadReply):
 
 
 class TrexInternalError(TrexError, InternalError):
-    """The session failed; what is known of its error is the only field."""
+    """The session failed. What is known of its error is the only field."""
 
 
 class OtherBoard(TrexError):  # noqa: N818 - nothing went wrong with the line
@@ -204,11 +204,11 @@ class OtherBoard(TrexError):  # noqa: N818 - nothing went wrong with the line
 
 
 class Skipped(TrexError):  # noqa: N818 - nothing went wrong
-    """The write was cancelled before this had its turn; it is unchanged."""
+    """The write was cancelled before this had its turn. It is unchanged."""
 
 
 class Rejected(TrexError):  # noqa: N818 - reads as a result, like `Outcome`
-    """The board understood a write and rejected it; `what` was written, for messages."""
+    """The board understood a write and rejected it. `what` was written, for messages."""
 
     def __init__(self, what: str, result: ResultCode) -> None:
         super().__init__(ErrorCode[result.name], what)
@@ -216,12 +216,12 @@ class Rejected(TrexError):  # noqa: N818 - reads as a result, like `Outcome`
 
 
 def is_unsteady(error: BaseException) -> bool:
-    """Whether a stored value was read differently again and again."""
+    """True if a stored value was read differently again and again."""
     return isinstance(error, TrexError) and error.code is ErrorCode.READINGS_DIFFER
 
 
 def needs_a_look(error: BaseException) -> bool:
-    """Whether wires, jumpers and LEDs of the board show what is wrong."""
+    """True if wires, jumpers and LEDs of the board show what is wrong."""
     return isinstance(error, TrexError) and error.code in {
         ErrorCode.NO_BOARD,
         ErrorCode.ECHO_ONLY,
@@ -230,6 +230,6 @@ def needs_a_look(error: BaseException) -> bool:
 
 
 def suggests_scan(error: BaseException) -> bool:
-    """Whether the board may have other serial settings: a scan may find it."""
+    """True if the board may have other serial settings: a scan may find it."""
     is_shared = isinstance(error, TrexError) and error.code is ErrorCode.SEVERAL_BOARDS
     return is_shared or needs_a_look(error)

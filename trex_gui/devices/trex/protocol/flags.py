@@ -42,7 +42,7 @@ OVER_LIMITS = {1: Status.MOTOR1_OVER_LIMIT, 2: Status.MOTOR2_OVER_LIMIT}
 
 
 def stops_motors(bits: Status | UartError, *, errors_stop: bool = False) -> bool:
-    """Whether the board stops motors while one of these bits is reported.
+    """True if the board stops motors while one of these bits is reported.
 
     `errors_stop`: whether its UART-Error Shutdown (0x08) is set.
     """
@@ -126,7 +126,7 @@ def bit_names(bits: Status | UartError) -> list[str]:
 
 
 class InputSource(Enum):
-    """How the channel inputs are measured, and what one raw count is worth.
+    """Measurement of the channel inputs, and the value of one raw count.
 
     Ref: Pololu TReX User's Guide 4.b: 0.4 us for RC pulses, 4.89 mV (5 V / 1023) for voltages.
     """
@@ -175,7 +175,7 @@ class InputSource(Enum):
 
 
 class Mode(Enum):
-    """The mode that the mode jumper set at power-up; the values are replies to 0x82."""
+    """The mode that the mode jumper set at power-up. The values are replies to 0x82."""
 
     RC = "R"
     ANALOG = "A"
@@ -184,7 +184,7 @@ class Mode(Enum):
 
     @property
     def is_serial(self) -> bool:
-        """Whether the board takes parameters and obeys serial motor commands."""
+        """True if the board takes parameters and obeys serial motor commands."""
         return self is Mode.SERIAL_RC or self is Mode.SERIAL_ANALOG
 
     @property
@@ -195,7 +195,7 @@ class Mode(Enum):
 
 @cache
 def channels_in(mask: int) -> tuple[int, ...]:
-    """Return the channel numbers (1-5) whose bits are set; bit n is channel n+1."""
+    """Return the channel numbers (1-5) whose bits are set. Bit n is channel n+1."""
     return tuple(channel for channel in CHANNELS if mask >> (channel - 1) & 1)
 
 
@@ -210,7 +210,7 @@ def channel_mask(channels: Iterable[int]) -> int:
 
 
 def seven_bits(value: int, what: str) -> int:
-    """Return `value` if it fits a data byte (0-127); else raise BadRequest naming `what`."""
+    """Return `value` if it fits a data byte (0-127). Else raise BadRequest naming `what`."""
     if not 0 <= value <= 0x7F:
         raise BadRequest(tr("{0} is 0 to 127, not {1}").format(what, value))
     return value

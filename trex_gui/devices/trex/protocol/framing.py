@@ -50,7 +50,7 @@ EXPANDED_START = 0x80
 
 @dataclass(frozen=True, slots=True)
 class Framing:
-    """How packets are wrapped; BadRequest if a number is outside its range."""
+    """Wrapping of packets. BadRequest if a number is outside its range."""
 
     # 0-127 for expanded ("Pololu") packets to one board of several; `None` for compact packets,
     # which every board on the line obeys
@@ -64,7 +64,7 @@ class Framing:
             check_polynomial(self.polynomial)
 
     def encode(self, command: Command[object]) -> bytes:
-        """Return the packet of a command; BadRequest if a value does not fit."""
+        """Return the packet of a command. BadRequest if a value does not fit."""
         if self.device_number is None:
             packet = bytes([command.opcode]) + command.data()
         else:
@@ -83,7 +83,7 @@ class Framing:
 
 @dataclass(frozen=True, slots=True)
 class Packet:
-    """A whole packet from a host; `device_number` is `None` in a compact one."""
+    """A whole packet from a host. `device_number` is `None` in a compact one."""
 
     raw: bytes
     command: Command[object]
@@ -100,7 +100,7 @@ class Malformed:
 
 @dataclass(frozen=True, slots=True)
 class NeedData:
-    """A reply is not whole yet; at least `size` bytes are missing."""
+    """A reply is not whole yet. At least `size` bytes are missing."""
 
     size: int
 
@@ -114,7 +114,7 @@ class Reply(Generic[ReplyT_co]):
 
 
 class PacketParser:
-    """Cuts what a host sends into packets; `polynomial` is `None` without CRC.
+    """Cuts what a host sends into packets. `polynomial` is `None` without CRC.
 
     A command byte in the middle of a packet ends that packet as malformed and begins another
     (inferred: the documentation calls it an error and does not say where the board resumes).
@@ -145,7 +145,7 @@ class PacketParser:
         return Malformed(raw, reason)
 
     def _judge(self) -> Packet | Malformed | None:
-        """Look at what is held; `None` while it may still become a packet."""
+        """Look at what is held. `None` while it may still become a packet."""
         held = self._held
         if held[0] < 0x80:
             return self._give_up(tr("a data byte outside a packet"))
@@ -195,7 +195,7 @@ class ReplyParser(Generic[ReplyT_co]):
     _held: bytearray = field(default_factory=bytearray, init=False)
 
     def feed(self, data: bytes = b"") -> Reply[ReplyT_co] | NeedData | Malformed:
-        """Take received bytes; return the reply, how many bytes it lacks, or what is wrong.
+        """Take received bytes. Return the reply, how many bytes it lacks, or what is wrong.
 
         Bytes beyond the end of a reply make it malformed: they belong to nothing.
         """

@@ -1,4 +1,4 @@
-"""How bytes travel on the line: baud rate, error detection, stop bits (parameter 0x7E).
+"""Baud rate, error detection and stop bits of the line (parameter 0x7E).
 
 Ref: Pololu TReX User's Guide 5.a, 5.e; the bit fields partly inferred, see the parameter table.
 """
@@ -13,7 +13,7 @@ from trex_gui.devices.trex.protocol.device_table import device_table, version_ke
 
 
 class Detection(IntEnum):
-    """Error detection; the value is the field in bits 6:5 of parameter 0x7E.
+    """Error detection. The value is the field in bits 6:5 of parameter 0x7E.
 
     Inferred, except CRC-7: from the bits of the board's processor.
     """
@@ -38,7 +38,7 @@ _PARITIES = {Detection.EVEN: Parity.EVEN, Detection.ODD: Parity.ODD}
 
 @dataclass(frozen=True, slots=True, init=False)
 class LineSettings(SerialFormat):
-    """One setting of the board's serial line; the default is the factory's."""
+    """One setting of the board's serial line. The default is the factory's."""
 
     parity: Parity = field(init=False)
     detection: Detection = field(default=Detection.NONE)
@@ -52,7 +52,7 @@ class LineSettings(SerialFormat):
 
     @classmethod
     def from_wire(cls, wire: int) -> "LineSettings":
-        """Read the value of parameter 0x7E; BadRequest if it names no baud rate."""
+        """Read the value of parameter 0x7E. BadRequest if it names no baud rate."""
         if not 0 <= wire <= 0x7F:
             raise BadRequest(tr("UART settings are a wire value of 0 to 127, not {0}").format(wire))
         code = wire & _BAUD_FIELD
@@ -62,7 +62,7 @@ class LineSettings(SerialFormat):
         return cls(baud_rates()[code], detection, 2 if wire & _TWO_STOP_BITS else 1)
 
     def to_wire(self) -> int:
-        """Return the value for parameter 0x7E; BadRequest if the board has no such setting."""
+        """Return the value for parameter 0x7E. BadRequest if the board has no such setting."""
         if self.baud not in baud_rates():
             rates = ", ".join(map(str, baud_rates()))
             raise BadRequest(tr("a TReX runs at {0} baud, not {1}").format(rates, self.baud))
@@ -86,5 +86,5 @@ class LineSettings(SerialFormat):
 
     @property
     def detection_text(self) -> str:
-        """How errors are detected: `CRC-7`, `even parity`; empty if they are not."""
+        """Name of the error detection: `CRC-7`, `even parity`. Empty without one."""
         return "CRC-7" if self.has_crc else super(LineSettings, self).detection_text

@@ -43,7 +43,7 @@ class ParameterKey(StrEnum):
 
 
 class MotorParameter(StrEnum):
-    """A parameter that each motor has; the value follows `motor1_` or `motor2_` in the key."""
+    """A parameter that each motor has. The value follows `motor1_` or `motor2_` in the key."""
 
     ACCELERATION = "acceleration"
     BRAKE_DURATION = "brake_duration"
@@ -61,19 +61,19 @@ _NAMES = {"motor1": tr_noop("Motor 1"), "motor2": tr_noop("Motor 2")}
 
 
 def other_motor_key(key: str) -> str | None:
-    """Return the key that the other motor's parameter would have; `None`: of no single motor."""
+    """Return the key that the other motor's parameter would have. `None`: of no single motor."""
     motor, _, rest = key.partition("_")
     other = {"motor1": "motor2", "motor2": "motor1"}.get(motor)
     return other and f"{other}_{rest}"
 
 
 def motor_name(key: str) -> str:
-    """Return the name of the motor of a key, such as `Motor 1`; empty for none."""
+    """Return the name of the motor of a key, such as `Motor 1`. Empty for none."""
     return tr(_NAMES.get(key.partition("_")[0], ""))
 
 
 def pwm_keys(key: str) -> tuple[str, ...]:
-    """Return the keys of prescaler and maximum that a key belongs to; else the key alone."""
+    """Return the keys of prescaler and maximum that a key belongs to. Else the key alone."""
     for part in (MotorParameter.PWM_PRESCALER, MotorParameter.PWM_MAXIMUM):
         if key.endswith(part) and motor_name(key):
             motor = key.removesuffix(part)
@@ -85,7 +85,7 @@ FULL_SPEED_S = 12.7  # seconds to full speed (127) at one speed step in 100 ms
 
 
 def acceleration_wire(seconds: float) -> int:
-    """Return the wire value with the nearest time to full speed; 0 for none."""
+    """Return the wire value with the nearest time to full speed. 0 for none."""
     if seconds <= 0:
         return 0
     longer = max(1, min(int(FULL_SPEED_S / seconds), HIGHEST_WIRE - 1))
@@ -115,7 +115,7 @@ class Grade(IntEnum):
 
     @property
     def mark(self) -> str:
-        """The grade behind a fact in a sentence, ` (twin)`; empty if the fact is sourced."""
+        """The grade behind a fact in a sentence, ` (twin)`. Empty if the fact is sourced."""
         return f" {tr(_MARKS[self])}" if self in _MARKS else ""
 
 
@@ -123,7 +123,7 @@ _MARKS = {Grade.TWIN: tr_noop("(twin)"), Grade.INFERRED: tr_noop("(inferred)")}
 
 
 class ParameterKind(StrEnum):
-    """How a parameter is coded, and so which editor fits it."""
+    """Coding of a parameter, which decides about its editor."""
 
     NUMBER = "number"
     CHOICE = "choice"
@@ -141,7 +141,7 @@ _NEVER_OPEN = {ParameterKind.UART, ParameterKind.POLYNOMIAL, ParameterKind.RESET
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ParameterSpec:
-    """One entry of the parameter table as it holds for one model; no layer repeats it.
+    """One entry of the parameter table as it holds for one model. No layer repeats it.
 
     `minimum`, `maximum` and `default` are wire values; physical value = wire * `scale` in
     `unit`. `short_name` does not name the motor. `grades` has the evidence for fields of the
@@ -173,7 +173,7 @@ class ParameterSpec:
 
     @property
     def readable(self) -> bool:
-        """Whether 0x9F reads it; the factory reset can only be written."""
+        """True if 0x9F reads it. The factory reset can only be written."""
         return self.kind is not ParameterKind.RESET
 
     def grade(self, *fields: str) -> Grade:
@@ -185,7 +185,7 @@ class ParameterSpec:
         return self.grade("min", "max").mark
 
     def is_open(self, wire: int) -> bool:
-        """Whether only a limit without a source is against this wire value: the board decides."""
+        """True if only a limit without a source is against this wire value: the board decides."""
         if self.kind in _NEVER_OPEN or not 0 <= wire <= HIGHEST_WIRE or wire in self.valid:
             return False
         return self.grade("min" if wire < self.minimum else "max") > Grade.SOURCED
@@ -195,7 +195,7 @@ class ParameterSpec:
         return any(map(self.is_open, (0, HIGHEST_WIRE)))
 
     def problem(self, wire: int, *, forced: bool = False) -> str | None:
-        """Say why a value is not allowed; `forced` allows those that are open."""
+        """Say why a value is not allowed. `forced` allows those that are open."""
         if wire in self.valid or (forced and self.is_open(wire)):
             return None
         return tr("{0} is {1}, not {2}").format(self.name, self.range_text(), wire)
@@ -243,7 +243,7 @@ class ParameterSpec:
         )
 
     def text(self, wire: int) -> str:
-        """Return a wire value in physical units; any 0-127, allowed or not."""
+        """Return a wire value in physical units. Any 0-127, allowed or not."""
         match self.kind:
             case ParameterKind.CHANNELS:
                 if wire <= self.maximum:
@@ -268,7 +268,7 @@ class ParameterSpec:
         return f"{with_decimal_point(number)} {self.unit}".rstrip()
 
     def wire(self, text: str) -> int:
-        """Return the wire value for `text` ("1.5 s", "1.5", "off"); BadRequest names the limits.
+        """Return the wire value for `text` ("1.5 s", "1.5", "off"). BadRequest names the limits.
 
         A number between two steps goes to the nearer one, but never to a 0 that means off. A ramp
         is a time to full speed, or speed steps: "1.3 s", "10 per 100 ms".
@@ -328,7 +328,7 @@ class ParameterSpec:
         return 1 if self.zero and near == 0 < steps else near
 
     def _steps(self, text: str) -> float | None:
-        """Return the number in `text` in wire steps, which may be broken; `None`: no number."""
+        """Return the number in `text` in wire steps, which may be broken. `None`: no number."""
         is_coded = self.kind in {ParameterKind.POLYNOMIAL, ParameterKind.UART}
         if is_coded and text.lower().startswith("0x"):
             try:
@@ -388,7 +388,7 @@ class ParameterSet:
         return tuple(spec for spec in self.specs if spec.readable)
 
     def __getitem__(self, key: str) -> ParameterSpec:
-        """Return the parameter with this key; BadRequest with a guess if there is none."""
+        """Return the parameter with this key. BadRequest with a guess if there is none."""
         for spec in self.specs:
             if key == spec.key:  # most are; sessions ask hundreds of times a second
                 return spec
@@ -421,7 +421,7 @@ def parameters_of(model_key: str, firmware: str) -> ParameterSet:
 
 
 def unconfirmed_defaults(specs: Iterable[ParameterSpec]) -> str:
-    """Return the parameters whose default no source confirms, with the grade; may be empty."""
+    """Return the parameters whose default no source confirms, with the grade. May be empty."""
     graded = ((spec.name, spec.grade("default").mark) for spec in specs)
     return ", ".join(name + mark for name, mark in graded if mark)
 

@@ -32,28 +32,28 @@ class RawPacket:
 
     @property
     def moves(self) -> bool:
-        """Whether a board may take it for a motor command, now or with the bytes that follow."""
+        """True if a board may take it for a motor command, now or with the bytes that follow."""
         return may_move(self.packet.raw)
 
     @property
     def writes(self) -> bool:
-        """Whether it stores something in the board."""
+        """True if it stores something in the board."""
         return isinstance(self.packet, Packet) and isinstance(
             self.packet.command, SetParameter | SetCalibration
         )
 
     @property
     def is_query(self) -> bool:
-        """Whether it neither moves a motor nor stores anything."""
+        """True if it neither moves a motor nor stores anything."""
         return isinstance(self.packet, Packet) and not (self.moves or self.writes)
 
     @property
     def writes_everywhere(self) -> bool:
-        """Whether every board on the line stores it."""
+        """True if every board on the line stores it."""
         return self.writes and self.device_number is None
 
     def is_within_stop(self, device_number: int | None) -> bool:
-        """Whether a stop to this number reaches every board that it may move; `None` is all."""
+        """True if a stop to this number reaches every board that it may move. `None` is all."""
         return device_number is None or device_number == self.device_number
 
     @property
@@ -62,7 +62,7 @@ class RawPacket:
         return self.packet.device_number if isinstance(self.packet, Packet) else None
 
     def words(self, board: Signature | None = None) -> str:
-        """Return what it means; units are those of `board`, else of the newest TReX."""
+        """Return what it means. Units are those of `board`, else of the newest TReX."""
         packet = self.packet
         if isinstance(packet, Malformed):
             return tr("not a TReX packet: {0}").format(packet.reason)
@@ -73,7 +73,7 @@ class RawPacket:
 
 
 def parse_hexadecimal(text: str) -> bytes:
-    """Read bytes such as `86 1F`, `861f` or `0x86, 0x1F`; BadRequest if there are none."""
+    """Read bytes such as `86 1F`, `861f` or `0x86, 0x1F`. BadRequest if there are none."""
     try:
         data = bytes.fromhex(re.sub(r"0[xX]|[,;:]", " ", text))
     except ValueError:
@@ -92,13 +92,13 @@ def parse_hexadecimal(text: str) -> bytes:
 
 
 def packets_of(data: bytes, polynomial: int | None) -> tuple[RawPacket, ...]:
-    """Cut bytes into packets; `polynomial` is `None` on a line without CRC."""
+    """Cut bytes into packets. `polynomial` is `None` on a line without CRC."""
     parser = PacketParser(polynomial)
     return tuple(map(RawPacket, (*parser.feed(data), *parser.flush())))
 
 
 def may_move(data: bytes) -> bool:
-    """Whether a board may find a motor command in these bytes, wherever it begins to read them.
+    """True if a board may find a motor command in these bytes, wherever it begins to read them.
 
     An expanded packet whose command is still missing counts: the next bytes could be one.
     """

@@ -95,7 +95,7 @@ def encode_request(request: Request, *head: float) -> bytes:
 
 
 def decode_request(data: bytes, head: int) -> tuple[tuple[float, ...], Request]:
-    """Return the `head` numbers and the request; BadRequest if these bytes are none."""
+    """Return the `head` numbers and the request. BadRequest if these bytes are none."""
     return _decode(data, head, _REQUESTS)
 
 
@@ -109,7 +109,7 @@ def with_head(report: Any, *head: float) -> bytes:
 
 
 def decode_report(data: bytes, head: int) -> tuple[tuple[float, ...], Report]:
-    """Return the `head` numbers and the report; BadRequest if these bytes are none."""
+    """Return the `head` numbers and the report. BadRequest if these bytes are none."""
     return _decode(data, head, _REPORTS)
 
 

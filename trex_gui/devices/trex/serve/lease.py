@@ -11,7 +11,7 @@ A motor at full speed moves a robot by a metre in that time.
 
 
 class Role(IntEnum):
-    """What a user may do; each role includes the ones before it."""
+    """Permissions of a user. Each role includes the roles before it."""
 
     WATCH = 0  # see everything, stop, ask for the lease
     DRIVE = 1  # hold the lease when it is free or handed over
@@ -38,7 +38,7 @@ class Party:
 
 @dataclass(slots=True)
 class Lease:
-    """State of the lease; times are in seconds of a monotonic clock.
+    """State of the lease. Times are in seconds of a monotonic clock.
 
     The caller stops the motors whenever `number` changes or the lease ends.
     """
@@ -86,7 +86,7 @@ class Lease:
             self._alive_at = now
 
     def seconds_left(self, now: float) -> float:
-        """Return how long the lease lives without another heartbeat; infinite if it is free."""
+        """Return how long the lease lives without another heartbeat. Infinite if it is free."""
         if self.holder is None:
             return float("inf")
         return self._alive_at + LEASE_TIMEOUT - now

@@ -25,7 +25,7 @@ class Leave:
 
 @dataclass(frozen=True, slots=True)
 class Welcome:
-    """Report: a client was accepted; the newest reports of the session follow."""
+    """Report: a client was accepted. The newest reports of the session follow."""
 
     name: str  # of the board, as it is served
 

@@ -141,7 +141,7 @@ def open_server(
     *,
     tls: tuple[Path, Path] | None = None,
 ) -> "zenoh.Session":
-    """Listen for clients; `tls` are the files of certificate and key.
+    """Listen for clients. `tls` are the files of certificate and key.
 
     The engine reads the secrets from a file in `folder`, which belongs to this program alone.
 

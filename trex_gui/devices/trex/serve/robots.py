@@ -79,7 +79,7 @@ class Robots:
         return rows
 
     def _stop(self, board: Address) -> str:
-        """Stop one board; return why that is not confirmed, empty if it is."""
+        """Stop one board. Return why that is not confirmed, empty if it is."""
         user = board.user or LOCAL_USER
         try:
             answers = self._get(board, board.name, "stop", user, seconds=_STOP_S)
@@ -88,7 +88,7 @@ class Robots:
         return str(json.loads(answers[0])["error"]) if answers else tr("It did not answer.")
 
     def _get(self, address: Address, *parts: str, seconds: float) -> list[bytes]:
-        """Return the answers of a host; a kept connection that gives none is made again."""
+        """Return the answers of a host. A kept connection that gives none is made again."""
         host, network = replace(address, name=""), _network()
         if kept := self._kept.get(host):
             answers: list[bytes] = network.get(kept, *parts, seconds=_KEPT_S)
@@ -111,7 +111,7 @@ def _addresses(hosts: Iterable[str]) -> list[Address]:
 
 
 def _row_of(data: bytes) -> dict[str, Any] | None:
-    """Return what a server says of itself; `None` if that cannot be."""
+    """Return what a server says of itself. `None` if that cannot be."""
     try:
         row = json.loads(data)
         texts = row["name"], row["board"] or "", row["driver"] or "", *row["problems"]

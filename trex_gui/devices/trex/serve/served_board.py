@@ -145,7 +145,7 @@ class ServedBoard:
             ]
 
     def run(self, is_ended: Callable[[], object]) -> Closed:
-        """Serve until `is_ended`; then stop the motors, close the line, and return how it ended.
+        """Serve until `is_ended`. Then stop the motors, close the line, and return how it ended.
 
         A line that is lost is opened again.
         """

@@ -205,7 +205,7 @@ class BoardServer:
                 self._remove(self._clients[party])
 
     def stop(self, then: Callable[[Outcome], None]) -> None:
-        """Stop the motors for a user who need not be a client; `then` gets the confirmation."""
+        """Stop the motors for a user who need not be a client. `then` gets the confirmation."""
         with self._lock:
             own = next(self._ids)
             self._watched_stops[own] = then
@@ -214,7 +214,7 @@ class BoardServer:
 
     @property
     def shows_traffic(self) -> bool:
-        """Whether a client wants the bytes on the line."""
+        """True if a client wants the bytes on the line."""
         return any(client.watched.traffic for client in list(self._clients.values()))
 
     @property
@@ -279,7 +279,7 @@ class BoardServer:
     # --- Requests -----------------------------------------------------------------------
 
     def _serve(self, client: _Client, request: Request, age: float) -> None:
-        """Serve what concerns client and lease; the rest is for the board."""
+        """Serve what concerns client and lease. The rest is for the board."""
         lease, party, now = self.lease, client.party, client.heard_at
         match request:
             case Alive():
@@ -307,7 +307,7 @@ class BoardServer:
     def _serve_board(
         self, client: _Client, request: Request, age: float, number: int | None = None
     ) -> None:
-        """Serve a request for the board with this number, of several; `None` is the first one."""
+        """Serve a request for the board with this number, of several. `None` is the first one."""
         if isinstance(request, ToBoard):
             if request.number in self._others or request.number in self._first:
                 self._serve_board(client, request.request, age, request.number)
@@ -428,7 +428,7 @@ class BoardServer:
             self._post(client, encode_report(self._lease_for(client)), client.heard_at)
 
     def _cut(self, packet: RawPacket) -> RawPacket:
-        """Return the packet that its bytes are on this line; what is none stays as it is."""
+        """Return the packet that its bytes are on this line. What is none stays as it is."""
         cut = packets_of(packet.packet.raw, self.polynomial)
         return cut[0] if len(cut) == 1 else packet
 
@@ -493,7 +493,7 @@ class BoardServer:
                 self.report(OfBoard(board, setpoints) if board else setpoints)
 
     def _report_outcome(self, outcome: Outcome, now: float, board: int | None = None) -> None:
-        """Pass an outcome on to those that wait for it; its client may have the next job.
+        """Pass an outcome on to those that wait for it. Its client may have the next job.
 
         `board` is the number of another board than the first one.
         """

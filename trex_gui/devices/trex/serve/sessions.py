@@ -39,7 +39,7 @@ def session_at(
     *,
     may_move: bool = False,
 ) -> Session:
-    """Return the session of the board at these settings; see `TrexSession` for the arguments."""
+    """Return the session of the board at these settings. See `TrexSession` for the arguments."""
     if not is_served(settings.url):
         return TrexSession(settings, inbox, emit, open_transport, may_move=may_move)
     try:

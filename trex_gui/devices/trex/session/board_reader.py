@@ -43,7 +43,7 @@ class BoardReader:
         self._stale_reads = _STALE_READS
 
     def read_everything(self, occasion: ReadReason) -> None:
-        """Read everything and report it; unless it is merely reloaded, nothing drives meanwhile.
+        """Read everything and report it. Unless it is merely reloaded, nothing drives meanwhile.
 
         The window does not know yet that the board was without power, or is another one, and
         goes on sending setpoints. Every motor is stopped and has to be armed again.
@@ -178,7 +178,7 @@ class BoardReader:
             line.liveness.retry_later(line.now())
 
     def _request_mode(self, client: TrexClient) -> None:
-        """Query the board; an echo that has begun or ended makes its replies unreadable."""
+        """Query the board. An echo that has begun or ended makes its replies unreadable."""
         try:
             client.request(GetMode())
         except (NoReply, BadReply) as error:

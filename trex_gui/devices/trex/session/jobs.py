@@ -124,7 +124,7 @@ class JobServer:
         self._line.has_driven = False
 
     def _send_packet(self, packet: RawPacket) -> bytes:
-        """Send what the user typed; a packet that moves goes the way of a motor command."""
+        """Send what the user typed. A packet that moves goes the way of a motor command."""
         line = self._line
         if not packet.is_query and not packet.moves:
             line.require_alone()  # it may store another number, or more than it seems
@@ -164,7 +164,7 @@ class JobServer:
 
     @property
     def _own_numbers(self) -> set[int | None]:
-        """The device numbers of packets to the board that was read; `None` in compact ones."""
+        """The device numbers of packets to the board that was read. `None` in compact ones."""
         stored = self._reader.state.parameters.get(ParameterKey.DEVICE_NUMBER)
         return {None, stored, self._line.client.settings.device_number}
 

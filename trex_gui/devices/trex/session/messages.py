@@ -21,7 +21,7 @@ from trex_gui.devices.trex.protocol.raw_packets import RawPacket
 
 @dataclass(frozen=True, slots=True)
 class SendPacket:
-    """Send a packet that the user typed, as it is; the value of its `Outcome` is the `bytes` reply.
+    """Send a packet that the user typed, as it is. The value of its `Outcome` is the `bytes` reply.
 
     One that may move a motor is rejected unless the motors are armed. What it stores is read
     again; the bits that it clears are reported.
@@ -48,14 +48,14 @@ class Write:
 
 @dataclass(frozen=True, slots=True)
 class Reload:
-    """Read everything again; a `Connected` is reported before its `Outcome`."""
+    """Read everything again. A `Connected` is reported before its `Outcome`."""
 
     id: int
 
 
 @dataclass(frozen=True, slots=True)
 class ProbeNumber:
-    """Find out which board has a device number, by its signature; nothing is changed.
+    """Find out which board has a device number, by its signature. Nothing is changed.
 
     The value of the `Outcome` is the `Signature`, or `None` if no board replies. Its error is a
     `BadReply` if several reply at once. Rejected while motors are armed or may be moving.
@@ -83,7 +83,7 @@ class SelectBoard:
 
 @dataclass(frozen=True, slots=True)
 class SetReconnectCandidates:
-    """Look for a board that does not respond at these settings too; has no outcome.
+    """Look for a board that does not respond at these settings too. Has no outcome.
 
     Replaces earlier candidates, and is dropped when the board responds at other settings. Send it
     before a `Write` of UART settings: the power of the board may fail right after it.
@@ -94,7 +94,7 @@ class SetReconnectCandidates:
 
 @dataclass(frozen=True, slots=True)
 class SetWatched:
-    """Poll at full rate, or slowly since nothing shows or records samples; has no outcome.
+    """Poll at full rate, or slowly since nothing shows or records samples. Has no outcome.
 
     While motors may be moving the rate is full in either case. `traffic`: a server also sends the
     bytes on its line; those of a line of this computer are logged where it is opened.
@@ -121,7 +121,7 @@ class HandOver:
 
 @dataclass(frozen=True, slots=True)
 class TakeLease:
-    """Drive in place of whoever does; only owners may."""
+    """Drive in place of whoever does. Only owners may."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,13 +162,13 @@ class ReadReason(Enum):
 
     @property
     def power_cycled(self) -> bool:
-        """Whether the board's power may have been off since it was read before."""
+        """True if the board's power may have been off since it was read before."""
         return self not in {ReadReason.OPENED, ReadReason.RELOADED, ReadReason.SELECTED}
 
 
 @dataclass(frozen=True, slots=True)
 class Connected:
-    """A board responds and was read; reported again whenever everything is read."""
+    """A board responds and was read. Reported again whenever everything is read."""
 
     state: DeviceState
     echo: bool  # whether everything sent comes back: the RS-232 side of the board
@@ -207,12 +207,12 @@ class Written:
 
 @dataclass(frozen=True, slots=True)
 class ProbeProgress(Progress):
-    """Progress of the search for the reason why no board responds; `what` are line settings."""
+    """Progress of the search for the reason why no board responds. `what` are line settings."""
 
 
 @dataclass(frozen=True, slots=True)
 class NotResponding:
-    """The board has stopped responding; the session goes on trying.
+    """The board has stopped responding. The session goes on trying.
 
     `is_network`: nothing is known of the board, since its server does not respond.
     """
@@ -224,7 +224,7 @@ class NotResponding:
 
 @dataclass(frozen=True, slots=True)
 class Batch:
-    """Every sample since the last batch; at most one each display frame, fewer if unwatched."""
+    """Every sample since the last batch. At most one each display frame, fewer if unwatched."""
 
     samples: tuple[Sample, ...]
     counters: Counters
@@ -251,7 +251,7 @@ class SetpointsChanged:
 
 @dataclass(frozen=True, slots=True)
 class NetworkDelay:
-    """How long a message takes to the server of the board and back, in seconds."""
+    """Round trip of a message to the server of the board, in seconds."""
 
     seconds: float
 

@@ -23,7 +23,7 @@ SAFETY_PARAMETERS = (
     ParameterKey.UART_ERROR_SHUTDOWN,
     MotorParameter.CURRENT_LIMIT.of(2),
 )
-"""What decides how the board protects motors by itself; read again all the time."""
+"""Parameters that decide how the board protects its motors. They are read continuously."""
 
 Topic = type[Sample]  # a polled value, by the class of its samples
 
@@ -66,7 +66,7 @@ def too_slow(line: LineSettings, timeout: float) -> frozenset[Topic]:
 
 
 def survives_a_loss(line: LineSettings, timeout: float, lateness: float) -> bool:
-    """Whether motors keep running when one reply is lost, since the next query comes in time.
+    """True if motors keep running when one reply is lost, since the next query comes in time.
 
     `lateness`: seconds for which a reply is awaited beyond its time on the wire.
     """
@@ -79,7 +79,7 @@ def survives_a_loss(line: LineSettings, timeout: float, lateness: float) -> bool
 
 
 class Schedule:
-    """When each topic is due; on a slow line each topic gets the same share of its rate."""
+    """When each topic is due. On a slow line each topic gets the same share of its rate."""
 
     def __init__(self) -> None:
         self._rates: Mapping[Topic, float] = {}
@@ -91,7 +91,7 @@ class Schedule:
         self._due = dict.fromkeys(wanted, now)
 
     def next(self, now: float) -> Topic | None:
-        """Return the topic that was due first; `None` while none is."""
+        """Return the topic that was due first. `None` while none is."""
         topic = min(self._due, key=self._due.__getitem__, default=None)
         return topic if topic is not None and self._due[topic] <= now else None
 
@@ -134,7 +134,7 @@ class Polling:
     def next(
         self, now: float, line: LineSettings, timeout: float, *, careful: bool = False
     ) -> Topic | None:
-        """Return the topic to poll now, and count it as polled; `None` while none is due.
+        """Return the topic to poll now, and count it as polled. `None` while none is due.
 
         The serial `timeout` (seconds, 0 for none) does not expire. `careful` omits queries that
         one damaged bit turns into a motor command.

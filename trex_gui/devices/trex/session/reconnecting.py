@@ -55,14 +55,14 @@ class LivenessMonitor:
 
     @property
     def is_failing(self) -> bool:
-        """Whether the last transaction failed, and the board does not count as silent yet."""
+        """True if the last transaction failed, and the board does not count as silent yet."""
         return self._failures > 0 and not self.silent
 
     def note_answer(self, topic: Topic) -> None:
         self._failures = self._failures_of[topic] = 0
 
     def note_failure(self, now: float, topic: Topic | None = None) -> bool:
-        """Count a failed transaction; return whether the board counts as silent from now on."""
+        """Count a failed transaction. Return whether the board counts as silent from now on."""
         self._failures += 1
         if topic in _STRICT:
             self._failures_of[topic] += 1
@@ -78,7 +78,7 @@ class LivenessMonitor:
         self.retry_at = now + self._retry
 
     def is_scanning(self, client: TrexClient) -> bool:
-        """Whether a silent board may be at other settings.
+        """True if a silent board may be at other settings.
 
         Then only stops and probes may be sent. After the first probe it stays so: a board at
         another rate may have received other bytes.
@@ -87,7 +87,7 @@ class LivenessMonitor:
         return self.silent and can_probe and (self._has_probed or bool(self.candidates))
 
     def look(self, client: TrexClient) -> TrexClient | None:
-        """Send one probe; return the client to use from now on if the board replied.
+        """Send one probe. Return the client to use from now on if the board replied.
 
         Raises:
             PortUnavailable: the line is gone.
@@ -152,7 +152,7 @@ def reconnect_candidates(
 def after_power_cycle(
     link: ConnectionSettings, stored: Mapping[str, int], firmware: str
 ) -> ConnectionSettings | None:
-    """Return how to reach a board from its next start on; `None` if it stores invalid values.
+    """Return how to reach a board from its next start on. `None` if it stores invalid values.
 
     `stored` are wire values by key; settings that it does not contain stay as in `link`. Firmware
     before 1.2 runs two baud rates at half the rate: the result has the rate on the line.
@@ -204,7 +204,7 @@ def _differ_in_stop_bits(one: ConnectionSettings, other: ConnectionSettings) -> 
 
 
 def _may_mishear(line: LineSettings, places: Iterable[ConnectionSettings]) -> bool:
-    """Whether a board at one of the places may take an unsafe probe for a motor command."""
+    """True if a board at one of the places may take an unsafe probe for a motor command."""
     return any(
         place.line.detection is Detection.ODD and place.line.baud * 3 == line.baud * 8
         for place in places
@@ -212,7 +212,7 @@ def _may_mishear(line: LineSettings, places: Iterable[ConnectionSettings]) -> bo
 
 
 def client_at(wire: Transport, settings: ConnectionSettings) -> TrexClient | None:
-    """Return a client if the board responds at these settings; the line is set to them then.
+    """Return a client if the board responds at these settings. The line is set to them then.
 
     Without a reply it takes about 0.3 s on a local port. A board that is addressed by number gets
     a second query with its number.

@@ -69,7 +69,7 @@ class BoardQueue:
 
 @dataclass(slots=True, eq=False)
 class TrexRequestQueue:
-    """The requests for every board of a line; see `ToBoard` for whom each is."""
+    """The requests for every board of a line. See `ToBoard` for whom each is."""
 
     _inbox: Inbox[Request]
     _boards: Mapping[int | None, BoardQueue]  # by number in the group, the first one first
@@ -134,7 +134,7 @@ class TrexRequestQueue:
         return self._failed.pop(stop, outcome)
 
     def sees_close(self) -> bool:
-        """Sort what has come; return whether a `Close` is or was among it."""
+        """Sort what has come. Return whether a `Close` is or was among it."""
         self.collect()
         return self.is_closing
 

@@ -100,7 +100,7 @@ class TrexSession:
         self._requests.is_ready = len(self._boards) == 1
 
     def _board(self, number: int | None, settings: ConnectionSettings, may_move: bool) -> _Board:
-        """Return a board; `number` is that of one in a group."""
+        """Return a board. `number` is that of one in a group."""
 
         def emit(report: BoardReport) -> None:
             if number is None:
@@ -119,7 +119,7 @@ class TrexSession:
         return _Board(number, settings, motors, liveness, queue, emit)
 
     def run(self) -> None:
-        """Serve the line until it is lost or `Close` comes; then report `Closed`.
+        """Serve the line until it is lost or `Close` comes. Then report `Closed`.
 
         Never raises: whatever happens, motors that were driven are stopped, the port is closed and
         every request gets its outcome.
@@ -174,7 +174,7 @@ class TrexSession:
         )
 
     def _add(self, board: _Board, client: TrexClient, lines: list[OpenLine]) -> None:
-        """Make the parts of a board; `client` is that of the first one, `lines` is shared."""
+        """Make the parts of a board. `client` is that of the first one, `lines` is shared."""
         own = client if board is self._boards[0] else client.to_board(board.settings)
         status, batcher = StatusReader(self._transport.clock), SampleBatcher(board.emit)
         see = self._requests.sees_close
@@ -234,7 +234,7 @@ class TrexSession:
         return joined_stops([one.line.client.stop_sequence(names) for one in boards])
 
     def _on_taken_over(self, confirmed: bool | None) -> None:
-        """Drop the setpoints; the motors are stopped again before the line is used for more."""
+        """Drop the setpoints. The motors are stopped again before the line is used for more."""
         code = ErrorCode.NO_GUARDIAN if confirmed is None else ErrorCode.NO_HEARTBEAT
         for board in self._boards:
             board.motors.quality.is_shared = True
@@ -283,7 +283,7 @@ class TrexSession:
         boards[0].line.client.close()
 
     def _is_another(self, board: _Board) -> bool:
-        """Whether the board that replies now is known not to be the one that was read."""
+        """True if the board that replies now is known not to be the one that was read."""
         signature = board.reader.signature
         try:
             return signature is not None and (
@@ -329,7 +329,7 @@ class TrexSession:
         first.collect(self._seconds_to_wait(now))
 
     def _serve(self, board: _Board, now: float, *, watched: bool) -> bool:
-        """Do what is due for one board; return whether the line was used."""
+        """Do what is due for one board. Return whether the line was used."""
         reader, liveness, jobs = board.reader, board.liveness, board.queue.jobs
         if jobs and not board.had_job:
             self._serve_job(board)
@@ -347,7 +347,7 @@ class TrexSession:
         return True
 
     def _serve_job(self, board: _Board) -> None:
-        """Serve a request; a poll that is due has its turn before the next one."""
+        """Serve a request. A poll that is due has its turn before the next one."""
         board.had_job = True
         board.jobs.serve(board.queue.jobs.popleft())
 

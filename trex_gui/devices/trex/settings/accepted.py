@@ -35,7 +35,7 @@ class AcceptedValues:
         }
 
     def add(self, board: Signature, values: Mapping[str, int]) -> Accepted:
-        """Remember values that a board has stored; return all of its model and firmware.
+        """Remember values that a board has stored. Return all of its model and firmware.
 
         Raises:
             SettingsError: that failed; what was remembered is still there.

@@ -1,4 +1,4 @@
-"""What this computer keeps of a board beside what the board stores, in a file for each board.
+"""Records on this computer beside the settings of a board, in a file for each board.
 
 A record is a settings file. Its parameters are those that were applied last, none if nothing ever
 was; its calibrations are those of both input sources, although a board shows one set only. Comments
@@ -47,7 +47,7 @@ class Known:
 
 @dataclass(frozen=True, slots=True)
 class BoardRecord:
-    """The settings in a record, and what its head says; changes make a new one."""
+    """The settings in a record, and what its head says. Changes make a new one."""
 
     settings: Settings
     applied: datetime | None = None  # when parameters were written last; `None`: never
@@ -57,7 +57,7 @@ class BoardRecord:
 
     @property
     def time(self) -> datetime | None:
-        """When any of it was applied or read last; `None`: never."""
+        """When any of it was applied or read last. `None`: never."""
         times = [each.time for each in self.known.values()]
         return max([*times, self.applied] if self.applied else times, default=None)
 
@@ -75,7 +75,7 @@ class BoardRecord:
         return replace(self.settings, firmware=stored.firmware, calibrations=applied)
 
     def differences(self, stored: Settings) -> Comparison:
-        """Compare what a board stores with what was applied; has the rows that differ."""
+        """Compare what a board stores with what was applied. Has the rows that differ."""
         if self.applied is None:
             return Comparison(())
         rows = compare(stored, self.applied_to(stored)).rows
@@ -102,7 +102,7 @@ class BoardRecord:
     def after_writing(
         self, stored: Settings, source: InputSource, uncertain: Collection[str], now: datetime
     ) -> "BoardRecord":
-        """Take what was not known before; what was applied earlier and got lost stays wanted."""
+        """Take what was not known before. What was applied earlier and got lost stays wanted."""
         was_applied = source in self.known and self.known[source].is_applied
         earlier = self.settings.calibrations if was_applied else {}
         others = {k: c for k, c in self.settings.calibrations.items() if k.source is not source}
@@ -165,7 +165,7 @@ class BoardRecords:
         return self.folder / f"{board}.txt"
 
     def save(self, board: BoardIdentity, record: BoardRecord | None) -> None:
-        """Replace the record of a board; `None` removes it.
+        """Replace the record of a board. `None` removes it.
 
         Raises:
             SettingsError: that failed; the old one is still there.
@@ -173,7 +173,7 @@ class BoardRecords:
         replace_file(self.path(board), None if record is None else _text(record))
 
     def load(self, board: BoardIdentity) -> BoardRecord | None:
-        """Return the record of a board; `None`: there is none.
+        """Return the record of a board. `None`: there is none.
 
         A damaged file is renamed to `….damaged`: it may hold notes, and will be replaced.
 
@@ -205,7 +205,7 @@ class BoardRecords:
 
 
 def has_factory_line(stored: Settings) -> bool:
-    """Whether device number and UART settings are those of a board that lost its settings."""
+    """True if device number and UART settings are those of a board that lost its settings."""
     keys = ParameterKey.DEVICE_NUMBER, ParameterKey.UART_SETTINGS
     return all(stored.parameters.get(key) == stored.specs[key].default for key in keys)
 
@@ -234,7 +234,7 @@ def _name(source: InputSource) -> str:
 
 
 def _record(settings: Settings, text: str) -> BoardRecord:
-    """Read the head; values without a line in it, or with a damaged one, are not known."""
+    """Read the head. Values without a line in it, or with a damaged one, are not known."""
     found: dict[str, Known] = {}
     for name, verb, stamp in _HEAD.findall(text):
         with suppress(ValueError, OverflowError):

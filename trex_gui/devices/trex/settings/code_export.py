@@ -120,7 +120,7 @@ def _calibration_row(key: CalibrationKey, calibration: Calibration) -> dict[str,
 
 
 def _new_line(link: ConnectionSettings, settings: Settings) -> str:
-    """Return the line settings after the next power cycle; empty if they do not change."""
+    """Return the line settings after the next power cycle. Empty if they do not change."""
     wire = settings.parameters.get(ParameterKey.UART_SETTINGS)
     bits = settings.parameters.get(ParameterKey.CRC7_POLYNOMIAL)
     line = link.line if wire is None else LineSettings.from_wire(wire)

@@ -1,4 +1,4 @@
-"""What differs between two sets of settings, and what one cannot take from the other."""
+"""Differences between two sets of settings, and values that one set cannot take."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -33,22 +33,22 @@ class ComparisonRow:
 
     @property
     def changed(self) -> bool:
-        """Whether going from before to after writes this setting."""
+        """True if going from before to after writes this setting."""
         return self.after is not None and self.before != self.after
 
     @property
     def brings_note(self) -> bool:
-        """Whether the settings after have a note that those before lack."""
+        """True if the settings after have a note that those before lack."""
         return bool(self.note_after) and self.note_after != self.note_before
 
     @property
     def is_offered(self) -> bool:
-        """Whether there is something to take from the settings after: a value or a note."""
+        """True if there is something to take from the settings after: a value or a note."""
         return self.changed or self.brings_note
 
     @property
     def is_missing(self) -> bool:
-        """Whether only the settings before have it: it stays as it is."""
+        """True if only the settings before have it: it stays as it is."""
         return self.after is None
 
     @property
@@ -164,7 +164,7 @@ def values_to_write(
 def settings_after(
     before: Settings, written: Iterable[tuple[str, int | Calibration | None]]
 ) -> Settings:
-    """Return the settings once these values are stored; `None` leaves a setting as it is."""
+    """Return the settings once these values are stored. `None` leaves a setting as it is."""
     parameters, calibrations = dict(before.parameters), dict(before.calibrations)
     for key, value in written:
         if isinstance(value, Calibration):
@@ -175,7 +175,7 @@ def settings_after(
 
 
 def _why_not_carried(key: str, before: Settings, after: Settings) -> str:
-    """Say why the other side cannot have this parameter; empty if it can."""
+    """Say why the other side cannot have this parameter. Empty if it can."""
     for side, other in ((before, after), (after, before)):
         spec, wire = _specs(side).get(key), side.parameters.get(key)
         if spec is not None and wire is not None and key not in _specs(other):
@@ -236,14 +236,14 @@ def _counts(rows: list[ComparisonRow], one: str, many: str) -> str:
 
 
 def _cells(row: ComparisonRow) -> Iterator[tuple[str, str, str]]:
-    """Yield the lines of a row: key, wire values, physical values; then its note."""
+    """Yield the lines of a row: key, wire values, physical values. Then its note."""
     yield from _value_cells(row)
     if text := note_text(row.note_before, row.note_after):
         yield tr("{0} note").format(row.key), "", text
 
 
 def note_text(before: str, after: str) -> str:
-    """Return the note of a row on one line, old → new if the two differ; empty without one."""
+    """Return the note of a row on one line, old → new if the two differ. Empty without one."""
     notes = (note.replace("\n", " / ") for note in (before, after))
     return " → ".join(dict.fromkeys(filter(None, notes)))
 

@@ -51,7 +51,7 @@ class Conversion:
 
     @property
     def alters(self) -> bool:
-        """Whether anything was changed or left out."""
+        """True if anything was changed or left out."""
         return any(row.fate is not Fate.CARRIED_OVER for row in self.rows)
 
     def of(self, fate: Fate) -> tuple[ConvertedRow, ...]:
@@ -114,7 +114,7 @@ def convert(settings: Settings, product: Model, firmware: str | None) -> Convers
 
 
 def _wire(old: ParameterSpec, new: ParameterSpec, wire: int, product: Model) -> tuple[int, str]:
-    """Return the wire value that means the same, and why it differs; empty if it does not."""
+    """Return the wire value that means the same, and why it differs. Empty if it does not."""
     if old.scale == new.scale or wire == 0:
         return wire, ""
     steps = wire * old.scale / new.scale

@@ -61,7 +61,7 @@ class Settings:
         return self.only(self.keys.difference(keys))
 
     def without_invalid(self, *, forced: bool = True) -> "Settings":
-        """Leave out what no board takes; without `forced`, also what only a board can tell."""
+        """Leave out what no board takes. Without `forced`, also what only a board can tell."""
         return replace(
             self,
             parameters={
@@ -105,7 +105,7 @@ def settings_of(state: DeviceState) -> Settings:
 
 
 def factory_settings(product: Model, firmware: str | None) -> Settings:
-    """Return the default parameters; a reset does not change the calibrations.
+    """Return the default parameters. A reset does not change the calibrations.
 
     Some defaults are not sourced: see `unconfirmed_defaults`.
     """

@@ -42,7 +42,7 @@ class SavedEdits:
 
 
 class EditFiles:
-    """Settings files in one folder, with nothing but edits; each is replaced as a whole."""
+    """Settings files in one folder, with nothing but edits. Each is replaced as a whole."""
 
     def __init__(self, folder: Path | None = None) -> None:
         self.folder = folder or data_folder() / "edits"
@@ -51,7 +51,7 @@ class EditFiles:
         return self.folder / f"{board}.txt"
 
     def save(self, board: BoardIdentity, edits: Settings | None) -> None:
-        """Replace what is saved for a board; `None` removes it.
+        """Replace what is saved for a board. `None` removes it.
 
         Raises:
             SettingsError: that failed; what was saved is still there.
@@ -77,7 +77,7 @@ class EditFiles:
 
 
 def replace_file(path: Path, text: str | None) -> None:
-    """Write a file, in a folder that is made if it is missing; `None` removes it.
+    """Write a file, in a folder that is made if it is missing. `None` removes it.
 
     Raises:
         SettingsError: that failed; the old file is still there.

@@ -37,7 +37,7 @@ _COMMA_AFTER = re.compile(r"(?:\s|#[^\r\n]*[\r\n])*,")
 
 
 def amend(text: str, settings: Settings, name: str = "settings") -> str:
-    """Return the text of a settings file with other settings in it; errors call it `name`.
+    """Return the text of a settings file with other settings in it. Errors call it `name`.
 
     Changed values are replaced where they are, in the same base. A comment beside a value is
     updated if the program wrote it; the user's comments stay, and notes change where they are or
@@ -112,7 +112,7 @@ class _Document:
                 self.notes[key].append(number)
 
     def text(self) -> str:
-        """Return the changed text; comments keep their columns if there is room."""
+        """Return the changed text. Comments keep their columns if there is room."""
         parts = []
         for number in range(len(self._line_starts)):
             old, gap, comment, end = self._parts(number)
@@ -151,7 +151,7 @@ class _Document:
                 self._comments[number] = f"# {new}"
 
     def remove(self, key: str) -> None:
-        """Make a comment of a setting's lines; in a file in braces, delete it and its comma."""
+        """Make a comment of a setting's lines. In a file in braces, delete it and its comma."""
         entry = self.entries[key]
         for number in self._lines_of(entry):
             code, start = self._parts(number)[0], self._line_starts[number]
@@ -165,7 +165,7 @@ class _Document:
             self._edit(comma.end() - 1, comma.end(), "")
 
     def append(self, lines: list[str]) -> None:
-        """Add settings and comments at the end; in a file in braces, settings after the product."""
+        """Add settings and comments at the end. In a file in braces, settings after the product."""
         if self.root.flow_style:
             settings = [line.partition("#")[0].rstrip() for line in lines]
             place = self.entries["product"].end
@@ -182,7 +182,7 @@ class _Document:
         self._insertions[number] = self._insertions.get(number, "") + text
 
     def set_note(self, key: str, lines: list[str]) -> bool:
-        """Put a note where the old one was, or above its setting; return whether there is a place.
+        """Put a note where the old one was, or above its setting. Return whether there is a place.
 
         No lines remove a note.
         """
@@ -230,7 +230,7 @@ class _Document:
 
 
 def _end_of(node: Node) -> int:
-    """Return the position behind a node; in a block mapping, behind its last value."""
+    """Return the position behind a node. In a block mapping, behind its last value."""
     if isinstance(node, MappingNode) and not node.flow_style:
         return _end_of(node.value[-1][1])
     return int(node.end_mark.index)
@@ -276,7 +276,7 @@ def _change_entries(document: _Document, old: Settings, new: Settings) -> None:
 def _change_notes(
     document: _Document, old: Mapping[str, str], new: Mapping[str, str]
 ) -> dict[str, str]:
-    """Change, add or remove notes; return those on settings that the text lacks."""
+    """Change, add or remove notes. Return those on settings that the text lacks."""
     changed = [key for key in {**old, **new} if old.get(key) != new.get(key)]
     return {key: new[key] for key in changed if not document.set_note(key, note_lines(key, new))}
 

@@ -75,7 +75,7 @@ class Snapshot:
 
 @dataclass(frozen=True, slots=True)
 class Bound:
-    """How many snapshots to keep: at least 1, or `None` for all.
+    """Number of snapshots to keep: at least 1, or `None` for all.
 
     If the setting cannot be read, `problem` is a sentence and all are kept.
     """
@@ -102,7 +102,7 @@ class SettingsHistory:
         remarks: Sequence[str] = (),
         now: datetime | None = None,
     ) -> Snapshot:
-        """Save the settings of a board; `reason` is what follows: `Apply of 3 settings`.
+        """Save the settings of a board. `reason` is what follows: `Apply of 3 settings`.
 
         `remarks` are further comments for the head of the file.
 
@@ -146,7 +146,7 @@ class SettingsHistory:
         return list(heapq.merge(*pieces, reverse=True))
 
     def look_at(self, file: Order, known: Snapshot | None = None) -> Snapshot:
-        """Return the head of a snapshot; `known` itself while its file has not changed."""
+        """Return the head of a snapshot. `known` itself while its file has not changed."""
         taken, _, name = file
         path = self.folder / name
         if known is not None and known.stamp == _stamp(path):
@@ -163,7 +163,7 @@ class SettingsHistory:
         return settings
 
     def label(self, snapshot: Snapshot, **texts: str) -> None:
-        """Give a snapshot a `name`, a `note` or both; an empty text removes one.
+        """Give a snapshot a `name`, a `note` or both. An empty text removes one.
 
         Raises:
             BadRequest: the name is a number or that of another snapshot, or a text is too long.
@@ -186,7 +186,7 @@ class SettingsHistory:
         save(snapshot.path, b"\n".join(lines))
 
     def remove(self, snapshot: Snapshot) -> None:
-        """Remove a snapshot; a missing file is not an error.
+        """Remove a snapshot. A missing file is not an error.
 
         Raises:
             SettingsError: it cannot be removed.
@@ -218,7 +218,7 @@ class SettingsHistory:
         return tuple(found for found in older if not found.name)
 
     def keep(self, kept: int | None) -> tuple[Snapshot, ...]:
-        """Set how many are kept, for all programs; remove the oldest beyond, and return them.
+        """Set how many are kept, for all programs. Remove the oldest beyond, and return them.
 
         Raises:
             SettingsError: the bound cannot be saved; then nothing was removed.

@@ -17,13 +17,13 @@ _NOTE = re.compile(r"[ \t]*# Note on ([a-z0-9_]+): (.*\S)[ \t]*")
 
 
 def note_line_key(line: str) -> str:
-    """Return the key that a line of a settings file is a note on; empty for any other line."""
+    """Return the key that a line of a settings file is a note on. Empty for any other line."""
     found = _NOTE.fullmatch(line)
     return found[1] if found and _can_have_note(found[1]) else ""
 
 
 def read_notes(text: str) -> dict[str, str]:
-    """Return the notes in a text by key, with their lines; the order of the text does not count."""
+    """Return the notes in a text by key, with their lines. The order of the text does not count."""
     notes: dict[str, list[str]] = {}
     for line in LINE_END.split(text):
         found = _NOTE.fullmatch(line)
@@ -33,7 +33,7 @@ def read_notes(text: str) -> dict[str, str]:
 
 
 def note_lines(key: str, notes: Mapping[str, str]) -> list[str]:
-    """Return a note as lines of a settings file; none if there is none."""
+    """Return a note as lines of a settings file. None if there is none."""
     return [f"# Note on {key}: {line}" for line in clean_note(notes.get(key, "")).splitlines()]
 
 

@@ -1,4 +1,4 @@
-"""Read settings from text; all errors and warnings are reported, by line."""
+"""Read settings from text. All errors and warnings are reported, by line."""
 
 import difflib
 import re
@@ -64,7 +64,7 @@ _MESSAGES: Mapping[str, str] = {
 def read_settings(
     text: str | bytes, name: str = "settings"
 ) -> tuple[Settings, tuple[Finding, ...]]:
-    """Return the settings in a file, and warnings; errors call the file `name`.
+    """Return the settings in a file, and warnings. Errors call the file `name`.
 
     Raises:
         SettingsError: the file cannot be used; has every error and warning. Settings are only
@@ -136,14 +136,14 @@ class _Reader:
             self.fixes.append(TextFix(start, end, text, entry.line, message))
 
     def sorted_findings(self) -> tuple[Finding, ...]:
-        """Return the findings by line; those about the whole file come last."""
+        """Return the findings by line. Those about the whole file come last."""
         found = sorted(self.findings, key=lambda f: (f.line is None, f.line or 0))
         if self.left_out:
             found.append(_finding(None, None, "more_errors", Severity.ERROR, count=self.left_out))
         return tuple(found)
 
     def read(self, root: MappingNode, notes: Mapping[str, str]) -> Settings | None:
-        """Return the settings; `None` without a product."""
+        """Return the settings. `None` without a product."""
         entries = self._entries(root, None)
         product = self._product(entries)
         if product is None:

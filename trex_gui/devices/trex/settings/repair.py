@@ -31,7 +31,7 @@ def repair_values(data: bytes, name: str) -> tuple[str, tuple[str, ...]]:
 def accept_proposals(
     settings: Settings, context: Context = _NO_CONTEXT, *, kept: Collection[str] = ()
 ) -> tuple[Settings, tuple[LintFinding, ...]]:
-    """Make the changes that the rules propose; return the settings, and what was accepted.
+    """Make the changes that the rules propose. Return the settings, and what was accepted.
 
     Proposals that change one of the parameters `kept` are not accepted.
 

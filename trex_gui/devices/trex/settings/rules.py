@@ -44,7 +44,7 @@ class LintFinding:
 
     @property
     def text(self) -> str:
-        """What is questionable, and the proposal."""
+        """Description of the finding, and the proposal."""
         return f"{self.message} {self.proposal}." if self.proposal else self.message
 
 
@@ -52,7 +52,7 @@ _NOTHING_MORE = Context()
 
 
 def lint(settings: Settings, context: Context = _NOTHING_MORE) -> tuple[LintFinding, ...]:
-    """Check the settings together; the findings are always in the same order.
+    """Check the settings together. The findings are always in the same order.
 
     A rule is silent if a setting that it needs is missing or invalid. Each change may be made
     without the others; of two changes of one setting the later one resolves both.

@@ -94,7 +94,7 @@ def parameter_text(spec: ParameterSpec, wire: int, settings: Settings) -> str:
 
 
 def plain_text(spec: ParameterSpec, wire: int) -> str:
-    """Return a value in its own unit; empty if that would repeat the value."""
+    """Return a value in its own unit. Empty if that would repeat the value."""
     if spec.is_open(wire):
         return tr("beyond a limit{0}: the board decides").format(spec.limits_mark)
     text = spec.text(wire)
@@ -102,7 +102,7 @@ def plain_text(spec: ParameterSpec, wire: int) -> str:
 
 
 def _pwm_text(spec: ParameterSpec, settings: Settings) -> str:
-    """Return the frequency of the PWM that a value belongs to; mostly empty."""
+    """Return the frequency of the PWM that a value belongs to. Mostly empty."""
     pair = pwm_keys(spec.key)
     wires = [settings.parameters[key] for key in pair if key in settings.parameters]
     if len(wires) < 2:

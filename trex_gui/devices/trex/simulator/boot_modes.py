@@ -194,7 +194,7 @@ class _Watched:
             self._highs.append(min(self._recent))
 
     def settle(self, limit: int) -> bool:
-        """Take the mean so far as neutral; return whether the signal was good and steady."""
+        """Take the mean so far as neutral. Return whether the signal was good and steady."""
         if self._is_bad or not self._values:
             return False
         self._noise = max(self._values) - min(self._values)
@@ -203,7 +203,7 @@ class _Watched:
         return self._noise <= limit
 
     def calibration(self, deadband: int) -> Calibration | None:
-        """Return the calibration; `None` if the stick hardly moved or the signal was bad."""
+        """Return the calibration. `None` if the stick hardly moved or the signal was bad."""
         if self._is_bad or not self._lows:
             return None
         lowest = min(self._neutral, *self._lows)

@@ -38,7 +38,7 @@ class ChannelSetup:
         )
 
     def is_switched(self, channel: int, raw: int | None) -> bool:
-        """Whether a switch channel (4 flip, 5 override) is active.
+        """True if a switch channel (4 flip, 5 override) is active.
 
         That it is active below a threshold is sourced (User's Guide 4.a). Inferred: the
         threshold lies half way from neutral to minimum; no signal and an ignored channel are
@@ -100,7 +100,7 @@ class ChannelControl:
         )
 
     def remapped(self, *, mix: bool) -> tuple[int, ...]:
-        """Return the reply to 0x87, -127 to 127; 1 and 2 are the values of motors 1 and 2."""
+        """Return the reply to 0x87, -127 to 127. 1 and 2 are the values of motors 1 and 2."""
         raw = self._channels.raw
         setup = self.setup
         plain = setup.remapped(raw)
@@ -109,7 +109,7 @@ class ChannelControl:
         return *motor_values(plain, mix=mix, flip=flip, joint=joint), *plain[2:]
 
     def watch(self) -> bool:
-        """Update safe-start and override; return whether the serial port controls the motors."""
+        """Update safe-start and override. Return whether the serial port controls the motors."""
         if self._mode.is_serial:
             return True
         if not self._channels.has_settled:

@@ -24,7 +24,7 @@ _SIGNAL = re.compile(
 
 
 class SignalKind(Enum):
-    """Kinds of signals; the value is the word for them, or the unit."""
+    """Kinds of signals. The value is the word for them, or the unit."""
 
     REST = "rest"
     PULSES = "us"
@@ -84,14 +84,14 @@ class Signal:
 
     @classmethod
     def pulses(cls, microseconds: float) -> "Signal":
-        """Return servo pulses, 50 a second; the width may be invalid for the board."""
+        """Return servo pulses, 50 a second. The width may be invalid for the board."""
         if not 0 <= microseconds < _RECEIVER_PERIOD:
             raise ValueError(f"a pulse is 0 to {_RECEIVER_PERIOD:.0f} us wide")
         return cls(SignalKind.PULSES, microseconds)
 
     @classmethod
     def voltage(cls, volts: float) -> "Signal":
-        """Return a steady voltage; ValueError outside 0-5 V."""
+        """Return a steady voltage. ValueError outside 0-5 V."""
         if not 0 <= volts <= SUPPLY:
             raise ValueError(f"an input carries 0 to {SUPPLY:g} V")
         return cls(SignalKind.VOLTAGE, volts)
@@ -107,13 +107,13 @@ class Signal:
         return f"{text} lost {self.lost:g}" if self.lost else text
 
     def has_pulse(self, random: Random) -> bool:
-        """Whether a pulse arrives when one is due, valid or not."""
+        """True if a pulse arrives when one is due, valid or not."""
         if self.kind is SignalKind.SILENCE or self.kind is SignalKind.VOLTAGE:
             return False
         return not self.lost or random.random() >= self.lost
 
     def pulse(self, random: Random) -> int | None:
-        """Measure a pulse in raw counts; `None` for an invalid width."""
+        """Measure a pulse in raw counts. `None` for an invalid width."""
         if self.kind is SignalKind.REST:
             return InputSource.RC.counts(1500)
         width = random.gauss(self.value, self.noise) if self.noise else self.value
@@ -147,7 +147,7 @@ _SAMPLES_A_TICK = 2
 
 
 class Channels:
-    """The inputs, each measured 50 times a second; pulses arrive one after the other."""
+    """The inputs, each measured 50 times a second. Pulses arrive one after the other."""
 
     def __init__(self, source: InputSource, seed: int = 0) -> None:
         self._random = Random(seed)  # noqa: S311 - noise, not secrets
@@ -169,7 +169,7 @@ class Channels:
 
     @property
     def has_settled(self) -> bool:
-        """Whether each channel has had time to show a signal."""
+        """True if each channel has had time to show a signal."""
         return self._ticks * TICK >= SIGNAL_LOST_AFTER
 
     def silence(self, channel: int) -> float:
@@ -200,7 +200,7 @@ class Channels:
 
     @property
     def raw(self) -> tuple[int | None, ...]:
-        """The raw counts of channels 1-5; `None` where the board replies 0xFFFF."""
+        """The raw counts of channels 1-5. `None` where the board replies 0xFFFF."""
         if self.source is InputSource.ANALOG:
             return tuple(self._raw.values())
         oldest = self._ticks - SIGNAL_LOST_AFTER / TICK

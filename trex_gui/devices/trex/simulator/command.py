@@ -54,7 +54,7 @@ def demonstrate(board: Board, timeline: Timeline) -> None:
 
 @dataclass(frozen=True, slots=True)
 class DeviceOption:
-    """`--device` for one board; `None` for what it does not give."""
+    """`--device` for one board. `None` for what it does not give."""
 
     number: int | None = None
     model: str | None = None
@@ -113,7 +113,7 @@ def simulate(
 def _eeprom(
     path: Path | None, device: DeviceOption, model: str, count: int, *, error_shutdown: bool
 ) -> Eeprom:
-    """Return the memory of a board; a number stored in a file overrides the option."""
+    """Return the memory of a board. A number stored in a file overrides the option."""
     if path is not None and count > 1:
         path = path.with_name(f"{path.stem}-{device.number}{path.suffix}")
     is_new = path is None or not os.path.exists(path)  # noqa: PTH110 - raises nothing

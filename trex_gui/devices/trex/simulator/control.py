@@ -54,7 +54,7 @@ def _learned_flash(board: Board, since: float) -> tuple[str, str]:
 
 
 def report(board: Board) -> dict[str, Any]:
-    """Return the state for JSON; currents in A, `raw` is `None` if invalid."""
+    """Return the state for JSON. Currents in A, `raw` is `None` if invalid."""
     memory = board.memory
     return {
         "model": board.model.key,
@@ -115,7 +115,7 @@ def report(board: Board) -> dict[str, Any]:
 
 
 def control(line: SimulatedBoards, text: str) -> str:
-    """Execute a control line; return `ok …` or `error …`, without a line end.
+    """Execute a control line. Return `ok …` or `error …`, without a line end.
 
     With several boards the line begins with the device number that a board had at the start, as
     in `@9 power cycle`; lines about the wire need none.
@@ -133,7 +133,7 @@ def control(line: SimulatedBoards, text: str) -> str:
 
 
 def _board(line: SimulatedBoards, name: str) -> Board | None:
-    """Return the board with a name such as `@9`; without a name the only board."""
+    """Return the board with a name such as `@9`. Without a name the only board."""
     if not name and len(line.boards) == 1:
         return line.boards[0]
     boards = zip(line.numbers, line.boards, strict=True)
@@ -219,7 +219,7 @@ def _battery(board: Board, voltage: str, resistance: str | None = None) -> str:
 
 
 def _eeprom(board: Board, key: str, value: str) -> str:
-    """Write an EEPROM cell directly; it takes effect at the next power-up."""
+    """Write an EEPROM cell directly. It takes effect at the next power-up."""
     try:
         board.eeprom.write(key, int(value, 0))
     except KeyError:

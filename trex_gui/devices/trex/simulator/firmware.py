@@ -226,7 +226,7 @@ class Board:
 
     @property
     def remapped(self) -> tuple[int, ...]:
-        """Reply to 0x87, -127 to 127; channels 1 and 2 are the values of motors 1 and 2."""
+        """Reply to 0x87, -127 to 127. Channels 1 and 2 are the values of motors 1 and 2."""
         return self.sticks.remapped(mix=self.mix)
 
     def _watch(self) -> None:
@@ -282,7 +282,7 @@ class Board:
             self._latch_faults()
 
     def force_current(self, number: int, amperes: float | None) -> None:
-        """Force the measured current of motor 1 or 2; `None` measures again."""
+        """Force the measured current of motor 1 or 2. `None` measures again."""
         physics = self.physics[number - 1]
         physics.forced = amperes
         if self.powered and not self.memory.is_joint and amperes is not None:
@@ -296,7 +296,7 @@ class Board:
 
 @cache
 def _drive(direction: MotorDirection, speed: int) -> DriverOutput:
-    """Return the drive of a motor; inferred: duty is speed / 127."""
+    """Return the drive of a motor. Inferred: duty is speed / 127."""
     share = speed / FULL_SPEED
     if direction is MotorDirection.BRAKE:
         return DriverOutput(brake=share)

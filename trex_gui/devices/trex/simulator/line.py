@@ -47,7 +47,7 @@ class BoardStation:
             self._discard_transfer()
 
     def _is_up(self, boot: int) -> bool:
-        """Whether the board has had power without a break since a power-up."""
+        """True if the board has had power without a break since a power-up."""
         return self.board.powered and self.board.boots == boot
 
     def _still_up(self) -> Callable[[], bool]:
@@ -180,14 +180,14 @@ class BoardStation:
     def _arrive_sampled(
         self, boot: int, byte: int, _error: ReceiveError | None, begun: float
     ) -> None:
-        """Let a host at another rate receive a byte; programs get bytes with errors, too."""
+        """Let a host at another rate receive a byte. Programs get bytes with errors, too."""
         if self._is_up(boot) and not self._line.is_grounded:
             self.board.counters["bytes_garbled"] += 1
             self._line.arrive(byte, begun)
 
 
 class SimulatedBoards(SimulatedLine):
-    """One wire with boards; their device numbers at the start name them."""
+    """One wire with boards. Their device numbers at the start name them."""
 
     def __init__(
         self, boards: Sequence[Board], *, echo: bool = False, paced: bool = True, seed: int = 0
@@ -205,5 +205,5 @@ class SimulatedBoards(SimulatedLine):
 
     @property
     def is_grounded(self) -> bool:
-        """Whether a jumper holds SO to ground. Inferred: nothing reaches the host then."""
+        """True if a jumper holds SO to ground. Inferred: nothing reaches the host then."""
         return any(board.so_ground for board in self.boards)

@@ -30,11 +30,11 @@ _CALIBRATION_KEYS = {InputSource.RC: "rc_calibration", InputSource.ANALOG: "anal
 
 
 class EepromError(StudioError):
-    """The EEPROM file cannot be read or written; the text says which and why."""
+    """The EEPROM file cannot be read or written. The text says which and why."""
 
 
 class Eeprom:
-    """EEPROM of one board in wire values; a file, if there is one, is saved after each write.
+    """EEPROM of one board in wire values. A file, if there is one, is saved after each write.
 
     It has a cell for every parameter of any firmware of the model. `unsaved`: why the last write
     is not in the file. `error_shutdown`: whether the factory switches UART-error shutdown on, which
@@ -56,7 +56,7 @@ class Eeprom:
 
     @classmethod
     def open(cls, path: Path, model: str = "trex", *, error_shutdown: bool = True) -> "Eeprom":
-        """Return the EEPROM in a file, which is created if missing; EepromError if damaged."""
+        """Return the EEPROM in a file, which is created if missing. EepromError if damaged."""
         eeprom = cls(model, path=path, error_shutdown=error_shutdown)
         try:
             with open_ordinary(path) as file:
@@ -73,7 +73,7 @@ class Eeprom:
         return self._values[key]
 
     def write(self, key: str, value: int) -> None:
-        """Store a wire value and save; KeyError or ValueError if there is no such one."""
+        """Store a wire value and save. KeyError or ValueError if there is no such one."""
         if key not in self._values:
             raise KeyError(key)
         self._values[key] = self._specs[key].check(value, forced=True)
@@ -118,7 +118,7 @@ class Eeprom:
             self._save_if_possible()
 
     def _save_if_possible(self) -> None:
-        """Save; when that fails the board continues without the file."""
+        """Save. When that fails the board continues without the file."""
         self.unsaved = None
         try:
             self.save()
@@ -126,7 +126,7 @@ class Eeprom:
             self.unsaved = error
 
     def save(self) -> None:
-        """Write the file, if there is one, atomically; EepromError if that fails."""
+        """Write the file, if there is one, atomically. EepromError if that fails."""
         if self._path is None:
             return
         text = json.dumps(self._document(), indent=2) + "\n"
@@ -208,7 +208,7 @@ the four values of a calibration have two bytes each."""
 
 @dataclass(frozen=True, slots=True)
 class _Step:
-    """A value on its way into the EEPROM; `lose` is called if the power is cut before `store`.
+    """A value on its way into the EEPROM. `lose` is called if the power is cut before `store`.
 
     Inferred: then the cell is erased, and the firmware uses the default at the next power-up.
     """
@@ -248,7 +248,7 @@ class Memory:
 
     @property
     def is_joint(self) -> bool:
-        """Whether both drivers are one for motor 1."""
+        """True if both drivers are one for motor 1."""
         return self.active[ParameterKey.MOTOR_MODE] == 1
 
     @property
@@ -258,7 +258,7 @@ class Memory:
 
     @property
     def crc_polynomial(self) -> int | None:
-        """0x80-0xFF; `None` when packets carry no CRC."""
+        """0x80-0xFF. `None` when packets carry no CRC."""
         if self.line_settings.detection is not Detection.CRC7:
             return None
         return 0x80 | self.active[ParameterKey.CRC7_POLYNOMIAL]
@@ -279,7 +279,7 @@ class Memory:
         return self.eeprom[spec.key] if spec is not None and spec.readable else None
 
     def set(self, number: int, value: int, mode: Mode) -> ResultCode:
-        """Begin to write a parameter; it is stored `busy_for` seconds later.
+        """Begin to write a parameter. It is stored `busy_for` seconds later.
 
         Inferred: the order of the checks.
         """
@@ -331,7 +331,7 @@ class Memory:
 
     @property
     def busy_for(self) -> float:
-        """Seconds until all pending writes are finished; 0 without any."""
+        """Seconds until all pending writes are finished. 0 without any."""
         return sum(step.seconds for step in self._steps) - self._done if self._steps else 0.0
 
     def advance(self, seconds: float) -> None:

@@ -21,12 +21,12 @@ class MotorDirection(Enum):
 
     @classmethod
     def from_bits(cls, bits: int) -> "MotorDirection":
-        """Read the two direction bits of a motor command; 00 and 11 brake."""
+        """Read the two direction bits of a motor command. 00 and 11 brake."""
         return (cls.BRAKE, cls.REVERSE, cls.FORWARD, cls.BRAKE)[bits & 3]
 
 
 class MotorSettings(NamedTuple):
-    """Parameters of one motor (0x0E-0x16) by the names of their keys; no current limit is 0."""
+    """Parameters of one motor (0x0E-0x16) by the names of their keys. No current limit is 0."""
 
     acceleration: int = 0
     brake_duration: int = 0
@@ -64,7 +64,7 @@ class Motor:
         self.target_speed = speed
 
     def update(self, settings: MotorSettings, current: int) -> bool:
-        """Run one update of 10 ms; return whether the current is over the limit.
+        """Run one update of 10 ms. Return whether the current is over the limit.
 
         `current` is in counts of 0x8D.
         """
@@ -132,7 +132,7 @@ class AuxiliaryMotor:
 
 
 def _ramp(tenths: int, target: int, acceleration: int) -> int:
-    """Return the speed after one update, all in tenths of a count; 0 is no ramp."""
+    """Return the speed after one update, all in tenths of a count. 0 is no ramp."""
     if acceleration == 0 or tenths >= target:
         return target  # no deceleration
     return min(tenths + acceleration, target)
@@ -165,7 +165,7 @@ class SerialControl:
     def drive(
         self, number: int, direction: MotorDirection, speed: int, *, accelerate: bool = False
     ) -> None:
-        """Command motor 1 or 2 (speed 0-127); applied when the channels hand over control.
+        """Command motor 1 or 2 (speed 0-127). Applied when the channels hand over control.
 
         Inferred: in joint mode commands to motor 2 are accepted and ignored.
         """
@@ -185,7 +185,7 @@ class SerialControl:
             command()
 
     def hand_over(self, now: float, timeout: int, *, in_control: bool, shut_down: bool) -> None:
-        """Set who controls the motors; serial control applies the latest commands of any age.
+        """Set who controls the motors. Serial control applies the latest commands of any age.
 
         Inferred: a motor without a command stops; so do all after the serial timeout (tenths of a
         second, 0 for none) if that is set to `shut_down`.
@@ -203,7 +203,7 @@ class SerialControl:
             stop()
 
     def check_timeout(self, now: float, timeout: int, *, shut_down: bool) -> None:
-        """Latch the error after `timeout` tenths of a second without a byte; 0 for never.
+        """Latch the error after `timeout` tenths of a second without a byte. 0 for never.
 
         Inferred: only in serial control, and the bit is latched once per timeout.
         """
@@ -215,7 +215,7 @@ class SerialControl:
                 self._shut_down()
 
     def report(self, error: UartError, *, shut_down: bool) -> None:
-        """Latch a UART error; stop the motors if the parameter requires it.
+        """Latch a UART error. Stop the motors if the parameter requires it.
 
         The lost command may have been a stop, so commands not yet applied are dropped, too.
         """
@@ -234,7 +234,7 @@ class SerialControl:
         return errors
 
     def _shut_down(self) -> None:
-        """Stop serial control's motors; inferred: the next command restarts its motor."""
+        """Stop serial control's motors. Inferred: the next command restarts its motor."""
         self._commands = list(self._stops)
         if self.in_control:
             self.stop_motors()

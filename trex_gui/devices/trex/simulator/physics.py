@@ -141,7 +141,7 @@ class DriverOutput:
 
 
 class Machine:
-    """A battery (V without load, ohm with cables) and two motors; `volts` are at the board."""
+    """A battery (V without load, ohm with cables) and two motors. `volts` are at the board."""
 
     def __init__(self, model: str, current_unit: float, seed: int) -> None:
         self.constants = CONSTANTS[model]

@@ -98,7 +98,7 @@ class SerialPort:
             self._take(self._buffer.popleft())
 
     def _listens(self) -> bool:
-        """Whether packets are accepted; a power-up since the last byte clears all state."""
+        """True if packets are accepted. A power-up since the last byte clears all state."""
         if self.board.boots != self._boot:
             self._boot = self.board.boots
             self._start_over()
@@ -192,7 +192,7 @@ class SerialPort:
             self._send(reply)
 
     def _send(self, reply: bytes) -> None:
-        """Put a reply into the send buffer; inferred: bytes that do not fit are lost."""
+        """Put a reply into the send buffer. Inferred: bytes that do not fit are lost."""
         room = SEND_BUFFER - len(self.outgoing)
         self.outgoing.extend(reply[:room])
         if len(reply) > room:
@@ -204,7 +204,7 @@ class SerialPort:
 
 
 class _IllogicalData(Exception):  # noqa: N818 - the documentation's word
-    """A data byte has an invalid value; the board may reply nevertheless."""
+    """A data byte has an invalid value. The board may reply nevertheless."""
 
 
 _Handler = Callable[[Board, int, bytes], bytes]

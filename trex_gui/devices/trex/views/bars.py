@@ -41,7 +41,7 @@ def widened(axis: tuple[int, int], counts: Iterable[int]) -> tuple[int, int]:
 
 
 def input_labels(source: InputSource, axis: tuple[int, int], most: int) -> Labels:
-    """Return at most that many labels, in counts; the last has the unit."""
+    """Return at most that many labels, in counts. The last has the unit."""
     low, high = (source.physical(count) for count in axis)
     for step in _STEPS[source]:
         values = ticks(low, high, step)
@@ -58,7 +58,7 @@ def paint_input(
     count: int | None,
     calibration: Calibration | None,
 ) -> None:
-    """Paint a raw count and the marks of its calibration; `None`: no signal, not known."""
+    """Paint a raw count and the marks of its calibration. `None`: no signal, not known."""
     marks: tuple[int, ...] = ()
     fill = "bar"
     if calibration is not None:

@@ -107,7 +107,7 @@ class BoardPanel(QWidget):
 
     @property
     def can_join(self) -> bool:
-        """Whether boards can be driven together from now on."""
+        """True if boards can be driven together from now on."""
         boards, group = self._boards, self._group
         may_ask = boards.can_change_number and boards.scanned is None
         return may_ask and boards.has_several and group.can_change and not group.devices

@@ -53,7 +53,7 @@ class UnitSpinBox(QSpinBox):
 
     @property
     def problem(self) -> str:
-        """Reason why the input is marked; empty if it is not."""
+        """Reason why the input is marked. Empty if it is not."""
         return self._problem.toolTip() if self._problem.isVisible() else ""
 
     def _mark(self, problem: str) -> None:
@@ -148,7 +148,7 @@ class UnitDelegate(QStyledItemDelegate):
 
 
 class CountEditor(UnitSpinBox):
-    """A raw count, shown in µs or V, or as it is; takes `2.1 ms`, `1500 µs` or `3750 counts`."""
+    """A raw count, shown in µs or V, or as it is. Takes `2.1 ms`, `1500 µs` or `3750 counts`."""
 
     def __init__(self, source: InputSource, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -158,7 +158,7 @@ class CountEditor(UnitSpinBox):
         self.setToolTip(plain(self._expected()))
 
     def set_source(self, source: InputSource) -> None:
-        """Change to the units of another input source; the count stays."""
+        """Change to the units of another input source. The count stays."""
         if source is not self._source:
             self._source = source
             self.setToolTip(plain(self._expected()))

@@ -100,7 +100,7 @@ def _safe_start_text(snapshot: DemoSnapshot) -> str:
 
 
 def jumper_hint(snapshot: DemoSnapshot) -> str:
-    """Return what a power cycle would change; empty if nothing."""
+    """Return what a power cycle would change. Empty if nothing."""
     jumpers = snapshot.jumpers
     if snapshot.boot_mode is not None:
         return ""

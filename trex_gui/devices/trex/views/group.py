@@ -175,7 +175,7 @@ class SideBySide(QWidget):
 
 
 class GroupCards(QWidget):
-    """Shows currents and problems of each board of a group side by side; hidden without one."""
+    """Shows currents and problems of each board of a group side by side. Hidden without one."""
 
     def __init__(self, group: BoardGroup, parent: QWidget) -> None:
         super().__init__(parent)

@@ -162,7 +162,7 @@ class LostPanel(QFrame):
         self.hide()
 
     def show_loss(self, text: str) -> bool:
-        """Show a text while motors are lost; return whether they are."""
+        """Show a text while motors are lost. Return whether they are."""
         device = self._device
         is_lost = device.may_stop_matter and not device.is_connected
         if is_lost:

@@ -130,7 +130,7 @@ class ProfilePage(Page):
 
 
 class BoardPage(Page):
-    """What a board is to get, beside the boards that are done."""
+    """Settings for the next board, beside the finished boards."""
 
     def __init__(self, work: Provision, device: Device) -> None:
         super().__init__("provisionBoardPage")

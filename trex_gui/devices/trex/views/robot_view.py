@@ -27,7 +27,7 @@ MOVEMENTS = {  # Tab goes across
 
 
 class WheelPart(QPushButton):
-    """Half of a wheel with an arrow; filled while it is checked."""
+    """Half of a wheel with an arrow. Filled while it is checked."""
 
     def __init__(self, movement: Movement, parent: QWidget) -> None:
         super().__init__(parent)
@@ -56,7 +56,7 @@ class WheelPart(QPushButton):
 
 
 class RobotView(Painted):
-    """Shows which wheels turn; with `asks` each has a button for forward and for backward."""
+    """Shows which wheels turn. With `asks` each has a button for forward and for backward."""
 
     wheel_clicked = Signal(object)  # a `Movement`
 

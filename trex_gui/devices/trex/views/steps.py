@@ -23,7 +23,7 @@ _GAP = 16
 
 
 class Page(QWidget):
-    """Drawing of a step; `side` is for the card beside it."""
+    """Drawing of a step. `side` is for the card beside it."""
 
     def __init__(self, name: str, heading: str = "") -> None:
         super().__init__()
@@ -80,7 +80,7 @@ class Flow(QObject):
     def next(self) -> None: ...
 
     def leave(self, *, closed: bool) -> None:
-        """End what must not go on out of sight; without `closed` the window is minimized."""
+        """End what must not go on out of sight. Without `closed` the window is minimized."""
 
 
 class _Body(QWidget):

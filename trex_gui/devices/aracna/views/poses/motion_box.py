@@ -252,7 +252,7 @@ class StepTable(QTableWidget):
             self._fill()
 
     def choose(self, row: int) -> None:
-        """Make a row current; one beyond the end is the last."""
+        """Make a row current. One beyond the end is the last."""
         column = max(self.currentColumn(), int(StepColumn.POSE))
         self.setCurrentCell(min(row, self.rowCount() - 1), column)
 

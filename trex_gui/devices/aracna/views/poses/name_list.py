@@ -32,7 +32,7 @@ class NameList(QListWidget):
         empty: str,
         parent: QWidget | None = None,
     ) -> None:
-        """Show the items of one kind; `empty` is shown while there are none."""
+        """Show the items of one kind. `empty` is shown while there are none."""
         super().__init__(parent)
         self._library = library
         self._kind = kind
@@ -77,7 +77,7 @@ class NameList(QListWidget):
         return self._keys[row] if 0 <= row < len(self._keys) else None
 
     def choose(self, key: ItemKey | None) -> None:
-        """Make an item current; none if it is not in the list."""
+        """Make an item current. None if it is not in the list."""
         self.setCurrentRow(self._keys.index(key) if key in self._keys else -1)
 
     def choose_and_edit(self, name: str) -> None:
@@ -128,7 +128,7 @@ class NameList(QListWidget):
 
     @Slot()
     def _on_delete(self) -> None:
-        """Delete the current item; the next one can be deleted as well."""
+        """Delete the current item. The next one can be deleted as well."""
         if (key := self.current) is not None and not key.built_in:
             row = self.currentRow()
             self._library.delete(self._kind, key.name)
@@ -156,7 +156,7 @@ class NameList(QListWidget):
 
     @Slot()
     def _show_names(self) -> None:
-        """Show the items of the library; the current one stays current, unless it is gone."""
+        """Show the items of the library. The current one stays current, unless it is gone."""
         keys, chosen = self._keys_in_library(), self._chosen
         with QSignalBlocker(self):
             is_renamed = len(keys) == len(self._keys) and chosen not in keys

@@ -81,7 +81,7 @@ class PoseBox(ui.Card):
 
     @property
     def current_name(self) -> str:
-        """Name of the current pose; empty for none."""
+        """Name of the current pose. Empty for none."""
         key = self._list.current
         return "" if key is None else key.name
 

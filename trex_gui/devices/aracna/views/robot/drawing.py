@@ -68,7 +68,7 @@ def _along(start: Point, angle: float, length: float) -> Point:
 
 
 class RobotDrawing(Painted):
-    """Shows which joint is which and how it turns; takes no focus."""
+    """Shows which joint is which and how it turns. Takes no focus."""
 
     pointed = Signal(int)  # the motor whose joint the mouse points at; -1 for none
     chosen = Signal(int)  # the motor whose joint was clicked
@@ -99,7 +99,7 @@ class RobotDrawing(Painted):
 
     @Slot(int)
     def mark(self, motor: int) -> None:
-        """Highlight a joint; none for -1."""
+        """Highlight a joint. None for -1."""
         if motor != self._marked:
             self._marked = motor
             self.update()
@@ -130,7 +130,7 @@ class RobotDrawing(Painted):
         self.pointed.emit(-1)
 
     def _joint_at(self, point: QPointF) -> int:
-        """Return the motor of the joint at a point; -1 for none."""
+        """Return the motor of the joint at a point. -1 for none."""
         found, nearest = -1, _REACH * self._scale()
         for motor in range(2 * len(self._solid())):
             away = point - self.joint_place(motor)

@@ -88,7 +88,7 @@ class JointSlider(PressSlider):
 
 
 class SpeedBox(ui.SpinBox):
-    """A speed setting, 0-1023, and its meaning; 0 is unlimited."""
+    """A speed setting, 0-1023, and its meaning. 0 is unlimited."""
 
     def __init__(self, name: str, accessible: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -230,7 +230,7 @@ class JointRow(QObject):
             self._robot.set_speeds(speeds)
 
     def _on_limit_edited(self) -> None:
-        """Set the limits; one that is moved beyond the other takes it along."""
+        """Set the limits. One that is moved beyond the other takes it along."""
         before = self._robot.limits.of(self._motor)
         low, high = self.low.value(), self.high.value()
         if low > high:
@@ -295,7 +295,7 @@ class JointTable(QWidget):
 
     @Slot(int)
     def mark(self, motor: int) -> None:
-        """Highlight the name of a motor; none for -1."""
+        """Highlight the name of a motor. None for -1."""
         for number, row in enumerate(self._rows):
             set_text_color(row.name, "accent" if number == motor else "")
 

@@ -31,7 +31,7 @@ _WIDEST_RATE = 888.8
 
 
 class RobotPage(QWidget):
-    """Sliders set the goals; the robot moves on Move, or while they are dragged."""
+    """Sliders set the goals. The robot moves on Move, or while they are dragged."""
 
     def __init__(
         self, robot: Robot, start: Callable[[QWidget], QWidget], parent: QWidget | None = None
@@ -121,7 +121,7 @@ def _parts(text: str) -> tuple[str, str]:
 
 
 class CommonSpeedBox(SpeedBox):
-    """The speed that all motors share; if they differ, it says so until one is chosen."""
+    """The speed that all motors share. If they differ, it says so until one is chosen."""
 
     _DIFFER = -1
 
@@ -134,7 +134,7 @@ class CommonSpeedBox(SpeedBox):
         return self.value() == self._DIFFER
 
     def show_speeds(self, speeds: Sequence[int]) -> None:
-        """Show the speeds of all motors without a signal; keep what the user is typing."""
+        """Show the speeds of all motors without a signal. Keep what the user is typing."""
         value = speeds[0] if len(set(speeds)) == 1 else self._DIFFER
         lowest = min(value, 0)
         if (value, lowest) == (self.value(), self.minimum()):
@@ -246,7 +246,7 @@ class Controls(QWidget):
 
     @Slot()
     def _on_goal_edited(self) -> None:
-        """Send the goals in live mode; a key or a spin box is a drag of one step."""
+        """Send the goals in live mode. A key or a spin box is a drag of one step."""
         robot = self._robot
         if self._is_live and robot.dragging:
             robot.drag(robot.targets.goals)

@@ -161,7 +161,7 @@ class LearnedChannel:
 
     @property
     def curve_after(self) -> ChannelCurve | None:
-        """The curve with the chosen values; `None` if the board would reject them."""
+        """The curve with the chosen values. `None` if the board would reject them."""
         if self.choice is None or self.choice.calibration.problem() is not None:
             return None
         wanted, reversed_ = self.choice.calibration, self.choice.reversed_

@@ -22,7 +22,7 @@ from trex_gui.devices.trex.protocol.flags import CHANNELS
 
 
 class LearningStep(Enum):
-    """The step of the wizard; in `DOUBT` the user has to confirm that the motors are stopped."""
+    """The step of the wizard. In `DOUBT` the user has to confirm that the motors are stopped."""
 
     ENDED = auto()
     STOPPING = auto()
@@ -41,7 +41,7 @@ _MEASURING = _MOVING | {LearningStep.REVIEW}
 
 
 class Learning(QObject):
-    """Learns channels of a board in serial mode; there the sticks move no motor.
+    """Learns channels of a board in serial mode. There the sticks move no motor.
 
     Nothing is written, and nothing is edited before `use_values`.
     """
@@ -141,13 +141,13 @@ class Learning(QObject):
     # --- User actions -------------------------------------------------------------------
 
     def begin(self, channels: Sequence[int] = CHANNELS) -> None:
-        """Learn these channels at once; the motors are stopped first."""
+        """Learn these channels at once. The motors are stopped first."""
         self.news = self._next_news = ""
         self.begun.emit()
         self._start(channels, LearningStep.NEUTRAL)
 
     def begin_test(self, channels: Sequence[int] = CHANNELS) -> None:
-        """Test the stored values of these channels; the motors are stopped first."""
+        """Test the stored values of these channels. The motors are stopped first."""
         self.news, self._next_news = self._next_news, ""
         self._start(channels, LearningStep.TEST)
 
@@ -171,14 +171,14 @@ class Learning(QObject):
             self._begin_sampling()
 
     def back(self) -> None:
-        """Go one step back; ends that were reached stay, rest positions are sampled again."""
+        """Go one step back. Ends that were reached stay, rest positions are sampled again."""
         if self.step is LearningStep.REVIEW:
             self._go(LearningStep.TRAVEL)
         elif self.step is LearningStep.TRAVEL:
             self._wait_at_rest()
 
     def again(self) -> None:
-        """Repeat this step; after a failure, all of them."""
+        """Repeat this step. After a failure, all of them."""
         match self.step:
             case LearningStep.NEUTRAL if not self.sampling:
                 self._begin_sampling()
@@ -199,7 +199,7 @@ class Learning(QObject):
         self.changed.emit()
 
     def use_values(self) -> bool:
-        """Edit the settings as chosen, in one undo step; return whether an edit is pending.
+        """Edit the settings as chosen, in one undo step. Return whether an edit is pending.
 
         If all of it is stored already, `stored` is emitted at once.
         """
@@ -215,7 +215,7 @@ class Learning(QObject):
         return is_pending
 
     def cancel(self) -> None:
-        """End it in any step; the board and the edits stay unchanged."""
+        """End it in any step. The board and the edits stay unchanged."""
         if self.step is not LearningStep.ENDED:
             self._go(LearningStep.ENDED)
 

@@ -32,7 +32,7 @@ class PendingLearnedValues(QObject):
         device.draft.pending_changed.connect(self._on_pending_changed)
 
     def edit(self, choices: dict[int, Choice], name: str) -> bool:
-        """Edit these channels in one undo step; return whether an edit is pending now."""
+        """Edit these channels in one undo step. Return whether an edit is pending now."""
         reversed_ = self._wanted_reversed()
         with self._device.draft.one_edit(name):
             for number, choice in choices.items():

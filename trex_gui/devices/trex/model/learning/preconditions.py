@@ -12,7 +12,7 @@ from trex_gui.ui.translations import error_text
 
 
 def mode_blocker(device: Device) -> str:
-    """Return why the mode of the board is in the way, for the user; empty in serial mode."""
+    """Return why the mode of the board is in the way, for the user. Empty in serial mode."""
     state = device.state
     if state is None or state.mode.is_serial:
         return ""
@@ -70,13 +70,13 @@ class CalibrationPreconditions(QObject):
         self._watching = False
 
     def watch_motors(self, watch: bool) -> None:
-        """Set whether armed motors are a violation; motors that are armed already count."""
+        """Set whether armed motors are a violation. Motors that are armed already count."""
         self._with_motors = watch
         self._check()
 
     @property
     def blocker(self) -> str:
-        """Reason why sticks must not be moved now, for the user; empty if they move nothing."""
+        """Reason why sticks must not be moved now, for the user. Empty if they move nothing."""
         state = self._device.state
         if not self._device.is_connected or state is None:
             return tr("Connect to a board first.")
@@ -136,7 +136,7 @@ class StandstillCheck(QObject):
         device.telemetry.updated.connect(self._on_updated)
 
     def begin(self) -> None:
-        """Stop the motors; a check that is running is cancelled."""
+        """Stop the motors. A check that is running is cancelled."""
         self.cancel()
         run = self._run
         self._device.driving.stop(lambda error: self._on_stopped(run, error))

@@ -15,7 +15,7 @@ def problems_text(problems: tuple[Problem, ...]) -> str:
 
 
 def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
-    """Return the sentences by kind and variant; translated anew, since the language can change."""
+    """Return the sentences by kind and variant. Translated anew, since the language can change."""
     kind = ProblemKind
     moved = tr("It moved during sampling, between {0} and {1}. Release it and sample again.")
     worn = tr(

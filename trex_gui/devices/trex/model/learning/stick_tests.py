@@ -101,7 +101,7 @@ class StickTest:
 
 
 def idle_side(curve: ChannelCurve) -> int:
-    """Return the sign of the output on the shorter side of rest; 0 when both are as long.
+    """Return the sign of the output on the shorter side of rest. 0 when both are as long.
 
     A throttle that rests at one end of its travel has that end only just beyond its rest: the
     trim alone reaches it, and that shows nothing.
@@ -114,7 +114,7 @@ def idle_side(curve: ChannelCurve) -> int:
 
 
 class StickTests:
-    """Tests some channels; the others only count for safe-start."""
+    """Tests some channels. The others only count for safe-start."""
 
     def __init__(self, device: Device, numbers: Sequence[int]) -> None:
         self.tests = tuple(StickTest(number, device.calibrations.source) for number in numbers)

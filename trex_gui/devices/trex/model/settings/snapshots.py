@@ -188,7 +188,7 @@ class SnapshotTable(QAbstractTableModel):
         return flags | Qt.ItemFlag.ItemIsEditable if index.column() in _LABELS else flags
 
     def setData(self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole) -> bool:
-        """Give a snapshot a name or a note, in a thread; `failed` says why it has none."""
+        """Give a snapshot a name or a note, in a thread. `failed` says why it has none."""
         if role != Qt.ItemDataRole.EditRole or str(value) == self.data(index):
             return False
         text = {_LABELS[SnapshotColumn(index.column())]: str(value)}

@@ -19,7 +19,7 @@ _RAMPS = (
 
 
 class Preset(Enum):
-    """Kinds of robots; the value is the sample of one."""
+    """Kinds of robots. The value is the sample of one."""
 
     TANK = "tank_with_mix.txt"
     ROVER = "rover_with_serial_override.txt"

@@ -55,14 +55,14 @@ class MotorPulses(QObject):
 
     @property
     def cannot_drive(self) -> str:
-        """Reason why this board cannot show its motors one by one; empty if it can."""
+        """Reason why this board cannot show its motors one by one. Empty if it can."""
         if self._device.is_connected and self._device.board.is_joint:
             return tr("Joint mode: both outputs drive one motor, so there is nothing to find.")
         return mode_blocker(self._device) if self._device.is_connected else ""
 
     @property
     def blocker(self) -> str:
-        """Reason why no pulse can start, and what to do, for the user; empty when one can."""
+        """Reason why no pulse can start, and what to do, for the user. Empty when one can."""
         if self.cannot_drive:
             return self.cannot_drive
         if self._device.is_connected and not self.wheels_are_free:
@@ -72,7 +72,7 @@ class MotorPulses(QObject):
         )
 
     def confirm_wheels(self, free: bool) -> None:
-        """Record that the wheels are off the ground, or not; then everything stops."""
+        """Record that the wheels are off the ground, or not. Then everything stops."""
         if free:
             self.wheels_are_free = True
             self.changed.emit()
@@ -80,7 +80,7 @@ class MotorPulses(QObject):
             self.leave(tr("The wheels may touch the ground."))
 
     def leave(self, reason: str) -> None:
-        """Stop and disarm all motors if any may move; the wheels may be on the ground then."""
+        """Stop and disarm all motors if any may move. The wheels may be on the ground then."""
         self.wheels_are_free = False
         if self._motors.armed or self._device.may_move:
             self._motors.stop(reason)
@@ -102,7 +102,7 @@ class MotorPulses(QObject):
         return bool(self.motor)
 
     def release(self) -> None:
-        """Brake the motor; the motors stay armed."""
+        """Brake the motor. The motors stay armed."""
         self._motors.release(_HOLDER)
 
     @Slot()

@@ -38,7 +38,7 @@ class SetupStep(Enum):
 
 
 class RobotSetup(QObject):
-    """Makes pending edits only, each with `next`; every step can be skipped and left."""
+    """Makes pending edits only, each with `next`. Every step can be skipped and left."""
 
     changed = Signal()
 
@@ -125,7 +125,7 @@ class RobotSetup(QObject):
 
     @property
     def blocker(self) -> str:
-        """Reason why this step could change nothing, for the user; empty without changes."""
+        """Reason why this step could change nothing, for the user. Empty without changes."""
         device = self._device
         if self.step not in {SetupStep.MOTORS, SetupStep.LIMITS, SetupStep.TIMEOUT}:
             return ""
@@ -231,7 +231,7 @@ class RobotSetup(QObject):
         self._move(-1)
 
     def leave(self) -> None:
-        """Stop the motors; the pending edits stay."""
+        """Stop the motors. The pending edits stay."""
         self.pulses.leave(tr("The assistant was closed."))
 
     def go_to(self, step: SetupStep) -> None:

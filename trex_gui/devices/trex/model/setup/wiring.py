@@ -53,7 +53,7 @@ class Wiring:
 
     @classmethod
     def seen(cls, movements: Mapping[int, Movement]) -> "Wiring | None":
-        """Return the wiring that both motors (1 and 2) showed; `None` if not known yet.
+        """Return the wiring that both motors (1 and 2) showed. `None` if not known yet.
 
         Nor is it known if both seemed to move the same wheel.
         """

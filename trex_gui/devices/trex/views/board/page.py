@@ -34,7 +34,7 @@ SIGNS = {
 
 
 class Reasons(PageHead):
-    """Every reason why the motors do what they do; the one that matters most is the title."""
+    """Every reason why the motors do what they do. The one that matters most is the title."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__("", parent)

@@ -44,7 +44,7 @@ class BoardPart(QAbstractButton, Spoken):
         parent: QWidget,
         color: str = "outline",
     ) -> None:
-        """`open_page` shows what else there is about the part; `color` is a name of the theme."""
+        """`open_page` shows what else there is about the part. `color` is a name of the theme."""
         super().__init__(parent)
         self.color = color
         never_mirror(self)
@@ -111,7 +111,7 @@ class ChannelPart(BoardPart):
     def show_input(
         self, axis: tuple[int, int], count: int | None, calibration: Calibration | None
     ) -> None:
-        """Show a raw count on an axis of raw counts; `None` is no signal, or nothing known."""
+        """Show a raw count on an axis of raw counts. `None` is no signal, or nothing known."""
         if (axis, count, calibration) != (self._axis, self._count, self._calibration):
             self._axis, self._count, self._calibration = axis, count, calibration
             self.update()
@@ -155,7 +155,7 @@ class LedPart(BoardPart):
 
 
 class JumperPart(BoardPart):
-    """Two pins, with the jumper on them or without; where it is not known, dashed."""
+    """Two pins, with the jumper on them or without. Where it is not known, dashed."""
 
     ground = "board"
     is_on: bool | None = None
@@ -256,7 +256,7 @@ class SerialPart(BoardPart):
 
 
 class PlugPart(BoardPart):
-    """A wire with a plug at its end; beside its place if it is pulled out."""
+    """A wire with a plug at its end. Beside its place if it is pulled out."""
 
     is_out = False
     is_labelled = False  # its lines are written above the wire, the first is its name

@@ -194,7 +194,7 @@ class BoardView(QWidget):
     # --- What the board reports ---------------------------------------------------------
 
     def show_board(self, inputs: DriveInputs) -> None:
-        """Show the newest of everything; what is not known is drawn as unknown."""
+        """Show the newest of everything. What is not known is drawn as unknown."""
         device = self._device
         board = inputs.board if inputs.link is None else None
         self._show_channels()

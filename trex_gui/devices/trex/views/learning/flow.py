@@ -1,4 +1,4 @@
-"""Steps of learning: motors stopped, hands off, all ends, review; or a test of the sticks."""
+"""Steps of learning: motors stopped, hands off, all ends, review. Or a test of the sticks."""
 
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -47,11 +47,11 @@ class LearnFlow(Flow):
             learning.stored.connect(self._on_stored)
 
     def learn(self, channels: Sequence[int] = CHANNELS) -> None:
-        """Learn these channels unless it is learning already; the motors are stopped first."""
+        """Learn these channels unless it is learning already. The motors are stopped first."""
         self._open(partial(self.learning.begin, channels))
 
     def test(self, channels: Sequence[int] = CHANNELS) -> None:
-        """Test the sticks with the stored values; the motors are stopped first."""
+        """Test the sticks with the stored values. The motors are stopped first."""
         self._open(partial(self.learning.begin_test, channels))
 
     def _open(self, begin: Callable[[], object]) -> None:

@@ -150,7 +150,7 @@ class EndState(Enum):
 
 
 class EndSign(QLabel):
-    """The name of an end and its sign; its width never changes."""
+    """The name of an end and its sign. Its width never changes."""
 
     def __init__(self, name: str, object_name: str, parent: QWidget) -> None:
         super().__init__(parent)
@@ -236,7 +236,7 @@ class TestRow(ChannelRow[StickTest]):
 
 
 class TestPage(ChannelRows):
-    """A row for each channel that is tested; beside them, what safe-start would do."""
+    """A row for each channel that is tested. Beside them, what safe-start would do."""
 
     __test__ = False
 
@@ -256,7 +256,7 @@ class TestPage(ChannelRows):
 
 
 def _sign_of(test: StickTest) -> tuple[str, str]:
-    """Return the icon of a channel and its colour; the text beside it says the same."""
+    """Return the icon of a channel and its colour. The text beside it says the same."""
     if test.ignored:
         return "info", "muted"
     if test.output is None:

@@ -1,4 +1,4 @@
-"""Learned values beside the stored ones, for each channel; importing it loads pyqtgraph."""
+"""Learned values beside the stored ones, for each channel. Importing it loads pyqtgraph."""
 
 from functools import partial
 from typing import Any

@@ -25,7 +25,7 @@ from trex_gui.ui.widgets.labels import Muted, Note
 
 
 class SticksPage(Page):
-    """Begins learning; or, with learned channels, asks for the directions of the sticks."""
+    """Begins learning. Or, with learned channels, asks for the directions of the sticks."""
 
     def __init__(self, device: Device, setup: RobotSetup, learning: Learning) -> None:
         super().__init__("setupSticksPage", tr("The board learns your sticks"))

@@ -72,7 +72,7 @@ class ChannelStrip(QAbstractButton, Spoken):
         theme().changed.connect(self.update)
 
     def set_curve(self, source: InputSource, curve: ChannelCurve | None) -> None:
-        """Set the curve that turns an input into an output; its calibration is marked."""
+        """Set the curve that turns an input into an output. Its calibration is marked."""
         self._curve = curve
         self.set_scale(source, curve.calibration if curve else None)
 

@@ -31,7 +31,7 @@ _DISCARDS = {  # events that discard a half-typed number
 
 
 class SpeedSlider(PressSlider):
-    """Vertical, from `lowest` to 127; keys that move it hold it, too.
+    """Vertical, from `lowest` to 127. Keys that move it hold it, too.
 
     End and the wheel do nothing: neither one key nor scrolling must drive a motor.
     """
