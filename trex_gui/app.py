@@ -103,7 +103,7 @@ def complete(
     That blocks this thread for half a second: before a motor can be armed.
     """
     program.complete()
-    program.make_plots()
+    program.create_plots()
     collector.exempt_present()
     program.report_last_run(has_crashed=has_crashed)
 

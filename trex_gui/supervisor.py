@@ -104,7 +104,7 @@ class SafetySupervisor(QObject):
         self._sleep_delay = login_session.SleepDelay(
             lambda: manager.may_move, parent=self, timeout=limit
         )
-        events.sleeping.connect(self._sleep_delay.note_sleep)
+        events.sleeping.connect(self._sleep_delay.record_sleep)
         return events
 
     def close(self) -> None:

@@ -9,7 +9,7 @@ from trex_gui.core import report
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import SettingsError, log_folder
 from trex_gui.core.log_file import log_files
-from trex_gui.core.report import Mask, ReportFile, make_report, save_report
+from trex_gui.core.report import Mask, ReportFile, create_report, save_report
 
 MASK = Mask("/home/mary", "mary", "Rover-Lab.example.org", ("A9007L6T", "0001", "7"))
 
@@ -64,7 +64,7 @@ def test_report_has_parts_and_says_what_failed(tmp_path: Path) -> None:
         raise StudioError("No TReX responds on /home/mary/port.")
 
     parts = {"log.txt": lambda: "by mary\n", "status.txt": fail, "empty.txt": lambda: ""}
-    files = make_report(parts, MASK)
+    files = create_report(parts, MASK)
     texts = {file.name: file.text for file in files}
     assert texts["log.txt"] == "by <user>\n"
     assert texts["status.txt"] == "Not available: No TReX responds on ~/port.\n"
@@ -81,7 +81,7 @@ def test_report_has_parts_and_says_what_failed(tmp_path: Path) -> None:
 
 def test_report_has_the_end_of_the_log_over_its_files(monkeypatch: pytest.MonkeyPatch) -> None:
     def program_log() -> str:
-        files = make_report({}, MASK)
+        files = create_report({}, MASK)
         return next((file.text for file in files if file.name == "program.txt"), "")
 
     assert not program_log()

@@ -107,7 +107,7 @@ def test_late_stop_confirmation_closes_the_window(
 
 
 def test_logging_out_closes_without_a_warning(running: UnconfirmedStopWindow) -> None:
-    running.find_only(UnconfirmedStopWarning).note_log_out()
+    running.find_only(UnconfirmedStopWarning).record_log_out()
     assert running.window.close()
     assert running.device.may_move
 

@@ -105,7 +105,7 @@ def test_log_keeps_what_happened_over_disconnects(
     window: WindowDriver, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     window.program.complete()
-    window.program.make_plots()
+    window.program.create_plots()
     device, url = window.device, quick_simulator.url
     window.connect(url)
     window.click("runButton")

@@ -50,7 +50,7 @@ def test_f1_opens_help_on_each_page(window: WindowDriver) -> None:
     spaces = window.program.workspaces
     for key, topics in (("trex", trex.TOPICS), ("aracna", aracna.TOPICS)):
         window.program.device_manager.switch_to(key, lambda: None)
-        spaces[key].make_pages()
+        spaces[key].create_pages()
         for page in window.each_page():
             name = page.objectName().removesuffix("Area")
             assert press_f1(window, window.window) == topics[name], name

@@ -112,7 +112,7 @@ def test_recent_files_open_again(window: WindowDriver, tmp_path: Path) -> None:
 _REOPEN = """
 import sys
 from trex_gui import app
-from trex_gui.ui.translations import choose_language
+from trex_gui.ui.translations import select_language
 
 begin, languages = app.begin, iter(["de"])
 
@@ -124,7 +124,7 @@ def begin_and_choose(program, arguments):
         if language is None:
             program.end()
         else:
-            choose_language(language)
+            select_language(language)
             window.reopen()
     program.device_manager.when_connected(connected)
     begin(program, arguments)

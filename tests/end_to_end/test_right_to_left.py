@@ -33,7 +33,7 @@ def _right_to_left(qapp: QApplication) -> Iterator[None]:
 def test_window_mirrors_no_painted_widget_slider_or_number(window: WindowDriver) -> None:
     assert window.root.layoutDirection() is Direction.RightToLeft
     for workspace in window.program.workspaces.values():
-        workspace.make_pages()
+        workspace.create_pages()
     window.connect_to_demo()  # whose panel has sliders
     kinds = Painted, LiveLabel, QSlider, QAbstractSpinBox
     widgets = [widget for widget in window.find_all(QWidget) if isinstance(widget, kinds)]

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QCheckBox, QFileDialog, QLabel, QLineEdit, QPlainT
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.ui.theme.theme import choose_font_size
+from trex_gui.ui.theme.theme import select_font_size
 from trex_gui.ui.traffic.page import TrafficPage
 from trex_gui.ui.traffic.table import RECEIVED, SENT, WORDS, TrafficView
 from trex_gui.ui.widgets.labels import ElidedLabel, PageHead
@@ -160,7 +160,7 @@ def test_polling_is_shown_on_demand_and_log_can_be_paused(
     assert not page.shows("get currents")
     assert "polling hidden" in page.summary
 
-    choose_font_size(150)
+    select_font_size(150)
     window.window.resize(1100, 700)  # bytes leave room for what they mean
     readable = 40 * page.view.fontMetrics().averageCharWidth()
     page.wait(lambda: page.view.columnWidth(WORDS) >= readable)

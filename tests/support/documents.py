@@ -19,4 +19,4 @@ def save_now(
     target, content = path or document.path, make()
     assert target is not None
     save(target, content.text)
-    content.note_saved(target)
+    content.record_saved(target)

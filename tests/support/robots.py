@@ -85,7 +85,7 @@ class Robot:
             setup.pulses.release()
             self.wait(lambda: self.speeds() == (0, 0))
             seen = (each for each in Movement if (each.side, each.forward) == (side, turn > 0))
-            setup.note_movement(motor, next(seen))
+            setup.record_movement(motor, next(seen))
 
     def push(self, *channels: int) -> None:
         for channel in (1, 2):
@@ -98,7 +98,7 @@ class Robot:
         one_stick = self.setup.driver is Driver.ONE_STICK
         for channels in ((2,), (1,)) if one_stick else ((1, 2),):
             self.push(*channels)
-            assert self.setup.note_pushed(channels) == ()
+            assert self.setup.record_pushed(channels) == ()
         self.push()
 
     def apply(self) -> None:

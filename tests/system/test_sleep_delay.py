@@ -34,7 +34,7 @@ class Asleep:
         self.logind = Logind(theirs)
         self.delay = SleepDelay(lambda: self.may_move, ours, timeout=1.0)
         self.events = SessionEvents(ours, ours)
-        self.events.sleeping.connect(self.delay.note_sleep)
+        self.events.sleeping.connect(self.delay.record_sleep)
         qtbot.waitUntil(lambda: self.delay.holds)
 
     @property
@@ -100,13 +100,13 @@ def test_sleep_delay_without_logind_holds_nothing(
     delay = SleepDelay(lambda: False, buses[1], timeout=1.0)
     qtbot.waitUntil(lambda: delay._request is None)
     assert not delay.holds
-    delay.note_sleep(begins=True)
+    delay.record_sleep(begins=True)
     delay.give()
 
 
 def test_sleep_delay_without_bus_holds_nothing() -> None:
     delay = SleepDelay(lambda: False, QDBusConnection("there is none"), timeout=1.0)
-    delay.note_sleep(begins=True)
-    delay.note_sleep(begins=False)
+    delay.record_sleep(begins=True)
+    delay.record_sleep(begins=False)
     assert not delay.holds
     delay.give()

@@ -130,7 +130,7 @@ def test_stops_and_applied_settings_are_events(qtbot: QtBot) -> None:
     motors.stop("the pad was let go")
     results = [WriteResult(f"key{number}", number) for number in range(5)]
     results.append(WriteResult("key5", error=NoReply("silence")))
-    events.note_applied(tuple(results), ("A", "B", "C", "D", "E", "F"))
+    events.record_applied(tuple(results), ("A", "B", "C", "D", "E", "F"))
     assert [(event.kind.value, event.text) for event in events.all] == [
         ("stop", "Stop"),
         ("stop", "Stop: the pad was let go"),

@@ -97,7 +97,7 @@ def test_pages_and_plots_are_made_when_they_are_shown_or_the_window_is_painted(
     assert [tabs.tabText(index) for index in range(tabs.count())] == titles
     assert tabs.currentIndex() == 2
     assert started.window.findChild(QWidget, "curvePlot") is None
-    started.make_plots()
+    started.create_plots()
     assert started.window.findChild(QWidget, "curvePlot") is not None
 
 

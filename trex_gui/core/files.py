@@ -176,14 +176,14 @@ def atomic_file(path: Path, *, overwrite: bool = True) -> Iterator[BinaryIO]:
                 shutil.copymode(target, draft)
             draft.replace(target)
         else:
-            _take_free_name(draft, target)
+            _reserve_name(draft, target)
     finally:
         with contextlib.suppress(OSError):
             draft.unlink()
     _sync_folder(target.parent)
 
 
-def _take_free_name(draft: Path, target: Path) -> None:
+def _reserve_name(draft: Path, target: Path) -> None:
     """Rename a file in one step. A `FileExistsError` when the name is taken."""
     if os.name == "nt":
         draft.rename(target)  # replaces a file on other systems only

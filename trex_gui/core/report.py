@@ -114,7 +114,7 @@ class Mask:
         return text
 
 
-def make_report(
+def create_report(
     parts: Mapping[str, Callable[[], str]], mask: Mask | None = None
 ) -> tuple[ReportFile, ...]:
     """Return the files of a report: those of the program and these, without empty ones.

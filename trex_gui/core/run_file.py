@@ -28,7 +28,7 @@ class RunFile:
     """
 
     def __init__(self) -> None:
-        self.found_crash = _take_abandoned()
+        self.found_crash = _handle_abandoned()
         self._file: TextIO | None = None
         name = f"run-{os.getpid()}-{os.urandom(4).hex()}.txt"
         with suppress(OSError):
@@ -49,7 +49,7 @@ class RunFile:
                 Path(self._file.name).unlink()
 
 
-def _take_abandoned() -> bool:
+def _handle_abandoned() -> bool:
     """Make the files of processes that are gone into the one of the last crash."""
     found = False
     for path in log_folder().glob("run-*.txt"):

@@ -124,7 +124,7 @@ class SleepDelay(QObject):
             self._descriptor = None
 
     @Slot(bool)
-    def note_sleep(self, begins: bool) -> None:
+    def record_sleep(self, begins: bool) -> None:
         """Allow sleep once the stop is confirmed. When the computer wakes, request a new delay.
 
         The stop itself was sent because of `SessionEvents.leaving`.

@@ -6,7 +6,7 @@ import importlib
 import PySide6  # noqa: F401 - brings its support package
 
 
-def _leave_sources_unread() -> None:
+def _clear_sources() -> None:
     """Keep PySide from reading the source of every module that is imported.
 
     It looks there for a sign of its optional feature `__feature__`, which nothing here uses, and
@@ -17,4 +17,4 @@ def _leave_sources_unread() -> None:
         vars(feature).update(_mod_uses_pyside=lambda _module: False)
 
 
-_leave_sources_unread()
+_clear_sources()

@@ -46,10 +46,10 @@ def end_background(timeout_ms: int) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class Content:
-    """Content of a document to be saved. `note_saved` takes the path, once it is there."""
+    """Content of a document to be saved. `record_saved` takes the path, once it is there."""
 
     text: str
-    note_saved: Callable[[Path], object]
+    record_saved: Callable[[Path], object]
 
 
 class _Job(FileWorker, Generic[ResultT]):

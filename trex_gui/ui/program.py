@@ -34,7 +34,7 @@ class Program:
         self._scanner = scanner = DeviceScanner(plugins, timeouts=self.timeouts)
         last = last_device()
         makers = {
-            plugin.key: partial(self._make_controller, plugin)
+            plugin.key: partial(self._create_controller, plugin)
             for plugin in sorted(plugins, key=lambda plugin: plugin.key != last)
         }
         self.device_manager = manager = DeviceManager(makers, scanner)
@@ -48,7 +48,7 @@ class Program:
 
         self.auto_connect = AutoConnect(self.ports, manager, notifier, manager)
 
-    def _make_controller(self, plugin: DevicePlugin) -> Controller:
+    def _create_controller(self, plugin: DevicePlugin) -> Controller:
         make: Callable[..., Controller] = plugin.controller.load()
         return make(plugin, self._notifier, self.ports, self._scanner, self.timeouts)
 
@@ -73,9 +73,9 @@ class Program:
             return
         workspace = self.workspace(self.device_manager.current.plugin.key)
         if self._is_complete:
-            workspace.make_pages()
+            workspace.create_pages()
 
-    def make_plots(self) -> None:
+    def create_plots(self) -> None:
         """Make the plots of pages that were not shown yet, so that showing one takes no longer."""
         for workspace in self._workspaces.values():
             for page in workspace.findChildren(PlotPage):

@@ -45,7 +45,7 @@ class Tour(QObject):
         self._size = size
         self._program = program
         self._folder = folder
-        self._steps = self._make_steps()
+        self._steps = self._create_steps()
         self._waiting: tuple[Do, float] | None = None
         self._has_all = False
         self._timer = new_timer(self, _STEP_MS, self._step, single_shot=True)
@@ -76,7 +76,7 @@ class Tour(QObject):
         self._program.device_manager.press_stop()
         self._end.start()
 
-    def _make_steps(self) -> Iterator[Do]:
+    def _create_steps(self) -> Iterator[Do]:
         manager = self._program.device_manager
         for plugin in self._program.plugins:
             controller = manager.controller(plugin.key)

@@ -29,7 +29,7 @@ def chosen_language() -> str:
     return wanted if wanted in LANGUAGES else AS_THE_SYSTEM
 
 
-def choose_language(code: str) -> None:
+def select_language(code: str) -> None:
     """Use a language from the next opening of the window on."""
     Preferences().set(_KEY, code)
 

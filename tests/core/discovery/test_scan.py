@@ -39,7 +39,7 @@ class Deaf:
         self._name = name
         self._diagnosis = diagnosis
 
-    def note_unsolicited(self, line: SerialFormat, data: bytes) -> None:
+    def record_unsolicited(self, line: SerialFormat, data: bytes) -> None:
         self._noted.append(f"{self._name} hears {data!r} at {line.baud}")
 
     def probe(

@@ -18,7 +18,7 @@ from tests.support.simulator import StartSimulator
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.guardian.guardian import GuardianProcess, SharedPort, StopSequence, _message
 from trex_gui.core.guardian.log import StopResult, logged_stops
-from trex_gui.core.guardian.process import StopMessage, keep_file
+from trex_gui.core.guardian.process import StopMessage, maintain_file
 from trex_gui.core.run_file import is_locked
 from trex_gui.core.transport import serial_port
 from trex_gui.core.transport.driven import (
@@ -87,7 +87,7 @@ def test_later_attempt_to_stop_keeps_the_time_since_which_the_board_was_driven()
     notes: queue.Queue[bytes | None] = queue.Queue()
     notes.put(StopMessage(_message(board.stop).split()[1:]).note)
     notes.put(None)
-    keep_file(str(file), notes, lambda: None)
+    maintain_file(str(file), notes, lambda: None)
     assert driven_boards() == found
     assert file.read_text().count("since: ") == 1
 

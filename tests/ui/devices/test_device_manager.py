@@ -60,7 +60,7 @@ class FakeDevice(QObject):
             else ""
         )
 
-    def begin_to_shut_down(self) -> None:
+    def start_shutdown(self) -> None:
         self.done.append("begin to shut down")
 
     def shut_down(self) -> bool:

@@ -123,7 +123,7 @@ def test_edit_that_changes_nothing_leaves_no_step(device: Device) -> None:
 
 def test_undo_after_apply_makes_the_old_value_pending(device: Device) -> None:
     device.parameters.edit("serial_timeout", 5)
-    device.parameters.note_stored({"serial_timeout": 5})
+    device.parameters.record_stored({"serial_timeout": 5})
     assert device.draft.pending == 0
     device.draft.undo.undo()
     assert device.parameters.values.pending == (("serial_timeout", FACTORY["serial_timeout"]),)

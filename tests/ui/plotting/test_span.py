@@ -51,7 +51,7 @@ def test_live_span_gets_back_its_length(span: Span) -> None:
     span.go_live()
     assert (span.start, span.end) == (70, 100)
     span.hold()
-    span.choose_length(10)
+    span.select_length(10)
     span.go_live()
     assert (span.start, span.end) == (90, 100)
 

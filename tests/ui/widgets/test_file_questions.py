@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 from pytestqt.qtbot import QtBot
 
-from trex_gui.ui.widgets.file_questions import ask_to_save
+from trex_gui.ui.widgets.file_questions import prompt_to_save
 
 
 @pytest.fixture
@@ -35,7 +35,7 @@ def test_name_is_completed_with_suffix(
 ) -> None:
     chosen = str(tmp_path / typed)
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (chosen, ""))
-    path = ask_to_save(window, "Save", tmp_path, suffix=".txt", required=required)
+    path = prompt_to_save(window, "Save", tmp_path, suffix=".txt", required=required)
     assert path == tmp_path / saved
 
 
@@ -50,5 +50,5 @@ def test_completed_name_is_replaced_only_on_consent(
         QMessageBox, "question", lambda *_: button.Yes if replace else button.Cancel
     )
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "a"), ""))
-    path = ask_to_save(window, "Save", tmp_path, suffix=".txt")
+    path = prompt_to_save(window, "Save", tmp_path, suffix=".txt")
     assert path == (existing if replace else None)

@@ -6,7 +6,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QDialog, QMainWindow, QWidget
 from pytestqt.qtbot import QtBot
 
-from trex_gui.ui.widgets.placement import fitted, keep_on_screen, restore_geometry, save_geometry
+from trex_gui.ui.widgets.placement import fit_on_screen, fitted, restore_geometry, save_geometry
 
 NETBOOK = QRect(0, 0, 1024, 600)
 BESIDE = QRect(1920, 30, 1366, 738)  # a second screen, below a panel
@@ -34,7 +34,7 @@ def test_dialog_opens_again_where_it_was_closed(qtbot: QtBot) -> None:
     parent.show()
     dialog = QDialog(parent)
     dialog.resize(400, 300)
-    keep_on_screen(dialog)
+    fit_on_screen(dialog)
     dialog.show()
     first = dialog.geometry()
     assert (first.center() - parent.geometry().center()).manhattanLength() < 10
@@ -51,7 +51,7 @@ def test_stored_place_is_restored_within_the_screen(qtbot: QtBot) -> None:
         window = QMainWindow()
         qtbot.addWidget(window)
         restore_geometry(window, "test", 5000, 5000)
-        keep_on_screen(window)
+        fit_on_screen(window)
         window.show()
         return window
 
@@ -73,7 +73,7 @@ def test_stored_place_is_restored_within_the_screen(qtbot: QtBot) -> None:
 def test_full_screen_stays(qtbot: QtBot) -> None:
     window = QMainWindow()
     qtbot.addWidget(window)
-    keep_on_screen(window)
+    fit_on_screen(window)
     window.showFullScreen()
     assert window.isFullScreen()
     window.close()

@@ -96,7 +96,7 @@ def scan_port(
                 running[key] = info.begin(settings, full=full, known=key == first)
             if heard := wire.read(_KEPT, _LISTEN):
                 for prober in running.values():
-                    prober.note_unsolicited(opened, heard)
+                    prober.record_unsolicited(opened, heard)
             probed = _probe_in_order(
                 wire, running, probers, first=first, progress=progress, cancelled=cancelled
             )

@@ -12,7 +12,7 @@ It reads one message per line from its standard input:
 
 Bytes are hexadecimal; `StopSequence` in `guardian.py` explains the fields. It replies with `ready`,
 with `read` to each message, with `marked` once the file says that motors may be moving
-(`keep_file`), and if they have to be stopped with `stopping` and at last `confirmed` or
+(`maintain_file`), and if they have to be stopped with `stopping` and at last `confirmed` or
 `unconfirmed`; then it says so in its log file, too.
 """
 
@@ -236,7 +236,9 @@ class StopMessage:
         self.note = bytes.fromhex(note)
 
 
-def keep_file(path: str, notes: "queue.Queue[bytes | None]", written: Callable[[], object]) -> None:
+def maintain_file(
+    path: str, notes: "queue.Queue[bytes | None]", written: Callable[[], object]
+) -> None:
     """Write each note into a locked file. An empty note removes it, and `None` is the end.
 
     Runs in a thread: a slow disk delays no stop. What fails is repeated. A note may have `since`.
@@ -272,14 +274,14 @@ class Watchdog:
     def __init__(
         self, port: Port, silence: float, files: Sequence[str], messages: FileIO, replies: FileIO
     ) -> None:
-        """`files`: the log, and that of `keep_file`."""
+        """`files`: the log, and that of `maintain_file`."""
         self._port = port
         self._silence = silence
         self._log_file, path = files
         self._replies = replies
         self._notes: queue.Queue[bytes | None] = queue.Queue()
         keeping = (path, self._notes, lambda: self._reply("marked"))
-        self._writer = threading.Thread(target=keep_file, args=keeping, daemon=True)
+        self._writer = threading.Thread(target=maintain_file, args=keeping, daemon=True)
         self._writer.start()
         self._is_called_off = False
         self._messages: queue.Queue[str] = queue.Queue()

@@ -26,7 +26,7 @@ def kept_path(begun: datetime, kind: str) -> Path:
     return kept_folder() / f"{stamp}_{kind}{SUFFIX}"
 
 
-def make_kept_folder() -> Path:
+def create_kept_folder() -> Path:
     """Return the folder, which exists from now on. Raises RecordingError."""
     folder = kept_folder()
     with reported(folder, _NOT_USED):
@@ -34,12 +34,12 @@ def make_kept_folder() -> Path:
     return folder
 
 
-def make_room(most_files: int = MOST_FILES, most_bytes: int = MOST_BYTES) -> None:
+def free_space(most_files: int = MOST_FILES, most_bytes: int = MOST_BYTES) -> None:
     """Remove the oldest recordings before one more is written. Make the folder if need be.
 
     A file that the user renamed is never removed, nor is the newest one. Raises RecordingError.
     """
-    folder = make_kept_folder()
+    folder = create_kept_folder()
     with reported(folder, _NOT_USED):
         found = sorted(path for path in folder.iterdir() if _NAME.fullmatch(path.name))
     used = 0

@@ -216,7 +216,7 @@ class SimulatedLine:
             if self.echo:
                 at(start, partial(self._put_at_host_rate, byte, end), is_wanted)
             if is_sampled and host is not None:
-                at(start, partial(self._begin_other_rate, byte, host, end, is_wanted), is_wanted)
+                at(start, partial(self._start_other_rate, byte, host, end, is_wanted), is_wanted)
             else:
                 at(end, partial(self._deliver, byte, host, start), is_wanted)
 
@@ -278,7 +278,7 @@ class SimulatedLine:
             for station in self.stations:
                 station.receive(arriving[0], host, arriving[1], begun)
 
-    def _begin_other_rate(
+    def _start_other_rate(
         self, byte: int, host: SerialFormat, end: float, is_wanted: Callable[[], bool]
     ) -> None:
         """Begin a byte that at least one station samples at another rate."""

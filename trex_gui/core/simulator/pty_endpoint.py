@@ -79,12 +79,12 @@ class PtyEndpoint:
         _set_speed(self._slave, self._baud)
         self._path = os.ttyname(self._slave)
         try:
-            self._make_link()
+            self._create_link()
         except OSError as error:
             self.unplug()
             raise EndpointError(f"cannot make the link {self._link}: {error.strerror}") from error
 
-    def _make_link(self) -> None:
+    def _create_link(self) -> None:
         if self._link is None:
             return
         if self._link.exists() and not self._link.is_symlink():

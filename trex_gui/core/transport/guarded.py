@@ -85,7 +85,7 @@ class GuardedTransport:
     def beat(self) -> None:
         """Send a heartbeat if it is due. Take the line back if the guardian has taken over."""
         if self._has_taken_over:
-            self._take_back()
+            self._reclaim_line()
             return
         sequence = self._stop_sequence()
         self._replace_lost_guardian(sequence)
@@ -109,7 +109,7 @@ class GuardedTransport:
                 self._stop_to_send = sequence.packets
                 self._taken_over(None)
 
-    def _take_back(self) -> None:
+    def _reclaim_line(self) -> None:
         self._stop_to_send = self._sequence.packets if self._sequence is not None else b""
         confirmed = self._guardian.end()
         self._restart(_READY_S)

@@ -87,7 +87,7 @@ class AracnaProber:
     def is_over(self) -> bool:
         return bool(self.found)
 
-    def note_unsolicited(self, line: SerialFormat, data: bytes) -> None:
+    def record_unsolicited(self, line: SerialFormat, data: bytes) -> None:
         """Take bytes that arrived before a probe, such as `.h` after a reset."""
         if line == LINE:
             self._take(data)

@@ -138,7 +138,7 @@ class TrexProber:
     def is_over(self) -> bool:
         return bool(self.found) or self._several is not None or self._is_loader
 
-    def note_unsolicited(self, line: SerialFormat, data: bytes) -> None:
+    def record_unsolicited(self, line: SerialFormat, data: bytes) -> None:
         self._strange.append((line, data))
 
     def probe(

@@ -236,11 +236,11 @@ class OpenBoard:
         for event in self.mirror.take(report, self.session.clock(), utc_now()):
             match event:
                 case LatchedStatus():
-                    self._take_status(event)
+                    self._handle_status(event)
                     yield event
                 case Sample():
                     yield event
-                    self._take_control(event)
+                    self._handle_control(event)
                 case Event():
                     self.events.append(event)
         match report:
@@ -256,7 +256,7 @@ class OpenBoard:
                 cause = _LATE if code is ErrorCode.NO_HEARTBEAT else describe(code, (number,))
                 self._fail(f"{cause} The motors were stopped.", is_named=number is not None)
 
-    def _take_control(self, sample: Sample) -> None:
+    def _handle_control(self, sample: Sample) -> None:
         """Stop every board of a group if this one has returned to its channels."""
         if self._number is None or not isinstance(sample, Control):
             return
@@ -265,7 +265,7 @@ class OpenBoard:
             self.session.stop()
             self._fail(f"{self.mirror.control_text} The motors were stopped.")
 
-    def _take_status(self, latched: LatchedStatus) -> None:
+    def _handle_status(self, latched: LatchedStatus) -> None:
         self.errors |= dict.fromkeys(latched.names)
         if (
             self.session.is_armed

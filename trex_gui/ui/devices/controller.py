@@ -103,7 +103,7 @@ class DeviceController(QObject, Generic[SettingsT]):
         if self._chosen is None or not self._chosen.is_same(port):
             self._chosen = port
             if port.settings:
-                self.take_packed(port.settings)
+                self.set_packed(port.settings)
 
     def connect_to(self, port: Port) -> None:
         """Connect to a port. Closes an open line and ends a scan of the port first."""
@@ -134,14 +134,14 @@ class DeviceController(QObject, Generic[SettingsT]):
         self.changed.emit()
         self._model.disconnect_line()
 
-    def begin_to_shut_down(self) -> None:
+    def start_shutdown(self) -> None:
         self.starting = False
         self._after_scan = None
         self._model.disconnect_line()
 
     def shut_down(self) -> bool:
         """Close the line and end the simulator. Return whether the line ended in time."""
-        self.begin_to_shut_down()
+        self.start_shutdown()
         in_time = self._model.shut_down()
         self.simulator.stop()
         return in_time
@@ -203,7 +203,7 @@ class DeviceController(QObject, Generic[SettingsT]):
 
     # --- For each device ----------------------------------------------------------------
 
-    def take_packed(self, settings: str) -> None:
+    def set_packed(self, settings: str) -> None:
         """Use settings at which a device was found before. A device with only one has none."""
 
     @property

@@ -258,7 +258,7 @@ class DemoDock(QDockWidget):
         if there and self.isHidden():
             if self.widget() is None:  # on a small screen the pages need the room: it scrolls
                 self.setWidget(ScrollBox(self._make, self, sideways=True))
-            self._make_room()
+            self._free_space()
             self.show()
         elif not there and not self.isHidden():
             self.leave()
@@ -280,7 +280,7 @@ class DemoDock(QDockWidget):
             window.resize(self._width_before, window.height())
         self._width_before = 0
 
-    def _make_room(self) -> None:
+    def _free_space(self) -> None:
         """Widen the window so that the pages keep their width, as far as the screen goes."""
         window = self.parentWidget()
         if window is None or self.isFloating() or not window.isVisible() or window.isMaximized():

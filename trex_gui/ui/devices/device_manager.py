@@ -182,7 +182,7 @@ class DeviceManager(QObject):
         """
         self._next = None
         for controller in self._controllers.values():
-            controller.begin_to_shut_down()
+            controller.start_shutdown()
         self.scanner.cancel()
         ends = [controller.shut_down() for controller in self._controllers.values()]
         ends.append(self.scanner.shut_down())

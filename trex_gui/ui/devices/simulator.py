@@ -81,13 +81,13 @@ class Simulator(QObject):
         while self._process.canReadLine():
             line = bytes(self._process.readLine().data()).decode(errors="replace").strip()
             if self.url:
-                self._take_answer(line)
+                self._handle_answer(line)
             elif line.startswith("ready "):
                 self.url = line.removeprefix("ready ")
                 self.plugged = True
                 self.ready.emit(self.url)
 
-    def _take_answer(self, answer: str) -> None:
+    def _handle_answer(self, answer: str) -> None:
         match answer.split(maxsplit=2):
             case ["ok", "unplugged"]:
                 self.plugged = False
@@ -214,9 +214,9 @@ class DemoDevice(QObject, Generic[SnapshotT]):
     def _poll(self) -> None:
         if self._simulator.url and not self._polling:
             sent, self._polling = self._sent, True
-            self._simulator.send("show", lambda answer: self._take_reply(answer, sent))
+            self._simulator.send("show", lambda answer: self._handle_reply(answer, sent))
 
-    def _take_reply(self, answer: str, sent: int) -> None:
+    def _handle_reply(self, answer: str, sent: int) -> None:
         self._polling = False
         if sent != self._sent:
             if self._timer.isActive():

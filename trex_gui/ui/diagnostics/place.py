@@ -54,11 +54,11 @@ class Diagnostics(Place):
         self.add_tabs(self._head, margins=(16, 16, 16, 0))
         set_look(self.tabs.tabBar(), "choices")
         self.tabs.tabBar().setDrawBase(False)
-        follow_theme(self._search, "room", self._make_room)
+        follow_theme(self._search, "room", self._free_space)
         self._search.textChanged.connect(self._on_searched)
         workspace.page_changed.connect(self._on_page_changed)
 
-    def _make_room(self) -> None:
+    def _free_space(self) -> None:
         width = _SEARCH * self._search.fontMetrics().averageCharWidth()
         self._search.setMinimumWidth(width)
 
@@ -68,7 +68,7 @@ class Diagnostics(Place):
         """Return the three pages. The arguments make the first and the last."""
         owner = self._workspace
 
-        def make_problems(parent: QWidget) -> QWidget:
+        def create_problems(parent: QWidget) -> QWidget:
             page = self._joined(problems(parent))
             page.page_wanted.connect(self._show_more)
             page.help_wanted.connect(self._show_help)
@@ -76,7 +76,7 @@ class Diagnostics(Place):
             page.show_problems()
             return page
 
-        def make_log(parent: QWidget) -> QWidget:
+        def create_log(parent: QWidget) -> QWidget:
             from trex_gui.ui.diagnostics.log_page import LogPage  # noqa: PLC0415 - later
 
             page = self._joined(LogPage(owner.log, owner.key, owner.message_help, parent))
@@ -84,8 +84,8 @@ class Diagnostics(Place):
             return page
 
         return (
-            PageInfo("errors", tr("Prob&lems"), make_problems, "pulse", self),
-            PageInfo("log", tr("Lo&g"), make_log, "", self),
+            PageInfo("errors", tr("Prob&lems"), create_problems, "pulse", self),
+            PageInfo("log", tr("Lo&g"), create_log, "", self),
             PageInfo(
                 "transcript", tr("T&raffic"), lambda parent: self._joined(traffic(parent)), "", self
             ),

@@ -101,13 +101,13 @@ class ProblemCard(ui.Card):
         ):
             button.setVisible(bool(is_offered))
             button.setAccessibleDescription(problem.title)
-        self._keep_height()
+        self._hold_height()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._keep_height()
+        self._hold_height()
 
-    def _keep_height(self) -> None:
+    def _hold_height(self) -> None:
         """Keep the height that the text needs: a page without room scrolls and cuts no text."""
         self.setMinimumHeight(self.heightForWidth(self.width()))
 

@@ -156,9 +156,9 @@ class ConnectionBar(QFrame):
         self.row = ui.row((pill, 9), self.button, 0, into=self, margins=(12, 6, 12, 6))
         ui.tab_order(pill, self.button)
         pill.installEventFilter(self)
-        follow_theme(self, "room", self._take_room)
+        follow_theme(self, "room", self._update_space)
 
-    def _take_room(self) -> None:
+    def _update_space(self) -> None:
         character = self.fontMetrics().averageCharWidth()
         self._pill.setMaximumWidth(_WIDEST * character)
         self._status.setMinimumWidth(_LEAST_STATE * character)
@@ -272,7 +272,7 @@ class ConnectionBar(QFrame):
         if isinstance(choice, Port):
             self._choose(choice)
         elif choice == _OTHER:
-            self._ask_for_address()
+            self._prompt_for_address()
         elif choice == _NOT_CONNECTED:
             self._choose(None)
 
@@ -281,7 +281,7 @@ class ConnectionBar(QFrame):
         self._on_ports_changed()
         self.choice_changed.emit()
 
-    def _ask_for_address(self) -> None:
+    def _prompt_for_address(self) -> None:
         address, given = QInputDialog.getText(
             self,
             title_of(tr("Other port or address…")),

@@ -56,7 +56,7 @@ from trex_gui.ui.theme.theme import restore_choices
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import EnterWatch
 from trex_gui.ui.widgets.messages import Banner, InlinePrompt, MessageRoom
-from trex_gui.ui.widgets.placement import keep_on_screen, restore_geometry, save_geometry
+from trex_gui.ui.widgets.placement import fit_on_screen, restore_geometry, save_geometry
 
 if TYPE_CHECKING:
     from trex_gui.ui.help.dialog import HelpDialog
@@ -154,13 +154,13 @@ class MainWindow(QMainWindow):
         if is_first:
             self._connect()
             restore_geometry(self, "window", 1100, 760)
-            keep_on_screen(self)
+            fit_on_screen(self)
             self.restoreState(self._store.data("window/state"))
         page_key = f"{workspace.key}/page"
         workspace.show_saved(self._store.text(page_key))
         workspace.page_changed.connect(partial(self._store.set, page_key))
         for each in self._workspaces:
-            each.take_actions(self._actions)
+            each.set_actions(self._actions)
         self._show_current()
 
     def _fill_menus(self) -> None:

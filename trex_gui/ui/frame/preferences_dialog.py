@@ -13,11 +13,11 @@ from trex_gui.ui.theme.theme import (
     FONT_SIZES,
     SCHEMES,
     Scheme,
-    choose_font_size,
-    choose_scheme,
+    select_font_size,
+    select_scheme,
     theme,
 )
-from trex_gui.ui.translations import AS_THE_SYSTEM, LANGUAGES, choose_language, chosen_language
+from trex_gui.ui.translations import AS_THE_SYSTEM, LANGUAGES, chosen_language, select_language
 from trex_gui.ui.units import units
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
@@ -60,10 +60,10 @@ class PreferencesDialog(ReusedDialog):
             return box
 
         self._scheme = choice(
-            "schemeBox", tr("&Theme:"), schemes, lambda at: choose_scheme(SCHEMES[at])
+            "schemeBox", tr("&Theme:"), schemes, lambda at: select_scheme(SCHEMES[at])
         )
         self._font_size = choice(
-            "fontSizeBox", tr("&Font size:"), sizes, lambda at: choose_font_size(FONT_SIZES[at])
+            "fontSizeBox", tr("&Font size:"), sizes, lambda at: select_font_size(FONT_SIZES[at])
         )
         self._language = choice(
             "languageBox",
@@ -93,7 +93,7 @@ class PreferencesDialog(ReusedDialog):
             tr("C&hoose…"),
             icon="folder",
             default=False,
-            on_click=self._choose_folder,
+            on_click=self._select_folder,
         )
         self._automatic = ui.check_box(
             self,
@@ -164,7 +164,7 @@ class PreferencesDialog(ReusedDialog):
     def _on_language_chosen(self, index: int) -> None:
         code = self._language.itemData(index)
         if code != chosen_language():
-            choose_language(code)
+            select_language(code)
             QTimer.singleShot(0, self._reopen)
 
     @Slot(bool)
@@ -173,7 +173,7 @@ class PreferencesDialog(ReusedDialog):
         self._show_choices()
 
     @Slot()
-    def _choose_folder(self) -> None:
+    def _select_folder(self) -> None:
         chosen = QFileDialog.getExistingDirectory(
             self, tr("Folder of file dialogs"), str(file_questions.last_folder())
         )
@@ -183,8 +183,8 @@ class PreferencesDialog(ReusedDialog):
 
     @Slot()
     def _reset(self) -> None:
-        choose_scheme("system")
-        choose_font_size(100)
+        select_scheme("system")
+        select_font_size(100)
         units().choose(own_first=False)
         file_questions.set_default_folder(None)
         set_automatic(True)

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.core.report import ReportFile, make_report, save_report, suggested_name
+from trex_gui.core.report import ReportFile, create_report, save_report, suggested_name
 from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.ui.files import in_background
@@ -58,7 +58,7 @@ class ReportDialog(ReusedDialog):
         files = ui.label(self, text=tr("&Files:"), buddy=self._list)
         content = ui.label(self, text=tr("Con&tent:"), buddy=self._text)
         self._save = ui.button(
-            self, "reportSave", tr("&Save…"), icon="save", on_click=self._ask_and_save
+            self, "reportSave", tr("&Save…"), icon="save", on_click=self._prompt_and_save
         )
         self._save.setDefault(True)
         close = ui.button(self, "reportClose", tr("&Close"), on_click=self.close)
@@ -77,7 +77,7 @@ class ReportDialog(ReusedDialog):
         self._text.clear()
         self._enable()
         self.show_in_front()
-        in_background(self, partial(make_report, parts), self._show, self._notifier.report_error)
+        in_background(self, partial(create_report, parts), self._show, self._notifier.report_error)
 
     def _show(self, files: tuple[ReportFile, ...]) -> None:
         self._list.clear()
@@ -111,10 +111,10 @@ class ReportDialog(ReusedDialog):
         self._text.setPlainText(file.text if isinstance(file, ReportFile) else "")
 
     @Slot()
-    def _ask_and_save(self) -> None:
+    def _prompt_and_save(self) -> None:
         suggested = file_questions.last_folder() / suggested_name()
         title, kinds = tr("&Save report for support…"), tr("Zip archives (*.zip)")
-        path = file_questions.ask_to_save(self, title, suggested, kinds, ".zip")
+        path = file_questions.prompt_to_save(self, title, suggested, kinds, ".zip")
         if path is not None:
             self.save(path)
 

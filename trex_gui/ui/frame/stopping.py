@@ -92,7 +92,7 @@ class UnconfirmedStopWarning(QObject):
         self._log_out_at: float | None = None
         app = QApplication.instance()
         if isinstance(app, QApplication):
-            app.commitDataRequest.connect(self.note_log_out)
+            app.commitDataRequest.connect(self.record_log_out)
 
     @property
     def is_due(self) -> bool:
@@ -101,7 +101,7 @@ class UnconfirmedStopWarning(QObject):
         return bool(self._manager.unconfirmed_stop) and not self.given and not is_log_out
 
     @Slot()
-    def note_log_out(self) -> None:
+    def record_log_out(self) -> None:
         self._log_out_at = now()
 
     def give(self) -> None:

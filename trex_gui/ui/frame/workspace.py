@@ -140,7 +140,7 @@ class Workspace(QWidget):
         self.pages.bar.icons = icons
         for holder in {holder: None for holder, _ in self._holders}:
             holder.currentChanged.connect(self._on_current_changed)
-        self._make_page(self.current)
+        self._create_page(self.current)
 
     @property
     def current(self) -> int:
@@ -165,15 +165,15 @@ class Workspace(QWidget):
 
     @Slot()
     def _on_current_changed(self) -> None:
-        self._make_page(self.current)
+        self._create_page(self.current)
         self.page_changed.emit(self._infos[self.current].key)
 
-    def make_pages(self) -> None:
+    def create_pages(self) -> None:
         """Make the pages that were not shown yet."""
         for number in sorted(self._missing):
-            self._make_page(number)
+            self._create_page(number)
 
-    def _make_page(self, number: int) -> None:
+    def _create_page(self, number: int) -> None:
         if number not in self._missing:
             return
         self._missing.remove(number)
@@ -182,7 +182,7 @@ class Workspace(QWidget):
         where = holder.findChild(QStackedWidget) or self  # where it stays
         box = ScrollBox(self._infos[number].make, where)
         page = box.content
-        follow_theme(page, "messages", partial(_leave_room, page))
+        follow_theme(page, "messages", partial(_reserve_space, page))
         with QSignalBlocker(holder):  # the current page stays the same
             holder.insertTab(index, box, holder.tabText(index))
             holder.removeTab(index + 1)
@@ -250,7 +250,7 @@ class Workspace(QWidget):
     def menus(self) -> Menus:
         return {Menu.WINDOW: self.page_entries()}
 
-    def take_actions(self, actions: Mapping[str, QAction]) -> None:
+    def set_actions(self, actions: Mapping[str, QAction]) -> None:
         self._actions = actions
 
     def trigger(self, key: str) -> None:
@@ -298,7 +298,7 @@ class Workspace(QWidget):
         """Let the user edit how this computer talks to the device."""
 
 
-def _leave_room(page: QWidget) -> None:
+def _reserve_space(page: QWidget) -> None:
     """Keep the bottom of a page free for a message."""
     page.setContentsMargins(0, 0, 0, message_height(page) - PAGE_MARGINS[3])
 

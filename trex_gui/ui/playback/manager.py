@@ -22,7 +22,7 @@ from trex_gui.ui.playback.transport import size_text, time_text
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.widgets import builders
 from trex_gui.ui.widgets.file_drop import FileDrop
-from trex_gui.ui.widgets.file_questions import ask_to_save, last_folder, remember_folder
+from trex_gui.ui.widgets.file_questions import last_folder, prompt_to_save, remember_folder
 from trex_gui.ui.widgets.labels import ElidedLabel
 from trex_gui.ui.workers.record_thread import RecordThread
 
@@ -144,7 +144,7 @@ class RecordingManager(QObject, Generic[WindowT]):
 
         FileDrop(frame, takes).dropped.connect(lambda paths: self.open_file(paths[0]))
 
-    def make_window(self, recording: Recording[Any, Any]) -> WindowT:
+    def create_window(self, recording: Recording[Any, Any]) -> WindowT:
         """Return a new window for a recording that is not loaded yet."""
         raise NotImplementedError
 
@@ -152,7 +152,7 @@ class RecordingManager(QObject, Generic[WindowT]):
         if self.recorder.recording:
             self.recorder.stop()
             return
-        path = self._ask_to_save(tr("&Record…"), self.proposal())
+        path = self._prompt_to_save(tr("&Record…"), self.proposal())
         if path is not None:
             self.record(path)
 
@@ -161,8 +161,8 @@ class RecordingManager(QObject, Generic[WindowT]):
         stamp = datetime.now().astimezone().strftime("%Y-%m-%d_%H-%M-%S")
         return last_folder(self._folder_key) / f"{self._texts.stem}_{stamp}{SUFFIX}"
 
-    def _ask_to_save(self, title: str, proposal: Path) -> Path | None:
-        return ask_to_save(self._window, title, proposal, self._filter(), SUFFIX, required=True)
+    def _prompt_to_save(self, title: str, proposal: Path) -> Path | None:
+        return prompt_to_save(self._window, title, proposal, self._filter(), SUFFIX, required=True)
 
     def record(self, path: Path) -> None:
         if any(window.player.path == path for window in self.windows):
@@ -173,7 +173,7 @@ class RecordingManager(QObject, Generic[WindowT]):
         else:
             self._notifier.error.emit(self._texts.unavailable)
 
-    def choose_and_open(self, title: str = "", folder: Path | None = None) -> None:
+    def select_and_open(self, title: str = "", folder: Path | None = None) -> None:
         """Let the user choose a recording to open, by default from the last folder."""
         path, _ = QFileDialog.getOpenFileName(
             self._window,
@@ -202,7 +202,7 @@ class RecordingManager(QObject, Generic[WindowT]):
         if self._has_ended:
             recording.close()
             return
-        window = self.make_window(recording)
+        window = self.create_window(recording)
         self._notifier.log_also(window.notifier)
         if recording.path.parent == kept_folder():
             window.copy_wanted.connect(partial(self._save_copy, window))
@@ -219,7 +219,9 @@ class RecordingManager(QObject, Generic[WindowT]):
     def _save_copy(self, window: WindowT) -> None:
         """Save a recording that the program made where it is not removed again."""
         source = window.player.path
-        path = self._ask_to_save(tr("Save a cop&y…"), last_folder(self._folder_key) / source.name)
+        path = self._prompt_to_save(
+            tr("Save a cop&y…"), last_folder(self._folder_key) / source.name
+        )
         if path is None or path == source:
             return
         remember_folder(path, self._folder_key)

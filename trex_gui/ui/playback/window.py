@@ -24,7 +24,7 @@ from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders
 from trex_gui.ui.widgets.messages import Banner, MessageRoom
-from trex_gui.ui.widgets.placement import keep_on_screen, restore_geometry, save_geometry
+from trex_gui.ui.widgets.placement import fit_on_screen, restore_geometry, save_geometry
 
 _REDRAW_DELAY_MS = 100
 
@@ -160,7 +160,7 @@ class RecordingWindow(QMainWindow):
         )
         self.setCentralWidget(frame)
         restore_geometry(self, self._name, 1100, 700)
-        keep_on_screen(self)
+        fit_on_screen(self)
         self.show_all()
         self.update_state()
         if self.player.is_loaded:

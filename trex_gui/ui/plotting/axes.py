@@ -202,27 +202,27 @@ class Span:
         """Show that many seconds. The right edge stays where it is."""
         self.length = min(max(seconds, MIN_SPAN), MAX_SPAN)
 
-    def choose_length(self, seconds: float) -> None:
+    def select_length(self, seconds: float) -> None:
         """Show that many seconds, also when live again."""
         self.set_length(seconds)
         self._live_length = self.length
 
     def hold(self) -> None:
         self._end = self.end
-        self._leave_live()
+        self._stop_live()
 
     def go_live(self) -> None:
         """Follow the newest sample again, at the zoom from before."""
         if not self.live:
             self.length, self.live = self._live_length, True
 
-    def _leave_live(self) -> None:
+    def _stop_live(self) -> None:
         if self.live:
             self._live_length, self.live = self.length, False
 
     def show(self, start: float, end: float) -> None:
         """Show from one time to another, in either order, and stay there."""
-        self._leave_live()
+        self._stop_live()
         middle = (start + end) / 2
         self.set_length(abs(end - start))
         self._end = middle + self.length / 2
@@ -236,15 +236,15 @@ class Span:
         self.set_length(self.length * factor)
         if not self.live:
             self._end = around + share * self.length
-            self._keep_in_reach()
+            self._fit_in_reach()
 
     def pan(self, seconds: float) -> None:
         """Move to later times (earlier below 0), and stay there."""
         self.hold()
         self._end += seconds
-        self._keep_in_reach()
+        self._fit_in_reach()
 
-    def _keep_in_reach(self) -> None:
+    def _fit_in_reach(self) -> None:
         """Leave a tenth of the plot to the samples."""
         part = self.length / 10
         self._end = max(self._oldest + part, min(self._end, self._newest + self.length - part))

@@ -99,7 +99,7 @@ class ExportButton(QToolButton):
         if self._is_live:
             name += datetime.now().astimezone().strftime("_%Y-%m-%d_%H-%M-%S")
         proposal = file_questions.last_folder() / f"{name}.{kind}"
-        path = file_questions.ask_to_save(
+        path = file_questions.prompt_to_save(
             self.window(), self.accessibleName(), proposal, kinds.format(kind), f".{kind}"
         )
         if path is None:

@@ -259,10 +259,10 @@ class TraceTableView(QTableView):
         self.setModel(model)
         header = self.horizontalHeader()
         header.setSectionResizeMode(TraceColumn.CURVE, QHeaderView.ResizeMode.ResizeToContents)
-        follow_theme(self, "room", self._take_room)
+        follow_theme(self, "room", self._update_space)
         self.show_needed_columns()
 
-    def _take_room(self) -> None:
+    def _update_space(self) -> None:
         self._row = self.fontMetrics().height() + _ROW_ROOM
         self.verticalHeader().setMinimumSectionSize(self._row)
         header = self.horizontalHeader()

@@ -184,7 +184,7 @@ class SampleHistory:
 
     def append(self, time: float, *values: float) -> None:
         """Add a row. A time before the newest one is replaced by the newest."""
-        self._make_room(1)
+        self._free_space(1)
         end = self._size
         if end:
             last = float(self._times[end - 1])
@@ -203,7 +203,7 @@ class SampleHistory:
             self._extend(times[span], [column[span] for column in values])
 
     def _extend(self, times: Floats, values: Sequence[Floats]) -> None:
-        self._make_room(len(times))
+        self._free_space(len(times))
         end, stop = self._size, self._size + len(times)
         self._times[end:stop] = times
         for column, more in zip(self._columns, values, strict=True):
@@ -221,7 +221,7 @@ class SampleHistory:
             for column in self._columns:
                 column.summarize(self._times, size)
 
-    def _make_room(self, rows: int) -> None:
+    def _free_space(self, rows: int) -> None:
         if self._size + rows > self._max_rows:
             self._drop(self._step)
         room = len(self._times)

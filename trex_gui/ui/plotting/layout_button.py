@@ -63,8 +63,8 @@ class LayoutButton(QToolButton):
         menu.addMenu(self._colors)
         menu.addSeparator()
         for name, text, slot in (
-            ("layoutOpenAction", tr("&Open layout…"), self._ask_and_open),
-            ("layoutSaveAction", tr("&Save layout…"), self._ask_and_save),
+            ("layoutOpenAction", tr("&Open layout…"), self._prompt_and_open),
+            ("layoutSaveAction", tr("&Save layout…"), self._prompt_and_save),
             ("layoutResetAction", tr("&Reset layout"), partial(use, None)),
         ):
             menu.addAction(action(self, name, text, on_trigger=slot))
@@ -94,8 +94,8 @@ class LayoutButton(QToolButton):
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         menu.popup(place)
 
-    def _ask_and_open(self) -> None:
-        path = file_questions.ask_to_open(
+    def _prompt_and_open(self) -> None:
+        path = file_questions.prompt_to_open(
             self.window(), title_of(tr("&Open layout…")), self._filter()
         )
         if path is not None:
@@ -116,9 +116,9 @@ class LayoutButton(QToolButton):
 
         in_background(self, work, use, self._notifier.report_error)
 
-    def _ask_and_save(self) -> None:
+    def _prompt_and_save(self) -> None:
         proposal = file_questions.last_folder() / f"plot_layout{_SUFFIX}"
-        path = file_questions.ask_to_save(
+        path = file_questions.prompt_to_save(
             self.window(), title_of(tr("&Save layout…")), proposal, self._filter(), _SUFFIX
         )
         if path is not None:

@@ -60,7 +60,7 @@ class TracePanel(QWidget):
             "currentsWindow",
             tr("Time shown"),
             items=[(duration_text(seconds), seconds) for seconds in _WINDOWS],
-            on_activate=lambda index: self._choose_window(_WINDOWS[index]),
+            on_activate=lambda index: self._select_window(_WINDOWS[index]),
         )
         window_label = label(self, text=tr("Show the &last"), buddy=self._window)
         self._top = combo_box(
@@ -69,7 +69,7 @@ class TracePanel(QWidget):
             tr("Range of the currents"),
             items=[(tr("automatic"), 0), *((f"0–{amps} A", amps) for amps in _TOPS)],
             tip=tr("A fixed range keeps plots comparable; peaks above it are cut off"),
-            on_activate=lambda index: self._choose_top((0, *_TOPS)[index]),
+            on_activate=lambda index: self._select_top((0, *_TOPS)[index]),
         )
         top_label = label(self, text=tr("Ran&ge"), buddy=self._top)
         self._pause = button(
@@ -176,11 +176,11 @@ class TracePanel(QWidget):
         self._share_width()
         self._list.refresh()
 
-    def _choose_window(self, seconds: float) -> None:
+    def _select_window(self, seconds: float) -> None:
         self._store.set(f"{self._key}window", seconds)
         self.plot.set_window(seconds)
 
-    def _choose_top(self, amps: float) -> None:
+    def _select_top(self, amps: float) -> None:
         self._store.set(f"{self._key}top", amps)
         self._show_top(amps)
 
@@ -222,8 +222,8 @@ class TracePanel(QWidget):
     def _use_layout(self, layout: PlotLayout | None) -> None:
         """Show the plot in another way, or as before any choice."""
         layout = layout or self._usual
-        self._choose_window(layout.seconds)
-        self._choose_top(layout.top)
+        self._select_window(layout.seconds)
+        self._select_top(layout.top)
         self.plot.shown = set(layout.curves)
         for name, color in (self._usual_colors | dict(layout.curves)).items():
             self.plot.set_color(name, COLORS[color][0])

@@ -167,7 +167,7 @@ class TracePlot(Painted):
         self.cursor_changed.emit()
 
     def set_window(self, seconds: float) -> None:
-        self.span.choose_length(seconds)
+        self.span.select_length(seconds)
         self._on_view_changed()
 
     def show_span(self, start: float, end: float) -> None:

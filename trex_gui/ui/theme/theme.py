@@ -211,13 +211,13 @@ def theme() -> Theme:
     return Theme()
 
 
-def choose_scheme(scheme: Scheme) -> None:
+def select_scheme(scheme: Scheme) -> None:
     """Set the scheme from now on, also at the next start."""
     theme().set_scheme(scheme)
     Preferences().set(_SCHEME, scheme)
 
 
-def choose_font_size(percent: int) -> None:
+def select_font_size(percent: int) -> None:
     """Set the font size from now on, also at the next start."""
     theme().set_font_size(percent)
     Preferences().set(_FONT_SIZE, percent)

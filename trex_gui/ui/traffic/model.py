@@ -85,7 +85,7 @@ class TrafficModel(QObject):
         line.started.connect(self._on_started)
         line.closed.connect(self._on_closed)
 
-    def note_settings(self, settings: PortSettings, *, echo: bool) -> None:
+    def record_settings(self, settings: PortSettings, *, echo: bool) -> None:
         self.pull()
         self._assembler.settings, self._assembler.echo = settings, echo
 

@@ -101,7 +101,7 @@ class TrafficPage(View):
                 "Ctrl+Shift+A",
                 code(Language.ARDUINO),
             ),
-            ("Save", tr("Sa&ve as text…"), "", self._ask_and_save),
+            ("Save", tr("Sa&ve as text…"), "", self._prompt_and_save),
         ):
             action = ui.action(
                 self._view,
@@ -223,13 +223,13 @@ class TrafficPage(View):
         return [rows[row] for row in selected] if selected else rows
 
     @Slot()
-    def _ask_and_save(self) -> None:
+    def _prompt_and_save(self) -> None:
         if not self._table.rows:
             self._notifier.error.emit(tr("No rows to save."))
             return
         suggested = file_questions.last_folder() / "traffic.txt"
         title, kinds = tr("Save the traffic log"), tr("Text (*.txt *.tsv)")
-        path = file_questions.ask_to_save(self, title, suggested, kinds, ".txt")
+        path = file_questions.prompt_to_save(self, title, suggested, kinds, ".txt")
         if path is not None:
             self.save(path)
 

@@ -59,10 +59,10 @@ class TrafficTable(QAbstractTableModel):
         self._paused_at: int | None = None
         heads = tr("Time"), tr("Sent"), tr("Received"), tr("Took (ms)")
         self._heads = (*heads, tr("Meaning"))
-        follow_theme(self, "font", self._take_font)
+        follow_theme(self, "font", self._update_font)
         traffic.cleared.connect(self.rebuild)
 
-    def _take_font(self) -> None:
+    def _update_font(self) -> None:
         self._fixed = fixed_font()
 
     @property
@@ -85,7 +85,7 @@ class TrafficTable(QAbstractTableModel):
         last = self._paused_at
         known = [row for row in self._source.rows if last is None or row.number <= last]
         self.rows = [row for row in known if self._matches(row)]
-        self._note_listed(self._source.count - len(self._source.rows) + len(known), known)
+        self._record_listed(self._source.count - len(self._source.rows) + len(known), known)
         self.endResetModel()
 
     def refresh(self) -> None:
@@ -98,9 +98,9 @@ class TrafficTable(QAbstractTableModel):
             self.beginInsertRows(QModelIndex(), first, first + len(new) - 1)
             self.rows += new
             self.endInsertRows()
-        self._note_listed(self._source.count, self._source.rows)
+        self._record_listed(self._source.count, self._source.rows)
 
-    def _note_listed(self, count: int, rows: Sequence[Transaction]) -> None:
+    def _record_listed(self, count: int, rows: Sequence[Transaction]) -> None:
         self._count = count
         self._last = rows[-1] if rows and not rows[-1].is_over else None
 
@@ -241,9 +241,9 @@ class TrafficView(QTableView):
         rows.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         set_row_height(self, 6)
         self.horizontalHeader().setStretchLastSection(True)
-        follow_theme(self, "room", self._take_room)
+        follow_theme(self, "room", self._update_space)
 
-    def _take_room(self) -> None:
+    def _update_space(self) -> None:
         proportional, fixed = self.fontMetrics(), QFontMetrics(fixed_font())
         unit = proportional.averageCharWidth()
         fonts = {SENT: fixed, RECEIVED: fixed}
@@ -270,7 +270,7 @@ class TrafficView(QTableView):
     def resizeEvent(self, event: QResizeEvent) -> None:
         follows = self.is_at_bottom
         super().resizeEvent(event)
-        self._take_room()
+        self._update_space()
         if follows:  # else a banner above would end it
             self.scrollToBottom()
 
@@ -305,9 +305,9 @@ class RowDetails(QPlainTextEdit):
         self.setTabChangesFocus(True)
         self.setFrameShape(QFrame.Shape.StyledPanel)
         self.setPlaceholderText(tr("Select a row to see all its bytes."))
-        follow_theme(self, "room", self._take_room)
+        follow_theme(self, "room", self._update_space)
 
-    def _take_room(self) -> None:
+    def _update_space(self) -> None:
         self.setFont(fixed_font())
         margins = 2 * (round(self.document().documentMargin()) + self.frameWidth())
         self.setFixedHeight(self.fontMetrics().lineSpacing() * _DETAIL_LINES + margins)

@@ -99,11 +99,11 @@ class _RangeInterface(_Interface, QAccessibleValueInterface):
             widget.set_spoken_value(value)
 
 
-def _make_interface(_class_name: str, widget: QObject) -> QAccessibleInterface | None:
+def _create_interface(_class_name: str, widget: QObject) -> QAccessibleInterface | None:
     if not (isinstance(widget, QWidget) and isinstance(widget, Spoken)):
         return None
     has_range = type(widget).spoken_range is not Spoken.spoken_range
     return (_RangeInterface if has_range else _Interface)(widget, widget.spoken_role)
 
 
-QAccessible.installFactory(_make_interface)
+QAccessible.installFactory(_create_interface)

@@ -22,7 +22,7 @@ from trex_gui.core.translation import tr
 from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import set_look, theme
-from trex_gui.ui.widgets.placement import keep_on_screen
+from trex_gui.ui.widgets.placement import fit_on_screen
 
 ENTER = {Qt.Key.Key_Return, Qt.Key.Key_Enter}
 _PRESSES = {QEvent.Type.KeyPress, QEvent.Type.KeyRelease}
@@ -73,7 +73,7 @@ class ReusedDialog(QDialog):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        keep_on_screen(self)
+        fit_on_screen(self)
 
     def setVisible(self, visible: bool) -> None:
         if visible and not self.isVisible():
@@ -120,7 +120,7 @@ def name_headers(view: QAbstractItemView) -> None:
         header.setAccessibleName(tr("Columns") if across else tr("Rows"))
 
 
-def keep_room(widget: QWidget) -> None:
+def reserve_space(widget: QWidget) -> None:
     """Let a widget take its room in the layout while it is hidden, too."""
     policy = widget.sizePolicy()
     policy.setRetainSizeWhenHidden(True)
@@ -305,7 +305,7 @@ def only_when_visible(slot: Callable[[WidgetT], None]) -> Callable[[WidgetT], No
     return guarded
 
 
-def take_typed() -> None:
+def set_typed() -> None:
     """Commit the text of the focused spin box or cell.
 
     It does so by itself when it loses the focus. But a shortcut or a menu does not take the focus,

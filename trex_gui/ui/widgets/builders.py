@@ -319,14 +319,14 @@ def _complete(made: SpinT, suffix: str, on_change: Handler | None) -> SpinT:
 _AROUND_NUMBER = 16  # pixels beside a number without buttons
 
 
-def make_bare(box: QAbstractSpinBox, widest: str) -> None:
+def strip_style(box: QAbstractSpinBox, widest: str) -> None:
     """Leave out the buttons of a spin box, and make it as narrow as its `widest` text."""
 
-    def take_room() -> None:
+    def update_space() -> None:
         box.setMinimumWidth(box.fontMetrics().horizontalAdvance(widest) + _AROUND_NUMBER)
 
     set_look(box, "bare")
-    follow_theme(box, "room", take_room)
+    follow_theme(box, "room", update_space)
 
 
 class DecimalSpinBox(QDoubleSpinBox):

@@ -95,7 +95,7 @@ class DocumentSaver(QObject):
                 following.known = None if following.known is None else written
             if number > self._noted:  # else it was overtaken
                 self._noted = number
-                content.note_saved(path)
+                content.record_saved(path)
             self.saved.emit(path)
         elif file_questions.may_overwrite(self._window, path.name):
             self._running[path].insert(0, _Following(content, None))

@@ -104,7 +104,9 @@ def remember_folder(path: Path, key: str = _FOLDER) -> None:
     Preferences().set(key, str(path.parent))
 
 
-def ask_to_open(window: QWidget, title: str, filters: str = "", key: str = _FOLDER) -> Path | None:
+def prompt_to_open(
+    window: QWidget, title: str, filters: str = "", key: str = _FOLDER
+) -> Path | None:
     """Let the user choose a file, by default of settings, in the last folder first.
 
     `title` may be the text of the menu entry.
@@ -114,7 +116,7 @@ def ask_to_open(window: QWidget, title: str, filters: str = "", key: str = _FOLD
     return Path(chosen) if chosen else None
 
 
-def ask_to_save(
+def prompt_to_save(
     window: QWidget,
     title: str,
     proposal: Path,

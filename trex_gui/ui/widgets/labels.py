@@ -99,9 +99,9 @@ class Sign(QLabel):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        follow_theme(self, "room", self._take_room)
+        follow_theme(self, "room", self._update_space)
 
-    def _take_room(self) -> None:
+    def _update_space(self) -> None:
         side = self.fontMetrics().height() + _SIGN_ROOM
         self.setFixedSize(side, side)
 
@@ -215,9 +215,9 @@ class LegendKey(ElidedLabel):
         self.setText(text)
         self._color = color
         self._style = style
-        follow_theme(self, "room", self._take_room)
+        follow_theme(self, "room", self._update_space)
 
-    def _take_room(self) -> None:
+    def _update_space(self) -> None:
         self._sample = self.fontMetrics().averageCharWidth() * 3
         self.setContentsMargins(16 if self._style is None else self._sample * 4 // 3, 0, 0, 0)
         self.update()

@@ -27,7 +27,7 @@ def fitted(wanted: QRect, available: QRect) -> QRect:
     return QRect(QPoint(x, y), size)
 
 
-def keep_on_screen(window: QWidget) -> None:
+def fit_on_screen(window: QWidget) -> None:
     """Fit a window into the screen whenever it is shown.
 
     At first it is in the middle of its parent, or of the screen; then where it was closed.

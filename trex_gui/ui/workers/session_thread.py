@@ -147,7 +147,7 @@ class SessionThread(QObject):
         worker, self._worker = self._worker, None
         if worker is None:
             in_time = all(ending.wait(_TIMEOUT_MS) for ending in self._ending)
-            self._take_reports()
+            self._handle_reports()
             return in_time
         self._waiting = {number: self._waiting[number] for number in self._writes}
         in_time = worker.close(_WRITING_TIMEOUT_MS if self._writes else _TIMEOUT_MS)
@@ -156,8 +156,8 @@ class SessionThread(QObject):
             worker.finished.disconnect(self._on_worker_finished)
         else:
             self._keep(worker)
-        self._take_reports()
-        self._forget_requests()
+        self._handle_reports()
+        self._clear_requests()
         if in_time:
             worker.reported.disconnect(self._on_reported)
             self._late = None
@@ -168,7 +168,7 @@ class SessionThread(QObject):
         self._ending.append(worker)
         adopt_orphan(worker)
 
-    def _take_reports(self) -> None:
+    def _handle_reports(self) -> None:
         QCoreApplication.sendPostedEvents(self, QEvent.Type.MetaCall)
 
     @Slot(object)
@@ -194,7 +194,7 @@ class SessionThread(QObject):
         if then := self._waiting.pop(outcome.id, None):
             then(outcome)
 
-    def _forget_requests(self) -> None:
+    def _clear_requests(self) -> None:
         self._waiting.clear()
         self._writes.clear()
 
@@ -207,7 +207,7 @@ class SessionThread(QObject):
             self._keep(self._worker)
             self._worker = None
         self.last = last
-        self._forget_requests()
+        self._clear_requests()
         self.closed.emit(last)
 
     @Slot()

@@ -26,7 +26,7 @@ def library() -> Library:
 def opened(library: Library, path: Path) -> tuple[Finding, ...]:
     """Show a pose file, and return its findings."""
     file = read_file(path)
-    library.take_file(path, file)
+    library.set_file(path, file)
     return file.findings
 
 
@@ -221,7 +221,7 @@ def test_failed_save_keeps_old_file_and_edits(library: Library, tmp_path: Path) 
 def test_edits_made_while_it_is_saved_stay_unsaved(library: Library, tmp_path: Path) -> None:
     content = library.content()
     library.add_pose(EIGHT)
-    content.note_saved(tmp_path / "mine.ppr")
+    content.record_saved(tmp_path / "mine.ppr")
     modified = [library.modified]
     library.undo.undo()
     modified.append(library.modified)
@@ -234,7 +234,7 @@ def test_file_that_was_left_while_it_was_saved_is_not_taken_for_the_next(
 ) -> None:
     content = library.content()
     library.new()
-    content.note_saved(tmp_path / "mine.ppr")
+    content.record_saved(tmp_path / "mine.ppr")
     assert library.path is None
 
 

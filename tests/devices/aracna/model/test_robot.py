@@ -140,7 +140,7 @@ def test_invalid_saved_limits_are_replaced_by_defaults(kept: str) -> None:
 def test_drag_sends_newest_goal_and_measures_rate(robot: Robot, harness: RobotHarness) -> None:
     harness.move(LOW)
     robot.set_speeds((0,) * 8)
-    robot.begin_drag()
+    robot.start_drag()
     for goal in range(300, 360):
         robot.drag((goal,) * 8)
     harness.wait(lambda: (359,) * 8 in harness.sent and robot.state.moving is None)
@@ -197,7 +197,7 @@ def test_drag_with_rejected_speed_is_reported_once(robot: Robot, harness: RobotH
     harness.move(LOW)
     harness.simulator.do("servo 5 dead")
     robot.speeds, robot.speeds_chosen = (200,) * 8, True
-    robot.begin_drag()
+    robot.start_drag()
     for goal in range(300, 340):
         robot.drag((goal,) * 8)
     harness.wait(lambda: not robot.dragging)
@@ -215,7 +215,7 @@ def test_log_has_one_line_for_a_move_and_one_for_a_lost_reply(
     harness.move(LOW)
     logged = [event.text for event in robot.events.all]
     assert logged.count(f"Move to {', '.join(['300'] * 8)}.") == 1
-    robot.begin_drag()
+    robot.start_drag()
     harness.drag(HIGH)
     robot.end_drag()
     assert [event.text for event in robot.events.all] == logged, "none for a drag"

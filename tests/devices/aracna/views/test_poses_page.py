@@ -544,13 +544,13 @@ def test_save_as_adds_suffix_and_asks_before_overwriting(
 ) -> None:
     chosen = str(tmp_path / "mine")
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (chosen, ""))
-    assert driver.page.files.ask_and_save()
+    assert driver.page.files.prompt_and_save()
     driver.wait_for_files()
     assert driver.library.path == tmp_path / "mine.ppr"
     driver.library.add_pose((1,) * 8, "more")
     cancel = QMessageBox.StandardButton.Cancel
     monkeypatch.setattr(QMessageBox, "question", lambda *_: cancel)
-    assert not driver.page.files.ask_and_save()
+    assert not driver.page.files.prompt_and_save()
     assert "more" not in (tmp_path / "mine.ppr").read_text(encoding="utf-8")
 
 

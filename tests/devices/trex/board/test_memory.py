@@ -39,12 +39,12 @@ class Shelf:
         if self.is_slow:
             self.wanted = board
             return
-        self.memory.take_record(board, self.records.get(str(board)))
+        self.memory.handle_record(board, self.records.get(str(board)))
 
     def find_lost(self, board: BoardIdentity, adapter: str) -> None:
         others = (found for found in self.records.values() if found.applied is not None)
         found = next((one for one in others if one.adapter == adapter), None)
-        self.memory.take_lost(board, found)
+        self.memory.set_lost(board, found)
 
     def save(self, board: BoardIdentity, record: BoardRecord | None) -> None:
         self.records.pop(str(board), None)
@@ -67,7 +67,7 @@ class Shelf:
     def show_notes(self, notes: Mapping[str, str] | None, board: BoardIdentity) -> None:
         self.notes = notes
 
-    def note_change(self) -> None:
+    def record_change(self) -> None:
         pass
 
     # --- The board ----------------------------------------------------------------------
@@ -79,9 +79,9 @@ class Shelf:
         return {row.key for row in self.memory.differing.rows}
 
     def write(self, **values: int) -> None:
-        self.memory.begin_writing(values.keys())
+        self.memory.start_writing(values.keys())
         self.stored = with_values(self.stored, **values)
-        self.memory.note_written(self.stored, RC, (), NOW)
+        self.memory.record_written(self.stored, RC, (), NOW)
 
 
 def with_values(stored: Settings, **values: int) -> Settings:
@@ -143,8 +143,8 @@ def test_board_that_gets_its_number_back_gets_its_notes_back(shelf: Shelf) -> No
 def test_values_of_a_write_without_an_end_are_not_expected(shelf: Shelf) -> None:
     shelf.connect(NEW, ONE)
     shelf.write(serial_timeout=15, motor1_current_limit=3)
-    shelf.memory.begin_writing({"serial_timeout"})
-    shelf.memory.leave_board()
+    shelf.memory.start_writing({"serial_timeout"})
+    shelf.memory.close_board()
     found = with_values(shelf.stored, serial_timeout=3, motor1_current_limit=0)
     assert shelf.connect(found, ONE) == {"motor1_current_limit"}
 
@@ -153,8 +153,8 @@ def test_values_of_a_write_without_an_end_are_not_expected(shelf: Shelf) -> None
 def test_simulated_board_says_nothing_about_real_ones(shelf: Shelf, *, is_simulated: bool) -> None:
     shelf.memory.take_board(NEW, RC, NOW, opened=True, is_simulated=is_simulated)
     kind = Signature(NEW.product, "1.2")
-    shelf.memory.note_accepted(kind, {"uart_error_shutdown": 2})
-    shelf.memory.note_accepted(kind, {})
+    shelf.memory.record_accepted(kind, {"uart_error_shutdown": 2})
+    shelf.memory.record_accepted(kind, {})
     assert shelf.accepted == ([] if is_simulated else [{"uart_error_shutdown": 2}])
 
 
@@ -166,13 +166,13 @@ def test_what_happens_before_the_record_is_found_counts(shelf: Shelf) -> None:
     assert memory.hidden_calibration(2, RC) == (None, None)
     assert memory.with_hidden(NEW) == (NEW, [])
     assert shelf.wanted is not None
-    memory.take_record(shelf.wanted, None)
+    memory.handle_record(shelf.wanted, None)
     assert memory.applied is not None
     assert memory.applied.parameters["serial_timeout"] == 5
     calibration, known = memory.hidden_calibration(2, RC)
     assert calibration == DEFAULT_CALIBRATION[RC]
     assert known == Known(NOW, True)
-    memory.leave_board()
+    memory.close_board()
     assert memory.applied is None
 
 
@@ -181,7 +181,7 @@ def test_number_after_a_reset_is_that_of_the_same_board(shelf: Shelf, *, is_rese
     shelf.connect(with_values(NEW, device_number=12), "")
     shelf.memory.set_notes({"serial_timeout": "why"})
     if is_reset:
-        shelf.memory.note_reset()
+        shelf.memory.record_reset()
     shelf.memory.take_board(NEW, RC, NOW, opened=False)
     assert (shelf.notes == {"serial_timeout": "why"}) is is_reset
     expected = {"trex-1.2-7"} if is_reset else {"trex-1.2-7", "trex-1.2-12"}

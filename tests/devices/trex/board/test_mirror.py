@@ -208,7 +208,7 @@ def test_joint_mode_begins_with_the_next_start(watched: Watched) -> None:
     watched.read(state())
     watched.read(state(motor_mode=1), ReadReason.RELOADED)
     assert not watched.joint()
-    watched.board.note_power_cycled()
+    watched.board.record_power_cycled()
     assert watched.joint()
     watched.read(state(), ReadReason.RESTARTED)
     assert not watched.joint()
@@ -216,7 +216,7 @@ def test_joint_mode_begins_with_the_next_start(watched: Watched) -> None:
 
 def test_joint_mode_waits_for_the_next_start_beyond_the_end_of_the_line(watched: Watched) -> None:
     watched.read(state())
-    watched.board.note_written(Written((), state(motor_mode=1), LINE))
+    watched.board.record_written(Written((), state(motor_mode=1), LINE))
     watched.close()
     watched.read(state(motor_mode=1))
     assert not watched.joint()
@@ -393,7 +393,7 @@ def test_steps_of_the_set_up_are_those_that_are_stored(watched: Watched) -> None
     found.append(watched.board.set_up)
     for first, second in ((5, 0), (0, 9)):
         written = state(serial_timeout=5, motor1_current_limit=first, motor2_current_limit=second)
-        watched.board.note_written(Written((), replace(written, calibrated=3), LINE))
+        watched.board.record_written(Written((), replace(written, calibrated=3), LINE))
         found.append(watched.board.set_up)
     assert found == [None, SetUp(False, True, False), *[SetUp(True, False, True)] * 2]
 

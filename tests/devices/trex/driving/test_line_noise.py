@@ -179,16 +179,16 @@ def test_idle_refresh_skips_running_motor(stage: Stage) -> None:
 
 def test_stop_of_auxiliary_motor_is_repeated() -> None:
     idle = SetpointRefresh(LineQuality(), lambda: False)
-    idle.note_setpoints([SetAuxiliary(50)], 0.0)
-    assert idle.take_idle() == BRAKES, "a running motor is not at rest"
-    idle.note_stop(0.2, was_driven=True)
-    assert idle.take_idle() == [*BRAKES, DriveAuxiliary(0)]
+    idle.record_setpoints([SetAuxiliary(50)], 0.0)
+    assert idle.idle_commands() == BRAKES, "a running motor is not at rest"
+    idle.record_stop(0.2, was_driven=True)
+    assert idle.idle_commands() == [*BRAKES, DriveAuxiliary(0)]
 
 
 def test_unstarted_auxiliary_motor_is_left_alone() -> None:
     idle = SetpointRefresh(LineQuality(), lambda: False)
-    idle.note_setpoints([SetMotor(1, Drive.at(50))], 0.0)
-    assert idle.take_idle() == BRAKES[1:]
+    idle.record_setpoints([SetMotor(1, Drive.at(50))], 0.0)
+    assert idle.idle_commands() == BRAKES[1:]
 
 
 def test_risky_polls_are_omitted_while_motors_may_move(stage: Stage) -> None:

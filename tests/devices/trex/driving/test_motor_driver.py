@@ -266,19 +266,19 @@ def test_arming_again_clears_heartbeat_timeout(motors: MotorOutput) -> None:
 
 
 def test_unanswered_stop_is_repeated_only_if_driven(motors: MotorOutput) -> None:
-    motors.note_stop(1.0, (), confirmed=False, final=False)
+    motors.record_stop(1.0, (), confirmed=False, final=False)
     assert motors.seconds_to_stop_retry(1.0) == math.inf
     motors.take(SETPOINT, 2.0)
-    motors.take_setpoints(2.0)
-    motors.note_stop(3.0, (), confirmed=False, final=False)
+    motors.pop_setpoints(2.0)
+    motors.record_stop(3.0, (), confirmed=False, final=False)
     assert motors.seconds_to_stop_retry(3.0) < math.inf
-    motors.note_stop(4.0, (), confirmed=True, final=False)
+    motors.record_stop(4.0, (), confirmed=True, final=False)
     assert motors.seconds_to_stop_retry(4.0) == math.inf
 
 
 def test_setpoint_ends_repetition_of_stop_but_direct_command_does_not() -> None:
     motors = MotorOutput(lambda _report: None, may_move=True)
-    motors.note_stop(1.0, (), confirmed=False, final=False)
+    motors.record_stop(1.0, (), confirmed=False, final=False)
     motors.handle(OutputEvent.DIRECT_COMMAND_SENT, 2.0)
     assert motors.seconds_to_stop_retry(2.0) < math.inf
     motors.handle(OutputEvent.SETPOINT_SENT, 2.0)

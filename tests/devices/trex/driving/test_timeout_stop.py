@@ -27,7 +27,7 @@ def keeps_turning(timeout: int, shutdown: int, *, needs_shutdown: bool) -> bool:
     eeprom.write("uart_error_shutdown", shutdown)
     board = Board(eeprom=eeprom)
     board.timeout_needs_shutdown = needs_shutdown
-    board.note_byte()
+    board.record_byte()
     board.serial.drive(1, MotorDirection.FORWARD, 60)
     board.advance(2)
     return board.motors[0].direction is MotorDirection.FORWARD

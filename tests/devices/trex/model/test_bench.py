@@ -124,7 +124,7 @@ def test_joint_mode_blocks_the_test(connected: BenchSetup) -> None:
     connected.until(
         lambda: not connected.device.writer.running and connected.device.draft.pending == 0
     )
-    connected.device.note_power_cycled()
+    connected.device.record_power_cycled()
     connected.arm()
     assert "joint mode" in connected.bench.blocker
 

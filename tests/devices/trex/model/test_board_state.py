@@ -127,7 +127,7 @@ def test_reset_is_pending_from_its_acceptance_to_the_next_start(written: DraftAf
     changed = replace(STATE, parameters={**STATE.parameters, "motor_mode": 1})
     for state, power_cycled in ((STATE, True), (changed, False)):
         draft = written(WriteResult("factory_reset", 1))
-        draft.take_state(STATE, None, power_cycled=False)
+        draft.set_state(STATE, None, power_cycled=False)
         assert draft.reset_pending
-        draft.take_state(state, None, power_cycled=power_cycled)
+        draft.set_state(state, None, power_cycled=power_cycled)
         assert not draft.reset_pending

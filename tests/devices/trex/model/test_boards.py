@@ -281,7 +281,7 @@ def test_held_controls_and_answers_are_not_handed_to_the_next_board(make: Make) 
     for (holder, hold), (first, second) in zip(holds, [(7, 9), (9, 7), (7, 9)], strict=True):
         stand.wait(lambda: device.telemetry.motor_currents is not None and motors.can_arm)
         pulses.confirm_wheels(True)
-        setup.note_movement(1, Movement.LEFT_FORWARD)
+        setup.record_movement(1, Movement.LEFT_FORWARD)
         motors.arm()
         hold()
         stand.wait(partial(runs, first))

@@ -16,7 +16,7 @@ from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.core.events import EventKind
 from trex_gui.core.recording.backlog import Backlog
 from trex_gui.core.recording.export import export_span
-from trex_gui.core.recording.kept import kept_path, make_kept_folder, make_room
+from trex_gui.core.recording.kept import create_kept_folder, free_space, kept_path
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.trex.client.telemetry import Control, Currents, Raw, Remapped, Sample
 from trex_gui.devices.trex.model import recorder
@@ -310,16 +310,16 @@ def test_bits_from_before_the_connection_are_not_kept(session: RecorderSetup, ke
 
 
 def test_oldest_kept_recordings_make_room_but_renamed_ones_stay() -> None:
-    folder = make_kept_folder()
+    folder = create_kept_folder()
     names = [kept_path(datetime(2026, 1, day, tzinfo=UTC), "stop").name for day in range(1, 5)]
     for name in (*names, "my crash.trexrec"):
         (folder / name).write_bytes(bytes(1000))
     (folder / f"{names[0]}-wal").touch()
-    make_room(most_files=4)
+    free_space(most_files=4)
     assert {path.name for path in folder.iterdir()} == {*names[1:], "my crash.trexrec"}
-    make_room(most_bytes=2000)
+    free_space(most_bytes=2000)
     assert {path.name for path in folder.iterdir()} == {*names[2:], "my crash.trexrec"}
-    make_room(most_bytes=10)
+    free_space(most_bytes=10)
     assert {path.name for path in folder.iterdir()} == {names[3], "my crash.trexrec"}
 
 

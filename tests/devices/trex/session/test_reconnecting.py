@@ -437,16 +437,16 @@ ELSEWHERE = (ConnectionSettings("virtual", LineSettings(57600)),)
 
 def silent_at(now: float) -> LivenessMonitor:
     liveness = LivenessMonitor(Timeouts())
-    assert [liveness.note_failure(now) for _ in range(3)] == [False, False, True]
+    assert [liveness.record_failure(now) for _ in range(3)] == [False, False, True]
     return liveness
 
 
 def test_reply_between_failures_keeps_board_responding() -> None:
     liveness = LivenessMonitor(Timeouts())
     for _ in range(10):
-        assert not liveness.note_failure(1.0)
-        assert not liveness.note_failure(1.1)
-        liveness.note_answer(Raw)
+        assert not liveness.record_failure(1.0)
+        assert not liveness.record_failure(1.1)
+        liveness.record_answer(Raw)
     assert not liveness.silent
 
 
@@ -455,13 +455,13 @@ def test_topic_that_always_fails_counts_despite_other_replies() -> None:
     for topic, fails in ((Control, True), (ModeSample, True), (Raw, False)):
         liveness = LivenessMonitor(Timeouts())
         for _ in range(3):
-            liveness.note_failure(1.0, topic)
-            liveness.note_answer(Currents)
+            liveness.record_failure(1.0, topic)
+            liveness.record_answer(Currents)
         assert liveness.silent is fails
     liveness = LivenessMonitor(Timeouts())
     for _ in range(9):
-        liveness.note_failure(1.0, ModeSample)
-        liveness.note_answer(ModeSample)
+        liveness.record_failure(1.0, ModeSample)
+        liveness.record_answer(ModeSample)
     assert not liveness.silent
 
 
@@ -469,14 +469,14 @@ def test_third_failure_reports_not_responding_once() -> None:
     liveness = silent_at(7.0)
     assert liveness.silent
     assert liveness.retry_at == 7.0 + Timeouts().retry
-    assert not liveness.note_failure(8.0)
+    assert not liveness.record_failure(8.0)
 
 
 def test_reading_board_again_ends_not_responding() -> None:
     liveness = silent_at(7.0)
     liveness.begin()
     assert not liveness.silent
-    assert not liveness.note_failure(8.0)
+    assert not liveness.record_failure(8.0)
 
 
 def test_candidates_are_scanned_only_when_not_responding() -> None:

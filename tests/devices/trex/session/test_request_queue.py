@@ -140,8 +140,8 @@ def test_newest_setpoint_wins_with_two_motor_messages() -> None:
 
 def test_stops_are_queued_separately_and_taken_once() -> None:
     queue = collected(Reload(1), Stop(2), Stop(3))
-    assert queue.motors.take_stops() == [Stop(2), Stop(3)]
-    assert queue.motors.take_stops() == []
+    assert queue.motors.pop_stops() == [Stop(2), Stop(3)]
+    assert queue.motors.pop_stops() == []
 
 
 def test_stop_discards_later_setpoints_until_armed() -> None:

@@ -39,7 +39,7 @@ def ask(port: SerialPort, packet: str) -> str:
 
 
 def errors(port: SerialPort) -> UartError:
-    return port.board.serial.take_uart_errors()
+    return port.board.serial.pop_uart_errors()
 
 
 def a_board(number: int = 7, settings: int = 0x05, model: str = "trex", **parameters: int) -> Board:

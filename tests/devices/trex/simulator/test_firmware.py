@@ -173,23 +173,23 @@ class TestSafety:
         board.timeout_needs_shutdown = needs_shutdown
         write(board, "uart_error_shutdown", 0)
         write(board, "serial_timeout", 5)
-        board.note_byte()
+        board.record_byte()
         board.serial.drive(1, FORWARD, 100)
         board.advance(0.51)
         assert board.motors[0].direction is direction
-        assert board.serial.take_uart_errors() == UartError.TIMEOUT
+        assert board.serial.pop_uart_errors() == UartError.TIMEOUT
 
     def test_timeout_is_latched_once_per_silence(self) -> None:
         board = Board()
         write(board, "serial_timeout", 1)
-        board.note_byte()
+        board.record_byte()
         board.advance(0.2)
-        assert board.serial.take_uart_errors()
+        assert board.serial.pop_uart_errors()
         board.advance(1)
-        assert not board.serial.take_uart_errors()
-        board.note_byte()
+        assert not board.serial.pop_uart_errors()
+        board.record_byte()
         board.advance(0.2)
-        assert board.serial.take_uart_errors()
+        assert board.serial.pop_uart_errors()
 
     @either_firmware
     def test_old_setpoint_is_not_resumed_after_serial_timeout(
@@ -200,7 +200,7 @@ class TestSafety:
         board = Board(mode="rc", eeprom=eeprom)
         board.timeout_needs_shutdown = needs_shutdown
         board.advance(SETTLED)
-        board.note_byte()
+        board.record_byte()
         board.serial.drive(1, FORWARD, 77)
         board.advance(2)
         assert not board.serial.uart_errors  # the channels are in control

@@ -317,7 +317,7 @@ def test_drop_unsent_discards_queued_bytes(warm: SimulatedBoards) -> None:
     warm.advance(1)
     assert warm.boards[0].counters["bytes_received"] == 0
     assert make_ask(warm)("81") == "54 52 65 58 31 2e 32"
-    assert not warm.boards[0].serial.take_uart_errors() & UartError.FORMAT
+    assert not warm.boards[0].serial.pop_uart_errors() & UartError.FORMAT
 
 
 # --- Seeds ----------------------------------------------------------------------------

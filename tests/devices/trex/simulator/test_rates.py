@@ -63,7 +63,7 @@ def requested(request: pytest.FixtureRequest) -> Requested:
         line.host = LineSettings(rates[host])
         serial = line.boards[0].serial
         requested[rates[host], rates[code]] = [
-            (packet, ask(line, packet), serial.take_uart_errors()) for packet in QUERIES
+            (packet, ask(line, packet), serial.pop_uart_errors()) for packet in QUERIES
         ]
     assert len(requested) == 110
     return requested

@@ -80,20 +80,20 @@ class Library(QObject):
         """Start with the built-in poses and no file."""
         self._load(Project(poses=BUILT_IN_POSES), None, None)
 
-    def take_file(self, path: Path, file: PoseFile) -> None:
+    def set_file(self, path: Path, file: PoseFile) -> None:
         self._load(file.project, path, file.data)
 
     def content(self) -> Content:
         """Return what Save writes now. Edits made while that is being saved stay unsaved."""
         text, project, opened = write_ppr(self.project), self.project, self._opened
 
-        def note_saved(path: Path) -> None:
+        def record_saved(path: Path) -> None:
             if opened is self._opened:  # else another file is shown by now
                 self.path, self._saved = path, project
                 self.on_disk = text.encode("utf-8")
                 self.changed.emit()
 
-        return Content(text, note_saved)
+        return Content(text, record_saved)
 
     def _load(self, project: Project, path: Path | None, data: bytes | None) -> None:
         self.undo.clear()

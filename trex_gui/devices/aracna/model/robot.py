@@ -200,7 +200,7 @@ class Robot(DeviceConnection[PortSettings]):
         self._pending_moves += is_sent
         return is_sent
 
-    def begin_drag(self) -> None:
+    def start_drag(self) -> None:
         """Let `drag` send goals until `end_drag` or `halt`."""
         if self._can_move():
             self.dragging = True

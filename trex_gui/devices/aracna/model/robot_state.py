@@ -55,7 +55,7 @@ class RobotState:
                 if self.stuck is not None and self.stuck.motor != self.awaited_motor:
                     self.stuck = None  # it has arrived after all
             case Moved():
-                self._take_moved(report)
+                self._handle_moved(report)
             case Stuck():
                 self.stuck = report
             case SpeedsHeld():
@@ -82,7 +82,7 @@ class RobotState:
             self.unobserved_until, self.uncertain = self.ends_at, True
         self.moving, self.stuck = None, None
 
-    def _take_moved(self, moved: Moved) -> None:
+    def _handle_moved(self, moved: Moved) -> None:
         self._set_present(moved.present)
         self.moved, self.goals = moved, moved.goals
         if self.reply_lost:

@@ -44,21 +44,21 @@ class ServoEstimates:
     def crop(self, goals: Sequence[int]) -> tuple[int, ...]:
         return crop(goals, self.limits)
 
-    def forget_positions(self) -> None:
+    def clear_positions(self) -> None:
         self.present = (None,) * len(self.present)
 
-    def forget_speeds(self) -> None:
+    def clear_speeds(self) -> None:
         """A servo may have lost power, or a new speed is unconfirmed."""
         self.speeds = (None,) * len(self.speeds)
 
     def forget(self) -> None:
         """All servos may have lost power."""
-        self.forget_positions()
-        self.forget_speeds()
+        self.clear_positions()
+        self.clear_speeds()
 
     def expire_speeds(self, now: float, trust: float = TRUST) -> None:
         if now - self._speeds_reported_at > trust:
-            self.forget_speeds()
+            self.clear_speeds()
 
     def on_positions(self, goals: Sequence[int], present: Sequence[int], now: float) -> None:
         """Take the reply to a `.c`.
@@ -68,7 +68,7 @@ class ServoEstimates:
         """
         self.expire_speeds(now)
         if missed_goals(goals, present):
-            self.forget_speeds()
+            self.clear_speeds()
         self.present = tuple(None if value < 0 else value for value in present)
 
     def on_speeds(self, speeds: Sequence[int], now: float) -> None:

@@ -120,10 +120,10 @@ class AracnaSession:
 
     def _step(self) -> None:
         if self._client.pending is not None:
-            self._take_requests(0.0)
+            self._handle_requests(0.0)
             self._handle(self._client.listen(_SLICE))
         else:
-            self._take_requests(max(SHORTEST_WAIT, min(self._seconds_to_wait(), _IDLE)))
+            self._handle_requests(max(SHORTEST_WAIT, min(self._seconds_to_wait(), _IDLE)))
             self._handle(self._client.listen())
             if self._client.pending is None:
                 self._send_next()
@@ -156,7 +156,7 @@ class AracnaSession:
 
     # --- Requests -----------------------------------------------------------------------
 
-    def _take_requests(self, seconds: float) -> None:
+    def _handle_requests(self, seconds: float) -> None:
         request = self._inbox.get(seconds)
         while request is not None:
             if isinstance(request, Close):
@@ -228,7 +228,7 @@ class AracnaSession:
         expected = self._servos.seconds_to(goals) if fits else 0.0
         self._client.move(goals, move_timeout(expected))
         starts = self._servos.present
-        self._servos.forget_positions()
+        self._servos.clear_positions()
         self._report(Moving(self._now(), goals, starts, expected))
 
     def _play(self, now: float) -> None:
@@ -305,7 +305,7 @@ class AracnaSession:
     def _on_stuck(self, stuck: Stuck) -> None:
         """Drop what is queued: it must not start when a servo recovers, perhaps in an hour."""
         self._is_stuck = True
-        self._servos.forget_speeds()  # a servo without power loses its speed
+        self._servos.clear_speeds()  # a servo without power loses its speed
         self._report(stuck)
         error = RobotNoReplyError(ErrorCode.TIMEOUT)
         if stuck.motor is not None:
@@ -326,7 +326,7 @@ class AracnaSession:
             unknown = (UNREADABLE,) * len(goals)
             self._report(Moved(loss.time, goals, unknown, loss.time - loss.command.sent))
         if loss.command.letter in {"c", "v"}:
-            self._servos.forget_speeds()
+            self._servos.clear_speeds()
         error: StudioError = loss.error
         if self._jobs.is_setting_speeds:
             error = RobotNoReplyError(ErrorCode.SPEEDS_UNCONFIRMED, loss.error)

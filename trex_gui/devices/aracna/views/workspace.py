@@ -63,7 +63,7 @@ class AracnaRecordings(RecordingManager["RobotPlaybackWindow"]):
         )
         self._robot = robot
 
-    def make_window(self, recording: Recording[RobotHeader, Record]) -> "RobotPlaybackWindow":
+    def create_window(self, recording: Recording[RobotHeader, Record]) -> "RobotPlaybackWindow":
         # The plotting library takes as long to load as all of Qt: not before it is needed.
         from trex_gui.devices.aracna.views.playback import RobotPlaybackWindow  # noqa: PLC0415
 
@@ -87,7 +87,7 @@ class AracnaWorkspace(Workspace):
         tabs.setObjectName("aracnaTabs")
         tabs.setAccessibleName(tr("Pages"))
         self._frame = frame
-        self._page = page = RobotPage(robot, self._make_start_panel, self)
+        self._page = page = RobotPage(robot, self._create_start_panel, self)
         self._poses = PosesPage(robot, self.library, self)
         traffic = TrafficPage(robot.traffic, "aracnaTranscript", tr("a robot"), self.notifier, self)
         diagnostics = Diagnostics(self, "aracnaDiagnostics", frame.show_help)
@@ -99,7 +99,7 @@ class AracnaWorkspace(Workspace):
                 *diagnostics.pages(lambda _parent: problems, lambda _parent: traffic),
             )
         )
-        self.make_pages()  # those that are there already would cover the first
+        self.create_pages()  # those that are there already would cover the first
         self.recordings = AracnaRecordings(robot, self)
         self.recordings.accept_drops(frame, self)
         frame.seen_changed.connect(traffic.set_window_seen)
@@ -130,7 +130,7 @@ class AracnaWorkspace(Workspace):
             signal.connect(self._on_changed)
         self._undo_watch = self.library.undo.indexChanged.connect(self._on_changed)
 
-    def _make_start_panel(self, parent: QWidget) -> StartPanel:
+    def _create_start_panel(self, parent: QWidget) -> StartPanel:
         texts = StartTexts(
             title=tr("Connect my {0}").format(self._controller.plugin.name),
             hint=tr(
@@ -176,7 +176,7 @@ class AracnaWorkspace(Workspace):
         keys = QKeySequence.StandardKey
         move, robot = self._page.controls.move_now, self._robot
         files, undo = self._poses.files, self.library.undo
-        record, open_recording = self.recordings.toggle, self.recordings.choose_and_open
+        record, open_recording = self.recordings.toggle, self.recordings.select_and_open
         play = partial(self._on_page, "poses", self._poses.play)
 
         def switch_led() -> None:
@@ -206,9 +206,11 @@ class AracnaWorkspace(Workspace):
             ),
             tr("Pos&es"): (
                 Entry("aracna_new", tr("&New pose file"), files.new, keys.New, "new"),
-                Entry("aracna_open", tr("&Open pose file…"), files.ask_and_open, "Ctrl+O", "open"),
+                Entry(
+                    "aracna_open", tr("&Open pose file…"), files.prompt_and_open, "Ctrl+O", "open"
+                ),
                 Entry("aracna_save", tr("&Save pose file"), files.save, "Ctrl+S", "save"),
-                Entry("aracna_save_as", tr("Save pose file &as…"), files.ask_and_save),
+                Entry("aracna_save_as", tr("Save pose file &as…"), files.prompt_and_save),
                 SEPARATOR,
                 Entry("aracna_undo", tr("&Undo"), undo.undo, keys.Undo, "undo"),
                 Entry("aracna_redo", tr("&Redo"), undo.redo, keys.Redo, "redo"),
@@ -227,8 +229,8 @@ class AracnaWorkspace(Workspace):
             ),
         }
 
-    def take_actions(self, actions: Mapping[str, QAction]) -> None:
-        super().take_actions(actions)
+    def set_actions(self, actions: Mapping[str, QAction]) -> None:
+        super().set_actions(actions)
         self._demo.show_if_wanted()
         self._on_changed()
 

@@ -56,7 +56,7 @@ class Keeper:
         """Read the record of the board, if that was not done yet."""
         board, self._sought = self._sought, None
         if board is not None:
-            self.memory.take_record(board, read_record(board, self._warn))
+            self.memory.handle_record(board, read_record(board, self._warn))
 
     def begin(
         self,
@@ -75,7 +75,7 @@ class Keeper:
         values = tuple(parameters), tuple(calibrations)
         transaction = WriteTransaction(self.memory, state, link, values, reason=reason)
         history = SettingsHistory()
-        snapshot = transaction.take_snapshot(history)
+        snapshot = transaction.save_snapshot(history)
         self._say(f"Snapshot of the previous settings: {snapshot.path}.")
         if problem := history.bound().problem:
             self._warn(f"{problem} Set it again with `trexcmd history keep 500`.")
@@ -151,7 +151,7 @@ class Keeper:
         self._sought = board
 
     def find_lost(self, board: BoardIdentity, adapter: str) -> None:
-        self.memory.take_lost(board, self._records.of_other_number(board, adapter))
+        self.memory.set_lost(board, self._records.of_other_number(board, adapter))
 
     def save(self, board: BoardIdentity, record: BoardRecord | None) -> None:
         with self._saving("what was applied is"):
@@ -180,7 +180,7 @@ class Keeper:
     def show_notes(self, notes: Mapping[str, str] | None, board: BoardIdentity) -> None:
         pass
 
-    def note_change(self) -> None:
+    def record_change(self) -> None:
         pass
 
     @contextmanager

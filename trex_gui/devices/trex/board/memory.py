@@ -30,10 +30,10 @@ class Files(Protocol):
     """Requests of a `BoardMemory` to its face, done at once or later."""
 
     def find(self, board: BoardIdentity, /) -> None:
-        """Read the record of a board, and call `take_record`."""
+        """Read the record of a board, and call `handle_record`."""
 
     def find_lost(self, board: BoardIdentity, adapter: str) -> None:
-        """Find what was applied at an adapter to a board with another number. `take_lost`."""
+        """Find what was applied at an adapter to a board with another number. `set_lost`."""
 
     def save(self, board: BoardIdentity, record: BoardRecord | None, /) -> None:
         """Replace the record of a board. `None` removes it."""
@@ -55,7 +55,7 @@ class Files(Protocol):
     def show_notes(self, notes: Mapping[str, str] | None, board: BoardIdentity) -> None:
         """Show the notes of a board. `None`: of another one, whose notes are not known yet."""
 
-    def note_change(self) -> None:
+    def record_change(self) -> None:
         """Show what the memory knows now."""
 
 
@@ -148,7 +148,7 @@ class BoardMemory:
             self._compare()
         self._change(lambda record: record.after_reading(stored, source, now))
 
-    def leave_board(self) -> None:
+    def close_board(self) -> None:
         """Compare no more: the line was closed."""
         self._stored = None
         self._compare()
@@ -170,11 +170,11 @@ class BoardMemory:
 
     # --- Writes -------------------------------------------------------------------------
 
-    def begin_writing(self, keys: Collection[str]) -> None:
+    def start_writing(self, keys: Collection[str]) -> None:
         """Expect nothing of these values until it is known which ones were stored."""
         self._change(lambda record: record.before_writing(keys))
 
-    def note_written(
+    def record_written(
         self, stored: Settings, source: InputSource, uncertain: Collection[str], now: datetime
     ) -> None:
         """Take what the board stores after a write that began. Some values may be `uncertain`."""
@@ -187,13 +187,13 @@ class BoardMemory:
         """Expect again what was expected before writes that were undone."""
         self._change(lambda _record: record)
 
-    def note_reset(self) -> None:
+    def record_reset(self) -> None:
         """Expect the factory defaults after the next start of the board."""
         self._is_renamed = True
         self._lost = None
         self._change(BoardRecord.after_reset)
 
-    def note_accepted(self, kind: Signature, values: Mapping[str, int]) -> None:
+    def record_accepted(self, kind: Signature, values: Mapping[str, int]) -> None:
         """Take values beyond inferred limits. A simulated board says nothing about real ones."""
         if values and self._board is not None and not self._board.is_simulated:
             self._files.add_accepted(kind, values)
@@ -229,13 +229,13 @@ class BoardMemory:
         is_real = self._board is not None and not self._board.is_simulated
         if is_real and self.expected is not None and self._stored is not None:
             self.differing = self.expected.differences(self._stored)
-        self._files.note_change()
+        self._files.record_change()
 
-    def take_record(self, board: BoardIdentity, found: BoardRecord | None) -> None:
+    def handle_record(self, board: BoardIdentity, found: BoardRecord | None) -> None:
         if board != self._board or self.record is not None:
             return
         self.record = found or BoardRecord(Settings(board.product, board.firmware))
-        self._note_adapter(self.record)
+        self._record_adapter(self.record)
         later, self._later = self._later, []
         for change in later:
             self._change(change)
@@ -244,12 +244,12 @@ class BoardMemory:
         if is_new and self._adapter and stored is not None and has_factory_line(stored):
             self._files.find_lost(board, self._adapter)
 
-    def take_lost(self, board: BoardIdentity, found: BoardRecord | None) -> None:
+    def set_lost(self, board: BoardIdentity, found: BoardRecord | None) -> None:
         if board == self._board:
             self._lost = found
             self._compare()
 
-    def _note_adapter(self, found: BoardRecord) -> None:
+    def _record_adapter(self, found: BoardRecord) -> None:
         """Say that a record may be of another board, if its board was at another adapter."""
         adapter = self._adapter
         self._is_doubted = bool(adapter and found.adapter) and adapter != found.adapter

@@ -278,11 +278,11 @@ class BoardMirror:
         """
         match report:
             case Batch():
-                yield from self._take_batch(report, now, utc)
+                yield from self._handle_batch(report, now, utc)
             case Connected():
-                yield from self._take_board(report, now, utc)
+                yield from self._handle_board(report, now, utc)
             case Outcome(value=Written() as written):
-                self.note_written(written)
+                self.record_written(written)
             case NotResponding(counters=counters, is_network=is_network):
                 self.counters = counters
                 self.is_responding, self.is_network_silent = False, is_network
@@ -297,7 +297,7 @@ class BoardMirror:
                 )
                 yield Event(now, EventKind.LINK, text)
             case LeaseChanged():
-                yield from self._take_lease(report, now)
+                yield from self._handle_lease(report, now)
             case SetpointsChanged(speeds=speeds):
                 self.other_speeds = speeds
             case NetworkDelay(seconds=seconds):
@@ -305,7 +305,7 @@ class BoardMirror:
             case Closed(may_move=may_move):
                 yield from self.close(now, may_move=may_move)
 
-    def _take_lease(self, lease: LeaseChanged, now: float) -> Iterator[BoardEvent]:
+    def _handle_lease(self, lease: LeaseChanged, now: float) -> Iterator[BoardEvent]:
         before, self.lease = self.lease, lease
         if (before.driver, before.is_mine) != (lease.driver, lease.is_mine) if before else True:
             driver = tr("this program") if lease.is_mine else lease.driver
@@ -318,7 +318,7 @@ class BoardMirror:
         self.is_responding, self.connected_at, self.connected_utc = False, None, None
         self.lease = self.network_delay = None
         self.other_speeds = SetpointsChanged().speeds
-        self.memory.leave_board()
+        self.memory.close_board()
         yield from self._forget()
         if was_read:
             text = tr("Disconnected")
@@ -326,16 +326,16 @@ class BoardMirror:
                 text = tr("Disconnected before a stop was confirmed: motors may still turn")
             yield Event(now, EventKind.LINK, text, is_problem=may_move)
 
-    def note_written(self, written: Written) -> None:
+    def record_written(self, written: Written) -> None:
         self.last = written.state
         self.settings = written.settings
 
-    def note_power_cycled(self) -> None:
+    def record_power_cycled(self) -> None:
         """Record that all stored settings are active now."""
         if self.last is not None:
             self.is_joint = _is_joint(self.last)
 
-    def _take_board(self, report: Connected, now: float, utc: datetime) -> Iterator[BoardEvent]:
+    def _handle_board(self, report: Connected, now: float, utc: datetime) -> Iterator[BoardEvent]:
         state, occasion = report.state, report.occasion
         is_changed = state != self.state
         before, self.last = self.last, state
@@ -387,7 +387,7 @@ class BoardMirror:
         self._joint[before] = self.is_joint
         self.is_joint = self._joint.pop(board, _is_joint(state))
 
-    def _take_batch(self, batch: Batch, now: float, utc: datetime) -> Iterator[BoardEvent]:
+    def _handle_batch(self, batch: Batch, now: float, utc: datetime) -> Iterator[BoardEvent]:
         """Handle samples. A stop by the board is yielded before the samples that show it."""
         self.counters = batch.counters
         has_failed = self.quality.has_failed_lately(now, batch.counters)

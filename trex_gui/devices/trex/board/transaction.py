@@ -44,7 +44,7 @@ class WriteTransaction:
         # Taken now: a thread may save them while the memory goes on.
         self._stored, self._remarks = memory.with_hidden(settings_of(state))
 
-    def take_snapshot(self, history: SettingsHistory) -> Snapshot:
+    def save_snapshot(self, history: SettingsHistory) -> Snapshot:
         """Save all that the board stores, and what it hides.
 
         Raises:
@@ -57,17 +57,17 @@ class WriteTransaction:
     def begin(self) -> None:
         """Call it before the first byte."""
         parameters, calibrations = self.values
-        self._memory.begin_writing({key for key, _ in (*parameters, *calibrations)})
+        self._memory.start_writing({key for key, _ in (*parameters, *calibrations)})
 
     def finish(self, results: Sequence[WriteResult], state: DeviceState, now: datetime) -> None:
         """Remember what was verified, and what the board stores now. `now` is in UTC."""
         uncertain = {result.key for result in results if result.error is not None}
-        self._memory.note_written(settings_of(state), state.source, uncertain, now)
+        self._memory.record_written(settings_of(state), state.source, uncertain, now)
         if any(result.key == ParameterKey.FACTORY_RESET for result in results):
-            self._memory.note_reset()
+            self._memory.record_reset()
         verified = {
             result.key: result.stored
             for result in results
             if result.error is None and isinstance(result.stored, int)
         }
-        self._memory.note_accepted(state.signature, open_values(state.specs, verified))
+        self._memory.record_accepted(state.signature, open_values(state.specs, verified))

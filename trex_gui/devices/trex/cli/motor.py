@@ -328,9 +328,9 @@ class _Run:
         for event in self.boards[number].take(report, self._now, utc_now()):
             match event:
                 case LatchedStatus():
-                    self._take_status(number, event)
+                    self._handle_status(number, event)
                 case Control(by_serial=by_serial):
-                    self._take_control(number, by_serial=by_serial)
+                    self._handle_control(number, by_serial=by_serial)
         match report:
             case GuardianChanged(is_ready=is_ready):
                 self._is_guarded = is_ready
@@ -342,11 +342,11 @@ class _Run:
             case MotorsStopped(reason=ErrorCode() as code, board=left):
                 self._finish(describe(code, (left,)))
             case Outcome():
-                self._take_outcome(report)
+                self._handle_outcome(report)
             case Closed(error=error):
                 self._line_error = error
 
-    def _take_outcome(self, outcome: Outcome) -> None:
+    def _handle_outcome(self, outcome: Outcome) -> None:
         if outcome.id == STOP_ID:
             self._stop_error = outcome.error
             self._requests.append(Close())
@@ -383,7 +383,7 @@ class _Run:
     def _named(self, number: int | None, text: str) -> str:
         return text if number is None else f"Board {number}: {text}"
 
-    def _take_status(self, number: int | None, latched: LatchedStatus) -> None:
+    def _handle_status(self, number: int | None, latched: LatchedStatus) -> None:
         names = self._named(number, ", ".join(latched.names))
         if not self._is_running:
             say(f"Errors latched before this run: {names}.")
@@ -395,7 +395,7 @@ class _Run:
                 again = [one for one in self._orders if not isinstance(one, SendPacket)]
                 self._requests += self._addressed(again)
 
-    def _take_control(self, number: int | None, *, by_serial: bool) -> None:
+    def _handle_control(self, number: int | None, *, by_serial: bool) -> None:
         lost = self._lost_control
         lost[number] = 0 if by_serial else lost.get(number, 0) + 1
         is_known = len(lost) == len(self._numbers) and not any(lost.values())

@@ -12,7 +12,7 @@ from trex_gui.core.cli import refusals, say
 from trex_gui.core.command_io import FileName
 from trex_gui.core.errors import StudioError
 from trex_gui.core.host import host
-from trex_gui.core.report import make_report, save_report
+from trex_gui.core.report import create_report, save_report
 from trex_gui.core.texts import counted
 from trex_gui.core.transport.traffic import logged
 from trex_gui.core.transport.transcript import TranscriptWriter
@@ -41,7 +41,7 @@ def report(file: str, **options: Any) -> None:
     says why. Reading the error bits clears them in the board.
     """
     with refusals():
-        files = make_report(_parts(options))
+        files = create_report(_parts(options))
         if file == "-":
             for one in files:
                 click.echo(f"==> {one.name} <==\n{one.text}")

@@ -138,7 +138,7 @@ class TrexClient:
             framing = replace(self.settings.framing, device_number=packet.device_number)
             if framing.encode(packet.command) == packet.raw:
                 return self._request(packet.command, framing)
-        self._begin_transaction()
+        self._start_transaction()
         self.transport.write(packet.raw)
         seconds = self.settings.line.seconds(len(packet.raw)) + self._allowance
         received = b""
@@ -154,7 +154,7 @@ class TrexClient:
         line = self.settings.line
         packet = framing.encode(command)
         parser = ReplyParser(command, framing, self.echo)
-        self._begin_transaction()
+        self._start_transaction()
         begun = self.transport.clock()
         self.transport.write(packet)
         # What is queued in the port must leave before the board can reply; a port may also keep the
@@ -194,7 +194,7 @@ class TrexClient:
                     self._wire.free_at = min(self._wire.free_at, self.transport.clock())
                 return state
 
-    def _begin_transaction(self) -> None:
+    def _start_transaction(self) -> None:
         self.drain()
         late = self._drain_late_reply() + self.transport.discard()
         self.counters.requests += 1

@@ -332,7 +332,7 @@ class _Work:
                     break
         return last, keys
 
-    def _note_stored(self, key: str) -> None:
+    def _record_stored(self, key: str) -> None:
         """Read what a write that could not be verified has left."""
         with contextlib.suppress(*_FAILURES):
             self.stored(WriteResult(key, self._stored(key)))
@@ -367,7 +367,7 @@ class _Work:
         for key, wire in serial:
             self.store(key, wire, may_cancel=False)
         if route is _Route.VIA_DEFAULT:
-            self._note_uncertain_line()
+            self._record_uncertain_line()
 
     def _route(self, wanted: Mapping[str, int]) -> "_Route":
         stored = {key: self._stored_parameter(key) for key in wanted}
@@ -380,7 +380,7 @@ class _Work:
         is_same = stored[_LINE] == wanted[_LINE]
         return _Route.POLYNOMIAL_FIRST if is_same else _Route.VIA_DEFAULT
 
-    def _note_uncertain_line(self) -> None:
+    def _record_uncertain_line(self) -> None:
         """Add to an error that the line settings may be neither the old nor the new ones."""
         spec = self.specs[_LINE]
         for number, result in enumerate(self.results):
@@ -412,7 +412,7 @@ class _Work:
                 self.fatal_error = _if_fatal(error)
                 self.unknown.add(key)
                 if isinstance(error, TrexError) and error.code in _NOT_VERIFIED:
-                    self._note_stored(key)
+                    self._record_stored(key)
             else:
                 self.stored(result)
             if self._sent > 1 or (self._sent and result.error is not None):

@@ -151,7 +151,7 @@ class MotorDriver:
         confirmed = run.is_confirmed
         self._take_statuses(run.latched)
         self._is_quiet()
-        self.output.note_stop(self._now(), run.latched, confirmed=confirmed, final=run.is_final)
+        self.output.record_stop(self._now(), run.latched, confirmed=confirmed, final=run.is_final)
         run.end(confirmed)
 
     def stop_and_confirm(self, *, careful: bool = False) -> bool:
@@ -164,7 +164,7 @@ class MotorDriver:
         """Return such a stop, for several boards at once."""
         return self._stop(_ATTEMPTS, is_final=True, is_careful=careful)
 
-    def take_over_stop(self) -> StopRun:
+    def takeover_stop(self) -> StopRun:
         """Return the stop on a line that the guardian has used. See `LineQuality.is_shared`."""
         self._is_quiet()
         self.output.quality.is_shared = False
@@ -180,7 +180,7 @@ class MotorDriver:
         """Return the stop before the port is closed, which serves every requested one."""
         end = self._now() + _CLOSING_SECONDS
         attempts = _CLOSING_ATTEMPTS if self._is_quiet() else _CAREFUL_CLOSING_ATTEMPTS
-        stops = self.output.take_stops()
+        stops = self.output.pop_stops()
 
         def report(confirmed: bool) -> None:
             error = None if confirmed else TrexNoReplyError(ErrorCode.STOP_UNCONFIRMED)
@@ -220,7 +220,7 @@ class MotorDriver:
         """Return the stop that is due, if one is."""
         output, now = self.output, self._now()
         if output.stops:
-            stops = output.take_stops()
+            stops = output.pop_stops()
             return self._stop(
                 _ATTEMPTS,
                 stops=stops,
@@ -272,7 +272,7 @@ class MotorDriver:
 
     def _drive(self) -> None:
         """Send the newest setpoints, or unconfirmed ones again, or refresh all of them."""
-        setpoints = self.output.take_setpoints(self._now())
+        setpoints = self.output.pop_setpoints(self._now())
         if not setpoints:
             self._refresh()
             return
@@ -289,10 +289,10 @@ class MotorDriver:
     def _refresh(self, *, is_waiting: bool = False) -> None:
         """Send every setpoint again: speeds only if the board has not stopped its motors."""
         refresh = self.output.refresh
-        self.output.note_refresh()
-        for command in refresh.take_idle():
+        self.output.record_refresh()
+        for command in refresh.idle_commands():
             self.client.send(command)  # goes before the rest of a reply is awaited
-        refresh.note_sent(self._now())  # from now on: polls have a turn in between
+        refresh.record_sent(self._now())  # from now on: polls have a turn in between
         if (refresh.stops_on_error or refresh.holds_speeds) and refresh.running:
             if is_waiting:
                 return
@@ -300,13 +300,15 @@ class MotorDriver:
             with suppress(NoReply, BadReply):  # polling finds out whether the board is silent
                 latched = self._status.read(self.client.request)
             self._take_statuses([latched] if latched else [])
-            self.output.note_status(latched, stops_on_error=True)
+            self.output.record_status(latched, stops_on_error=True)
             if not latched.is_whole:
-                refresh.note_sent(self._now())  # else it is due again, and polls never have a turn
+                refresh.record_sent(
+                    self._now()
+                )  # else it is due again, and polls never have a turn
                 return
         for command in refresh.speeds():
             self.client.send(command)
-        refresh.note_sent(self._now())
+        refresh.record_sent(self._now())
 
     def refresh_while_waiting(self, waited: float) -> float:
         """Send what is due while only the adapter can be late. Return seconds to the next call."""
@@ -319,7 +321,7 @@ class MotorDriver:
             seconds = self._interval
         return max(SHORTEST_WAIT, min(seconds, HEARTBEAT_INTERVAL))
 
-    def begin_direct(self) -> None:
+    def start_direct(self) -> None:
         """Note that a motor command that is not a setpoint is about to be sent."""
         self.output.refresh.on_direct_command()
         self.output.restart.clear()

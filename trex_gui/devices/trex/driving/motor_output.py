@@ -219,13 +219,13 @@ class MotorOutput:
         self.is_repeating = self.is_repeating and due < math.inf
         return due
 
-    def note_refresh(self) -> None:
+    def record_refresh(self) -> None:
         """Report that setpoints are being refreshed, once until the line is quiet."""
         if not self.is_repeating:
             self.is_repeating = True
             self.report(CommandsRepeated())
 
-    def take_setpoints(self, now: float) -> list[Setpoint]:
+    def pop_setpoints(self, now: float) -> list[Setpoint]:
         """Return the setpoints to send now: queued ones, or retries. Record them as sent."""
         self._sent_at = now
         if setpoints := self.setpoints.take():
@@ -234,20 +234,20 @@ class MotorOutput:
             setpoints = self.retry.take(now)
         if setpoints:
             self.handle(OutputEvent.SETPOINT_SENT, now)
-            self.refresh.note_setpoints(setpoints, now)
-            self.restart.note_setpoints(setpoints, now)
+            self.refresh.record_setpoints(setpoints, now)
+            self.restart.record_setpoints(setpoints, now)
         return setpoints
 
-    def note_status(self, latched: LatchedStatus, *, stops_on_error: bool) -> None:
-        """Pass a polled status on. See `SetpointRetry.note_status`."""
-        self.quality.note_status(latched)
-        self.refresh.note_status(latched, stops_on_error=stops_on_error)
-        self.restart.note_status(latched, stops_on_error=stops_on_error)
-        self.retry.note_status(latched, stops_on_error=stops_on_error)
+    def record_status(self, latched: LatchedStatus, *, stops_on_error: bool) -> None:
+        """Pass a polled status on. See `SetpointRetry.record_status`."""
+        self.quality.record_status(latched)
+        self.refresh.record_status(latched, stops_on_error=stops_on_error)
+        self.restart.record_status(latched, stops_on_error=stops_on_error)
+        self.retry.record_status(latched, stops_on_error=stops_on_error)
 
     # --- Stops and their outcomes -------------------------------------------------------
 
-    def take_stops(self) -> list[Stop]:
+    def pop_stops(self) -> list[Stop]:
         """Return all stops without an outcome, and clear the queue."""
         stops = self._noisy_stops + self.stops
         self._noisy_stops, self.stops = [], []
@@ -257,7 +257,7 @@ class MotorOutput:
         """Requeue stops ahead of stops that have arrived meanwhile."""
         self.stops[:0] = stops
 
-    def note_stop(
+    def record_stop(
         self, now: float, statuses: Sequence[LatchedStatus], *, confirmed: bool, final: bool
     ) -> None:
         """Record the result of an attempt to stop. All setpoints are idle from now on.
@@ -268,14 +268,14 @@ class MotorOutput:
         self._sent_at = self._stopped_at = now
         was_driven = self.may_move
         for latched in statuses:
-            self.quality.note_status(latched)
+            self.quality.record_status(latched)
         if not confirmed:
             self.handle(OutputEvent.STOP_NOT_ANSWERED, now)
         elif final or self.quality.is_quiet:
             self.handle(OutputEvent.STOP_CONFIRMED, now)
         else:
             self.handle(OutputEvent.STOP_CLEAN_BUT_NOISY, now)
-        self.refresh.note_stop(now, was_driven=was_driven or self.may_move)
+        self.refresh.record_stop(now, was_driven=was_driven or self.may_move)
 
     def end_stops(self, stops: Sequence[Stop], now: float, *, answered: bool) -> None:
         """Report the outcome of stops that were sent.

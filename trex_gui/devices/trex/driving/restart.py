@@ -44,19 +44,19 @@ class RestartWatch:
         """True if the board may have restarted. No speed is refreshed meanwhile."""
         return bool(self._drawing) and (self._is_reply_lost or self._fallen_at < math.inf)
 
-    def note_setpoints(self, setpoints: Sequence[Setpoint], now: float) -> None:
+    def record_setpoints(self, setpoints: Sequence[Setpoint], now: float) -> None:
         for one in setpoints:
             known, _ = self._running.get(one.motor, (None, now))
             if isinstance(one, SetMotor) and one.motor in {1, 2} and one != known:
                 self._drawing.discard(one.motor)
                 self._running[one.motor] = one, math.inf if is_idle(one) else now + _SETTLING
 
-    def note_lost_reply(self) -> None:
+    def record_lost_reply(self) -> None:
         """Note a failed transaction before `quality` counts it."""
         if self._quality.is_quiet and self._drawing:
             self._is_reply_lost = True
 
-    def note_status(self, latched: LatchedStatus, *, stops_on_error: bool) -> None:
+    def record_status(self, latched: LatchedStatus, *, stops_on_error: bool) -> None:
         """Take a status that gives a reason, or that gives none."""
         if (
             latched.status & ~Status.UART_ERROR
@@ -68,7 +68,7 @@ class RestartWatch:
         enough = _FALLEN_AFTER_LOSS if self._is_reply_lost else _FALLEN
         self.has_restarted |= latched.is_whole and latched.time - self._fallen_at >= enough
 
-    def note_currents(self, counts: Sequence[int], now: float) -> None:
+    def record_currents(self, counts: Sequence[int], now: float) -> None:
         if any(counts[motor - 1] > NOISE_COUNTS for motor in self._drawing):
             self._end_check()
         elif self._drawing and (self._quality.is_quiet or self._is_reply_lost):

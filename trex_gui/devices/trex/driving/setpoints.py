@@ -106,7 +106,7 @@ class SetpointRetry:
         self.due = now + REPEATS[self._repeated]
         self._sent_since_status = True
 
-    def note_status(self, latched: LatchedStatus, *, stops_on_error: bool) -> None:
+    def record_status(self, latched: LatchedStatus, *, stops_on_error: bool) -> None:
         """Confirm the setpoints, or schedule a retry at once after an error.
 
         Motors that the board has stopped are not restarted. `stops_on_error`: the board stops its
@@ -164,15 +164,15 @@ class LineQuality:
         failures = counters.missing + counters.corrupted + counters.unsolicited
         if failures != self._failures:
             self._failures = failures
-            self._note_damage()
+            self._record_damage()
 
-    def note_status(self, latched: LatchedStatus) -> None:
+    def record_status(self, latched: LatchedStatus) -> None:
         """Record line errors that the board has latched.
 
         Errors before the first `observe` are older than the connection.
         """
         if self._is_observed and latched.has_line_error:
-            self._note_damage()
+            self._record_damage()
 
     @property
     def is_quiet(self) -> bool:
@@ -185,7 +185,7 @@ class LineQuality:
             return True
         return self.answers - self._damaged_at >= replies
 
-    def _note_damage(self) -> None:
+    def _record_damage(self) -> None:
         if not self.is_shared:
             self._damaged_at = self.answers
 
@@ -212,20 +212,20 @@ class SetpointRefresh:
         self._answers_since: int | None = None
         self._sent_at = 0.0
 
-    def note_setpoints(self, setpoints: Sequence[Setpoint], now: float) -> None:
+    def record_setpoints(self, setpoints: Sequence[Setpoint], now: float) -> None:
         self._is_active = True
         self._sent_at = now
         self._setpoints.update({one.motor: one for one in setpoints})
         if not all(isinstance(command, DriveMotor) for command in packets(setpoints)):
-            self._note_auxiliary_risk()
+            self._record_auxiliary_risk()
 
-    def note_stop(self, now: float, *, was_driven: bool) -> None:
+    def record_stop(self, now: float, *, was_driven: bool) -> None:
         self.clear()
         self._is_active = self._is_active or was_driven
         self._sent_at = now
-        self._note_auxiliary_risk()
+        self._record_auxiliary_risk()
 
-    def note_status(self, latched: LatchedStatus, *, stops_on_error: bool) -> None:
+    def record_status(self, latched: LatchedStatus, *, stops_on_error: bool) -> None:
         """Hold speeds back until the next clean status if the board has stopped its motors."""
         self.stops_on_error = stops_on_error
         self.holds_speeds = latched.stops_motors(on_error=stops_on_error)
@@ -246,11 +246,11 @@ class SetpointRefresh:
             return math.inf
         return self._sent_at + interval if self._is_active else math.inf
 
-    def note_sent(self, now: float) -> None:
+    def record_sent(self, now: float) -> None:
         """Record the time of a refresh, which takes long if echoes are awaited."""
         self._sent_at = now
 
-    def take_idle(self) -> list[Command[None]]:
+    def idle_commands(self) -> list[Command[None]]:
         """Return a packet for each idle motor.
 
         The packet for both motors is one bit away from a packet for the auxiliary motor, so each
@@ -261,7 +261,7 @@ class SetpointRefresh:
         idle = [one for one in motors if is_idle(one)]
         auxiliary = self._setpoints.get(SetAuxiliary.motor, SetAuxiliary(0))
         if self._auxiliary_at_risk and is_idle(auxiliary):
-            self._note_auxiliary_risk()
+            self._record_auxiliary_risk()
             idle.append(auxiliary)
         return [command for setpoint in idle for command in packets([setpoint])]
 
@@ -274,7 +274,7 @@ class SetpointRefresh:
     def running(self) -> list[Setpoint]:
         return [one for one in self._setpoints.values() if not is_idle(one)]
 
-    def _note_auxiliary_risk(self) -> None:
+    def _record_auxiliary_risk(self) -> None:
         """Record that damage to a packet may have started the auxiliary motor."""
         self._auxiliary_at_risk = True
         self._answers_since = None

@@ -19,7 +19,7 @@ class BoardEvents(EventLog):
         self._motors = motors
         motors.stop_requested.connect(self._on_stop_requested)
 
-    def note_applied(self, results: tuple[WriteResult, ...], names: tuple[str, ...]) -> None:
+    def record_applied(self, results: tuple[WriteResult, ...], names: tuple[str, ...]) -> None:
         """Log what Apply has written. `names` are those of `results`."""
         done = [name for name, one in zip(names, results, strict=True) if one.error is None]
         failed = len(results) - len(done)

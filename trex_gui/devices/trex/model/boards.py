@@ -136,7 +136,7 @@ class BoardList(QObject):
         if self.can_scan:
             self.scanned = 0
             self.changed.emit()
-            self._ask_next()
+            self._probe_next()
 
     def cancel_scan(self) -> None:
         """Ask no more. What was found stays."""
@@ -144,7 +144,7 @@ class BoardList(QObject):
             self.scanned = None
             self.changed.emit()
 
-    def _ask_next(self) -> None:
+    def _probe_next(self) -> None:
         number = self.scanned
         if number is None or self.is_asking:
             return
@@ -167,7 +167,7 @@ class BoardList(QObject):
         if number == self.scanned:
             self.scanned += 1
             self.changed.emit()
-        self._ask_next()
+        self._probe_next()
 
     def _finish_scan(self) -> None:
         """Keep and report what was found. From now on address one board if there are several."""
@@ -256,7 +256,7 @@ class BoardList(QObject):
         def finish(error: StudioError | None) -> None:
             self.is_selecting = False
             if isinstance(error, TrexError) and error.code is ErrorCode.NOT_SELECTED_MOVING:
-                device.driving.note_unconfirmed()
+                device.driving.record_unconfirmed()
             elif isinstance(error, TrexError) and error.code is ErrorCode.NOT_SELECTED_SILENT:
                 self._note(number, None, Presence.SILENT)
             if error is not None:

@@ -148,12 +148,12 @@ class Connection(DeviceConnection[ConnectionSettings]):
             case Batch():
                 self.sampled.emit(report)
             case OfBoard():
-                self._take_of_board(report)
+                self._handle_of_board(report)
             case GuardianChanged(is_ready=is_ready):
                 self.is_guarded = is_ready
                 self.guardian_changed.emit()
             case LeaseChanged() | SetpointsChanged() | NetworkDelay() | Traffic():
-                self._take_served(report)
+                self._handle_served(report)
             case StopSent():
                 self.stop_sent.emit()
             case MotorsStopped():
@@ -170,21 +170,21 @@ class Connection(DeviceConnection[ConnectionSettings]):
                     self._set_state(ConnectionState.CONNECTING, text)
                 self.progressed.emit(done, total, what)
             case Connected():
-                self._take_state(report)
+                self._handle_state(report)
             case NotResponding(reason=reason):
                 log.info("the board does not respond: %s", reason)
                 self.not_responding.emit(report)
                 text = tr("The board has stopped responding. Is its power on? Waiting for it …")
                 self._set_state(ConnectionState.NOT_RESPONDING, text)
 
-    def _take_of_board(self, of_board: OfBoard) -> None:
+    def _handle_of_board(self, of_board: OfBoard) -> None:
         """Take a report of another board of the group."""
         if isinstance(of_board.report, Outcome):
             self.answer(of_board.report)
         else:
             self.of_board.emit(of_board.number, of_board.report)
 
-    def _take_served(
+    def _handle_served(
         self, report: LeaseChanged | SetpointsChanged | NetworkDelay | Traffic
     ) -> None:
         """Take what only the server of a board reports."""
@@ -194,11 +194,11 @@ class Connection(DeviceConnection[ConnectionSettings]):
         else:
             self.served.emit(report)
 
-    def _take_state(self, report: Connected) -> None:
+    def _handle_state(self, report: Connected) -> None:
         self.settings = report.settings
         self.port_rates = report.port_rates
         self.selection = report.selection
-        self.traffic.note_settings(report.settings, echo=report.echo)
+        self.traffic.record_settings(report.settings, echo=report.echo)
         signature = report.state.signature
         if self._decoder.board != signature:
             self._decoder.board = signature

@@ -68,7 +68,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.demo_board.factory_reset.connect(self._on_demo_factory_reset)
         device.stop_wanted.connect(self._on_stop_wanted)
         device.connection.failed.connect(self._on_failed)
-        device.link_changed.connect(self._note_settings)
+        device.link_changed.connect(self._record_settings)
         device.line_judged.connect(self.changed)
         device.motors.arming_changed.connect(self.changed)
         for changed in (device.link_changed, device.motors.arming_changed):
@@ -101,17 +101,17 @@ class TrexController(DeviceController[ConnectionSettings]):
 
     def choose(self, port: Port) -> None:
         if self._chosen is not None and not self._chosen.is_same(port) and not self.may_move:
-            self._leave_group()
+            self._clear_group()
         super().choose(port)
 
-    def _leave_group(self) -> None:
+    def _clear_group(self) -> None:
         """Connect to one board from now on."""
         self.settings = replace(self.settings, group=())
 
     @Slot(object)
     def _on_failed(self, error: StudioError) -> None:
         if isinstance(error, NoReply | BadReply) and not self.may_move:
-            self._leave_group()  # else nothing can be connected without the board that is missing
+            self._clear_group()  # else nothing can be connected without the board that is missing
 
     def connect_with(self, port: Port, settings: PortSettings) -> None:
         self.choose(port)
@@ -122,12 +122,12 @@ class TrexController(DeviceController[ConnectionSettings]):
             self.set_settings(found)
         self.connect_to(port)
 
-    def take_packed(self, settings: str) -> None:
+    def set_packed(self, settings: str) -> None:
         with suppress(BadRequest):  # an edited file, or a packet for others: those in use stay
             self.set_settings(self.settings.unpacked(settings))
 
     @Slot()
-    def _note_settings(self) -> None:
+    def _record_settings(self) -> None:
         """Remember how the board was reached: it may have come back at other settings."""
         used, port = self.device.settings, self.port
         if self.link is not ConnectionState.CONNECTED or used is None or port is None:

@@ -236,10 +236,10 @@ class Device(QObject):
         if not self.connection.request(Reload, self._on_reloaded):
             self._on_request_failed(tr("No board is connected."))
 
-    def note_power_cycled(self) -> None:
+    def record_power_cycled(self) -> None:
         if self.state is not None:
-            self.board.note_power_cycled()
-            self.draft.take_state(self.state, self.settings, power_cycled=True)
+            self.board.record_power_cycled()
+            self.draft.set_state(self.state, self.settings, power_cycled=True)
             self.state_changed.emit()
             self.link_changed.emit()
 
@@ -255,7 +255,7 @@ class Device(QObject):
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
         self.link_changed.emit()
         names = tuple(self.draft.name_of(result.key) for result in results)
-        self.events.note_applied(results, names)
+        self.events.record_applied(results, names)
         self.applied.emit(results)
 
     @Slot(object)
@@ -301,7 +301,7 @@ class Device(QObject):
         if read.is_changed:
             self.writer.give_up(tr("Nothing was written: other settings were read from the board."))
         if read.is_new:
-            self.calibrations.forget_seen()
+            self.calibrations.clear_seen()
         is_same_kind = self.parameters.model_key == state.signature.model.key
         if pending and before is not None and not is_same_kind:
             text = tr(
@@ -324,13 +324,13 @@ class Device(QObject):
         unit = state.signature.model.current_unit
         if opened or unit != self.telemetry.ampere:  # another model may be at the same line
             self.telemetry.begin(unit)
-        self.edit_backup.leave_board()
-        self.draft.take_state(
+        self.edit_backup.close_board()
+        self.draft.set_state(
             state, read.report.settings, power_cycled=occasion.power_cycled, opened=opened
         )
-        self._take_files(read.report, opened=opened)
+        self._handle_files(read.report, opened=opened)
 
-    def _take_files(self, report: Connected, *, opened: bool) -> None:
+    def _handle_files(self, report: Connected, *, opened: bool) -> None:
         """Follow in its files what the board stores. `opened`: it may be another board."""
         state, is_simulated = report.state, bool(report.settings.name)
         self.edit_backup.take_board(ask=opened, is_simulated=is_simulated)
@@ -347,9 +347,9 @@ class Device(QObject):
             )
             self.notifier.delayed_info.emit(text)
         self.telemetry.begin(report.state.signature.model.current_unit)
-        self.edit_backup.leave_board(is_deselected=True)
+        self.edit_backup.close_board(is_deselected=True)
         self.draft.select_state(report.state, report.settings)
-        self._take_files(report, opened=True)
+        self._handle_files(report, opened=True)
 
     @Slot(object)
     def _on_replaced(self, path: Path) -> None:
@@ -374,13 +374,13 @@ class Device(QObject):
     @Slot(object)
     def _on_written(self, written: Written) -> None:
         self._replaced.clear()
-        self.board.note_written(written)
+        self.board.record_written(written)
         self.connection.settings = written.settings
-        self.draft.note_stored(written.state)
+        self.draft.record_stored(written.state)
         uncertain = written.uncertain
         if self.draft.reset_pending:
             uncertain |= written.state.parameters.keys()
-        self.driving.note_stored(written.state, uncertain)
+        self.driving.record_stored(written.state, uncertain)
         self.state_changed.emit()
 
     @Slot()

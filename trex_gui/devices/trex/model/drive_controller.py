@@ -291,12 +291,12 @@ class DriveController(QObject):
         )
         return text.format(_name_of(self._lost[0]), self._lost[0].settings.label)
 
-    def note_unconfirmed(self) -> None:
+    def record_unconfirmed(self) -> None:
         """Note that a motor may be moving: a stop that somebody else requested is unconfirmed."""
         self.may_move = True
         self.changed.emit()
 
-    def note_stored(self, state: DeviceState, uncertain: Collection[str]) -> None:
+    def record_stored(self, state: DeviceState, uncertain: Collection[str]) -> None:
         """Take what the board stores after a write. Values with `uncertain` keys are not known."""
         if self._board is not None:
             parameters = {k: w for k, w in state.parameters.items() if k not in uncertain}

@@ -228,7 +228,7 @@ class Motors(QObject):
     def _disarm(self, *, stopping: bool = False) -> None:
         was_armed, self.armed = self.armed, False
         had_holder, had_setpoints = bool(self.holder), bool(self._drives or self.auxiliary)
-        self._forget_holder()
+        self._clear_holder()
         self._drives = {}
         self.auxiliary = 0
         if stopping:
@@ -259,7 +259,7 @@ class Motors(QObject):
         self._set(dict.fromkeys(sorted(self._held - {_AUXILIARY}), rest))
         if _AUXILIARY in self._held:
             self._set_auxiliary(0)
-        self._forget_holder()
+        self._clear_holder()
         self.holder_changed.emit()
 
     def abort(self, holder: str, reason: str) -> None:
@@ -267,7 +267,7 @@ class Motors(QObject):
         if holder and self.holder == holder:
             self.stop(reason)
 
-    def _forget_holder(self) -> None:
+    def _clear_holder(self) -> None:
         self.holder = ""
         self._held.clear()
         self.ceiling_in_force = self.ceiling

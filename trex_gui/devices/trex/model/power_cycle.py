@@ -66,7 +66,7 @@ class PowerCycle(QObject):
 
     def confirm(self) -> None:
         if self._device.is_connected:
-            self._device.note_power_cycled()
+            self._device.record_power_cycled()
             self._go(PowerCycleStage.BACK)
 
     def end(self) -> None:

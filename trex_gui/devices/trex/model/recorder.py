@@ -8,7 +8,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Slot
 
 from trex_gui.core.events import Event, EventKind
-from trex_gui.core.recording.kept import kept_path, make_room
+from trex_gui.core.recording.kept import free_space, kept_path
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import ModeSample
@@ -159,7 +159,7 @@ class EventRecorder(Recorder):
         super().__init__(device, parent)
         self.is_on = Preferences().flag(_KEEP, default=True)
         begin_ms, end_ms = round(1000 * _BEGIN_DELAY), round(1000 * _AFTER)
-        self._begin_timer = new_timer(self, begin_ms, self._begin_soon, single_shot=True)
+        self._begin_timer = new_timer(self, begin_ms, self._start_soon, single_shot=True)
         self._end_timer = new_timer(self, end_ms, self.stop, single_shot=True)
 
     def set_on(self, on: bool) -> None:
@@ -212,7 +212,7 @@ class EventRecorder(Recorder):
             self._end_timer.start()
 
     @Slot()
-    def _begin_soon(self) -> None:
+    def _start_soon(self) -> None:
         if self._worker is None:
             self._begin()
         elif self._end_timer.isActive():  # a slow disk still has the one before
@@ -241,7 +241,7 @@ class EventRecorder(Recorder):
             first.append(AuxiliarySetpointRecord(start, before.auxiliary))
         when = datetime.now().astimezone() - timedelta(seconds=now() - event.time)
         path = kept_path(when, event.kind.value)
-        self.begin(path, FORMAT, header, (*first, *self._recent), prepare=make_room)
+        self.begin(path, FORMAT, header, (*first, *self._recent), prepare=free_space)
 
     @Slot()
     def stop(self) -> None:

@@ -153,8 +153,8 @@ class RemoteSession:
             if now >= hello_at:
                 hello_at = now + 0.5
                 self._send(Hello(VERSION, f"TReX Studio {__version__}"))
-            self._take_requests(_SLICE)
-            self._take_reports()
+            self._handle_requests(_SLICE)
+            self._handle_reports()
         self._heard_at = self._clock()
 
     def _leave(self) -> None:
@@ -167,7 +167,7 @@ class RemoteSession:
                 end = self._clock() + _LEAVING
                 while self._may_move and self._clock() < end:
                     self._inbox.get(_SLICE)
-                    self._take_reports()
+                    self._handle_reports()
         except Exception:  # whatever the engine raises when its connection is gone
             log.info("the server has left first", exc_info=True)
         try:
@@ -183,8 +183,8 @@ class RemoteSession:
         if now >= self._beat_at:
             self._beat_at = now + _HEARTBEAT
             self._send(Alive())
-        self._take_requests(min(_SLICE, max(0.0, self._beat_at - now)))
-        self._take_reports()
+        self._handle_requests(min(_SLICE, max(0.0, self._beat_at - now)))
+        self._handle_reports()
         self._judge_silence()
         if self._waiting is not None and self._clock() >= self._waiting.until:
             self._reject_waiting()
@@ -204,7 +204,7 @@ class RemoteSession:
 
     # --- Requests -----------------------------------------------------------------------
 
-    def _take_requests(self, seconds: float) -> None:
+    def _handle_requests(self, seconds: float) -> None:
         request = self._inbox.get(seconds)
         while request is not None:
             self._take(request)
@@ -276,7 +276,7 @@ class RemoteSession:
         """Queue a message, in any thread."""
         self._received.append((self._clock(), message))
 
-    def _take_reports(self) -> None:
+    def _handle_reports(self) -> None:
         while self._received:
             arrived, data = self._received.popleft()
             try:
@@ -306,7 +306,7 @@ class RemoteSession:
             case Tick():
                 pass
             case LeaseChanged():
-                self._take_lease(report)
+                self._handle_lease(report)
             case Closed():
                 self._closed = report
                 raise report.error or Closing
@@ -376,7 +376,7 @@ class RemoteSession:
         """Return settings of the server's line with the URL by which it is reached from here."""
         return replace(settings, url=self._settings.url, name=self._settings.name)
 
-    def _take_lease(self, report: LeaseChanged) -> None:
+    def _handle_lease(self, report: LeaseChanged) -> None:
         self._lease = report
         self._emit(report)
         if self._waiting is None:

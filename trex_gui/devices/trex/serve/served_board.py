@@ -153,7 +153,7 @@ class ServedBoard:
         while not is_ended():
             self._closed.clear()
             open_transport = logged(
-                self._note_traffic, self._computer.open_transport, self._computer.clock
+                self._record_traffic, self._computer.open_transport, self._computer.clock
             )
             session = TrexSession(self._settings, self._inbox, self._report, open_transport)
             self._is_open = True
@@ -221,7 +221,7 @@ class ServedBoard:
         else:
             self.server.report(report)
 
-    def _note_traffic(self, event: TrafficEvent) -> None:
+    def _record_traffic(self, event: TrafficEvent) -> None:
         """Keep what is on the line for clients that show it, from a whole request on."""
         begins = event.direction is not TrafficDirection.RECEIVED
         self._logs = self.server.shows_traffic and (self._logs or begins)

@@ -329,12 +329,12 @@ class BoardServer:
             self._request(Heartbeat())  # on the clock of this computer
         elif number is not None and isinstance(request, SetpointRequest):
             self._pending_stop = 0
-            self._note_speeds(0 if number in self._first else number, request)
+            self._record_speeds(0 if number in self._first else number, request)
             self._request(ToBoard(number, request))
         else:
             self._forward(client, request)
 
-    def _note_speeds(self, board: int, request: SetpointRequest) -> None:
+    def _record_speeds(self, board: int, request: SetpointRequest) -> None:
         speeds = {one.motor: _speed(one) for one in setpoints_in(request)}
         self._speeds.setdefault(board, {}).update(speeds)
 
@@ -405,7 +405,7 @@ class BoardServer:
         if not isinstance(request, Stop):
             self._pending_stop = 0
             if isinstance(request, SetpointRequest):
-                self._note_speeds(0, request)
+                self._record_speeds(0, request)
             self._request(request)
             return
         self._speeds.clear()

@@ -107,13 +107,13 @@ class BoardReader:
             # Stops and setpoints have just been served; only a status may take two transactions.
             request = line.request if topic is LatchedStatus else line.client.request
             sample = poll(request, topic, line.now, line.status)
-            line.liveness.note_answer(topic)
+            line.liveness.record_answer(topic)
             if isinstance(sample, LatchedStatus):
-                self.note_status(sample)
+                self.record_status(sample)
             if sample:
                 line.batcher.add(sample)
             if isinstance(sample, Currents):
-                line.motors.restart.note_currents(sample.counts, sample.time)
+                line.motors.restart.record_currents(sample.counts, sample.time)
             if line.motors.restart.has_restarted:
                 confirmed = line.stop_and_confirm()
                 line.emit(MotorsStopped(ErrorCode.MAY_HAVE_RESTARTED, confirmed))
@@ -127,7 +127,7 @@ class BoardReader:
                 self._stale_read_at = line.now() + _STALE_READ_INTERVAL
                 self.read_everything(ReadReason.RELOADED)
         except (NoReply, BadReply) as error:
-            line.note_failure(error, topic)
+            line.record_failure(error, topic)
 
     def check_safety_parameter(self, now: float) -> None:
         """Read a stored value that decides what the board does by itself to protect motors.
@@ -153,10 +153,10 @@ class BoardReader:
                     line.stop_if_moving()
                 self.read_everything(occasion)
         except (NoReply, BadReply) as error:
-            line.note_failure(error)
+            line.record_failure(error)
 
-    def note_status(self, latched: LatchedStatus) -> None:
-        self._line.motors.note_status(latched, stops_on_error=self.state.stops_on_error)
+    def record_status(self, latched: LatchedStatus) -> None:
+        self._line.motors.record_status(latched, stops_on_error=self.state.stops_on_error)
 
     # --- A board that does not respond --------------------------------------------------
 

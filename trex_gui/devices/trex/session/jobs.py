@@ -134,7 +134,7 @@ class JobServer:
                 raise TrexRequestError(ErrorCode.NOT_ARMED)
             if not packet.is_within_stop(number):
                 raise TrexRequestError(ErrorCode.MOVES_ANOTHER_BOARD, number)
-            line.driver.begin_direct()
+            line.driver.start_direct()
         else:
             line.collect()
             line.serve_motors()
@@ -146,7 +146,7 @@ class JobServer:
                 self._reader.expect_changes()
             raise
         if packet.device_number in self._own_numbers:
-            self._keep_cleared(reply.value)
+            self._report_cleared(reply.value)
         if packet.writes:
             self._read_after_write()
         return reply.raw
@@ -168,7 +168,7 @@ class JobServer:
         stored = self._reader.state.parameters.get(ParameterKey.DEVICE_NUMBER)
         return {None, stored, self._line.client.settings.device_number}
 
-    def _keep_cleared(self, value: object) -> None:
+    def _report_cleared(self, value: object) -> None:
         """Report bits that a packet of the user's has read, and so cleared."""
         status = self._line.status
         if isinstance(value, Status):
@@ -176,7 +176,7 @@ class JobServer:
         if value and isinstance(value, Status | UartError):
             bits = (value, UartError(0)) if isinstance(value, Status) else (Status(0), value)
             latched = LatchedStatus(self._line.now(), *bits, is_whole=not status.uart_due)
-            self._reader.note_status(latched)
+            self._reader.record_status(latched)
             self._line.batcher.add(latched)
 
     def _write(self, job: Write) -> Written:
@@ -217,7 +217,7 @@ class JobServer:
                 before=job.before or state,
                 has_crc=line.client.has_crc,
                 cancelled=line.requests.sees_close,
-                stored=self._note_stored,
+                stored=self._record_stored,
             )
         except OtherBoard:
             self._reader.state = state
@@ -228,5 +228,5 @@ class JobServer:
             self._reader.expect_changes()
         return Written(results, self._reader.state, line.settings)
 
-    def _note_stored(self, result: WriteResult) -> None:
+    def _record_stored(self, result: WriteResult) -> None:
         self._reader.state = after_writing(self._reader.state, (result,))

@@ -135,12 +135,12 @@ class OpenLine:
         stop_together(list(runs.values()), due)
         for board, run in runs.items():
             for error in run.unanswered:  # nothing may drive the others before it responds again
-                board.note_failure(error)
+                board.record_failure(error)
 
     def due_stops(self) -> list[StopRun]:
-        """Return the stop that is due. See `MotorDriver.take_over_stop` for a shared line."""
+        """Return the stop that is due. See `MotorDriver.takeover_stop` for a shared line."""
         if self.motors.quality.is_shared:
-            return [self.driver.take_over_stop()]
+            return [self.driver.takeover_stop()]
         if (run := self.driver.due_stop()) is not None:
             return [run]
         left = next((one for one in self.boards if not one.motors.is_armed), None)
@@ -158,7 +158,7 @@ class OpenLine:
         try:
             return self.driver.serve()
         except (NoReply, BadReply) as error:
-            self.note_failure(error)
+            self.record_failure(error)
             return True
 
     def stop_if_moving(self) -> None:
@@ -173,10 +173,10 @@ class OpenLine:
         if any(board.motors.is_armed or board.motors.may_move for board in self.boards):
             raise TrexRequestError(ErrorCode.OTHERS_WHILE_DRIVING)
 
-    def note_failure(self, error: StudioError, topic: Topic | None = None) -> None:
+    def record_failure(self, error: StudioError, topic: Topic | None = None) -> None:
         """Count a failed transaction. After a few in a row the board counts as silent."""
-        self.motors.restart.note_lost_reply()
-        if self.liveness.note_failure(self.now(), topic):
+        self.motors.restart.record_lost_reply()
+        if self.liveness.record_failure(self.now(), topic):
             self.motors.handle(OutputEvent.NOT_RESPONDING, self.now())
             self.driver.stop_without_reply()
             others = (one for one in self.boards if one is not self)

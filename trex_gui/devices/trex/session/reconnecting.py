@@ -58,10 +58,10 @@ class LivenessMonitor:
         """True if the last transaction failed, and the board does not count as silent yet."""
         return self._failures > 0 and not self.silent
 
-    def note_answer(self, topic: Topic) -> None:
+    def record_answer(self, topic: Topic) -> None:
         self._failures = self._failures_of[topic] = 0
 
-    def note_failure(self, now: float, topic: Topic | None = None) -> bool:
+    def record_failure(self, now: float, topic: Topic | None = None) -> bool:
         """Count a failed transaction. Return whether the board counts as silent from now on."""
         self._failures += 1
         if topic in _STRICT:

@@ -61,7 +61,7 @@ class BoardQueue:
 
     def abandon(self) -> list[int]:
         """Drop everything, and return the ids that have no outcome yet."""
-        ids = [request.id for request in (*self.output.take_stops(), *self.jobs)]
+        ids = [request.id for request in (*self.output.pop_stops(), *self.jobs)]
         self.output.setpoints.clear()
         self.jobs.clear()
         return ids
@@ -98,7 +98,7 @@ class TrexRequestQueue:
                 case _ if isinstance(request, LeaseRequest):
                     pass  # nobody else is at a line of this computer
                 case ToBoard(number=number, request=inner):
-                    self._take_for(number, inner)
+                    self._dispatch(number, inner)
                 case Arm() if not self.is_ready:
                     pass  # one of the boards is not known yet
                 case Stop() | Arm() | Heartbeat():
@@ -110,7 +110,7 @@ class TrexRequestQueue:
                     boards[0].take(request, is_closing=self.is_closing)
             request = self._inbox.get(0.0)
 
-    def _take_for(self, number: int, request: BoardRequest) -> None:
+    def _dispatch(self, number: int, request: BoardRequest) -> None:
         if number in self._boards:
             self._boards[number].take(request, is_closing=self.is_closing)
         elif isinstance(request, Job):

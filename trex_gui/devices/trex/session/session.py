@@ -128,7 +128,7 @@ class TrexSession:
             self._open, self._step, lambda detail: TrexInternalError(ErrorCode.INTERNAL, detail)
         )
         if self._is_open:
-            self._leave_safely()
+            self._close_safely()
         self._requests.collect()
         reason = error or TrexError(ErrorCode.CLOSED)
         for number in self._requests.abandon():
@@ -166,7 +166,7 @@ class TrexSession:
         except (NoReply, BadReply) as error:
             raise self._why_not_found(client, error) from error
         for board in self._boards[1:]:
-            self._begin_other(board, client)
+            self._start_other(board, client)
         self._requests.is_ready = True
         drivers = [board.line.driver for board in self._boards]
         transport.while_waiting = lambda waited: min(
@@ -216,7 +216,7 @@ class TrexSession:
         first.line.stop_if_moving()
         first.reader.read_everything(ReadReason.OPENED)
 
-    def _begin_other(self, board: _Board, client: TrexClient) -> None:
+    def _start_other(self, board: _Board, client: TrexClient) -> None:
         board.line.client.echo = client.echo
         try:
             board.line.stop_if_moving()
@@ -254,7 +254,7 @@ class TrexSession:
         for board in self._boards:
             board.line.driver.stop_early()
 
-    def _leave_safely(self) -> None:
+    def _close_safely(self) -> None:
         """Stop motors that were driven and close the port, whatever the line does."""
         boards, transport = self._boards, self._transport
         try:

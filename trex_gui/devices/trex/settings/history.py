@@ -110,7 +110,7 @@ class SettingsHistory:
             SettingsError: they cannot be saved; then nothing must be written to the board.
         """
         taken = (now or datetime.now(UTC)).astimezone(UTC).replace(microsecond=0)
-        self._make_folder()
+        self._create_folder()
         firmware = settings.firmware or settings.product.firmware[-1]
         number = settings.parameters.get(ParameterKey.DEVICE_NUMBER)
         notes = {
@@ -225,7 +225,7 @@ class SettingsHistory:
         """
         if kept is not None and not 1 <= kept < 10**7:
             raise ValueError(tr("a history keeps at least one snapshot, not {0}").format(kept))
-        self._make_folder()
+        self._create_folder()
         save(self.folder / BOUND_FILE, _BOUND_TEXT.format("all" if kept is None else kept))
         return tuple(found for found in self.beyond(kept) if _removed(found.path))
 
@@ -251,7 +251,7 @@ class SettingsHistory:
             if (_stamp(path)[0], name) < ours and not _look_at(path, _NO_DATE).name:
                 _removed(path)
 
-    def _make_folder(self) -> None:
+    def _create_folder(self) -> None:
         with explained(self.folder, tr("it cannot be written")):
             self.folder.mkdir(parents=True, exist_ok=True)
 

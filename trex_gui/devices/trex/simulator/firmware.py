@@ -244,7 +244,7 @@ class Board:
 
     # Serial port
 
-    def note_byte(self) -> None:
+    def record_byte(self) -> None:
         self.counters["bytes_received"] += 1
         self.serial.last_byte = self.now
 

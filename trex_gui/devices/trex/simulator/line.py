@@ -75,11 +75,13 @@ class BoardStation:
     def sample(self, byte: int, host: SerialFormat) -> None:
         self._check_boot()
         if self._input is None:
-            deliver = partial(self._take_sampled, self._boot)
+            deliver = partial(self._handle_sampled, self._boot)
             self._input = RateConverter(self._line.timeline, self.line_format, self.baud, deliver)
         self._input.receive(byte, host, host.baud, paced=self._line.paced)
 
-    def _take_sampled(self, boot: int, byte: int, error: ReceiveError | None, begun: float) -> None:
+    def _handle_sampled(
+        self, boot: int, byte: int, error: ReceiveError | None, begun: float
+    ) -> None:
         if boot == self.board.boots:
             self._take(byte, error, begun)
 
@@ -135,14 +137,14 @@ class BoardStation:
         self.port.resume()
         self._attend()
 
-    def _take_outgoing(self) -> bytes:
+    def _pop_outgoing(self) -> bytes:
         data = bytes(self.port.outgoing)
         self.port.outgoing.clear()
         self.board.counters["bytes_sent"] += len(data)
         return data
 
     def _transmit_at_once(self) -> None:
-        line, data = self._line, self._take_outgoing()
+        line, data = self._line, self._pop_outgoing()
         if not line.is_grounded:
             is_garbled = line.host is not None and self._format_error(line.host) is not None
             for byte in data:
@@ -152,7 +154,7 @@ class BoardStation:
         """Transmit without taking time to a host at another rate."""
         receiver = Receiver(host, host.baud)
         sampled: list[SampledByte] = []
-        for byte in self._take_outgoing():
+        for byte in self._pop_outgoing():
             sampled += receiver.receive(receiver.known_until, byte, self.line_format, self.baud)
         for each in (*sampled, *receiver.idle(math.inf)):
             self._arrive_sampled(self._boot, each.value, each.error, self._line.now)

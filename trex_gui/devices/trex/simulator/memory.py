@@ -293,13 +293,13 @@ class Memory:
             return ResultCode.BAD_VALUE
         value &= mask
         if spec.readable:
-            self._begin_write(spec.key, value, at_once=not spec.needs_power_cycle)
+            self._start_write(spec.key, value, at_once=not spec.needs_power_cycle)
         else:
             # Inferred: 0x7F sets a mark, and the next power-up resets all parameters.
             self._steps.append(_Step(PARAMETER_WRITE, self.eeprom.request_reset, lambda: None))
         return ResultCode.OK
 
-    def _begin_write(self, key: str, value: int, *, at_once: bool) -> None:
+    def _start_write(self, key: str, value: int, *, at_once: bool) -> None:
         store = partial(self._store, key, value, at_once=at_once)
         lose = partial(self.eeprom.write, key, self.eeprom.factory[key])
         self._steps.append(_Step(PARAMETER_WRITE, store, lose))
@@ -327,7 +327,7 @@ class Memory:
     def restore_line_settings(self) -> None:
         """Begin to write the default serial settings, for the recovery by jumpers."""
         for key in (ParameterKey.UART_SETTINGS, ParameterKey.CRC7_POLYNOMIAL):
-            self._begin_write(key, self.eeprom.factory[key], at_once=False)
+            self._start_write(key, self.eeprom.factory[key], at_once=False)
 
     @property
     def busy_for(self) -> float:

@@ -225,11 +225,11 @@ class SerialControl:
         if shut_down:
             self._shut_down()
 
-    def take_status(self) -> Status:
+    def handle_status(self) -> Status:
         status, self.status = self.status, Status(0)
         return status
 
-    def take_uart_errors(self) -> UartError:
+    def pop_uart_errors(self) -> UartError:
         errors, self.uart_errors = self.uart_errors, UartError(0)
         return errors
 

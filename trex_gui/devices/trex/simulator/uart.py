@@ -63,26 +63,26 @@ class SerialPort:
             if self.board.boot_mode is not None:
                 self._send(self.board.boot_mode.reply(byte))
             return
-        self.board.note_byte()
+        self.board.record_byte()
         if not self.pause:
             self._take(byte)
         elif len(self._buffer) - self._buffer.count(_GAP) < RECEIVE_BUFFER:
             self._buffer.append(byte)
         else:
-            self._leave_gap()
+            self._add_gap()
             self.board.report_error(UartError.READ_OVERRUN)
 
     def feed_error(self, error: ReceiveError) -> None:
         """Take a byte in which the hardware detected an error: its packet is lost."""
         if self._listens():
-            self.board.note_byte()
+            self.board.record_byte()
             if self.pause:
-                self._leave_gap()
+                self._add_gap()
             else:
                 self._begin()
             self.board.report_error(_UART_ERRORS[error])
 
-    def _leave_gap(self) -> None:
+    def _add_gap(self) -> None:
         """Mark a missing byte, so that later bytes do not complete its packet."""
         if not self._buffer or self._buffer[-1] != _GAP:
             self._buffer.append(_GAP)
@@ -120,7 +120,7 @@ class SerialPort:
         if byte == _GAP:
             self._begin()
         elif byte & _COMMAND_BIT:
-            self._take_command_byte(byte)
+            self._handle_command_byte(byte)
         elif self._is_skipping:
             pass  # belongs to a packet for another device
         elif not self._packet:
@@ -129,7 +129,7 @@ class SerialPort:
             self._packet.append(byte)
             self._go_on()
 
-    def _take_command_byte(self, byte: int) -> None:
+    def _handle_command_byte(self, byte: int) -> None:
         if self._packet:
             # Inferred: the byte that interrupts a packet begins the next one.
             self._reject()
@@ -294,8 +294,8 @@ _COMMANDS: dict[int, tuple[int, _Handler]] = {  # with the number of data bytes
     0x81: _read(lambda board: board.model.signature + board.firmware.encode("ascii")),
     0x82: _read(lambda board: board.mode.value.encode("ascii")),
     0x83: _read(lambda board: bytes([board.serial.in_control])),
-    0x84: _read(lambda board: bytes([board.serial.take_status()])),
-    0x85: _read(lambda board: bytes([board.serial.take_uart_errors()])),
+    0x84: _read(lambda board: bytes([board.serial.handle_status()])),
+    0x85: _read(lambda board: bytes([board.serial.pop_uart_errors()])),
     0x86: (1, _get_raw),
     0x87: (1, _get_remapped),
     0x8D: _read(lambda board: bytes([board.physics[0].reading])),

@@ -86,7 +86,7 @@ class BoardPanel(QWidget):
         )
         ui.column(*items, into=self, margins=(8, 8, 0, 8))
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
-        follow_theme(self, "width", self._take_width)
+        follow_theme(self, "width", self._update_width)
 
         self._scan.clicked.connect(boards.scan)
         self._cancel.clicked.connect(boards.cancel_scan)
@@ -118,7 +118,7 @@ class BoardPanel(QWidget):
             self._joining = GroupDialog(self._device, self._boards, self._group, self.window())
         self._joining.ask()
 
-    def _take_width(self) -> None:
+    def _update_width(self) -> None:
         texts = (_WIDEST, *(button.text() for button in (self._scan, self._change, self._together)))
         width = max(map(self.fontMetrics().horizontalAdvance, texts))
         self.setFixedWidth(width + 5 * self.fontMetrics().height())

@@ -221,23 +221,23 @@ class Drawing(BoardRows):
         self._inputs = inputs = ui.grid(margins=0, spacing=(2, 0), stretch=[(0, 1)])
         for channel in CHANNELS:
             self._add_input(channel)
-        inputs.addWidget(self._make_cable(), 2 * len(CHANNELS), 0, 1, 3)
+        inputs.addWidget(self._create_cable(), 2 * len(CHANNELS), 0, 1, 3)
         self._leds, self._body = Leds(self, stacked=True), QWidget(self)
         self._fill_body()
-        self._motors = {number: self._make_motor(number) for number in (1, 2)}
+        self._motors = {number: self._create_motor(number) for number in (1, 2)}
         above = ui.row((inputs, 1), (self._body, 1), spacing=0)
         self.controls += self._plugs[-1], self._body
         columns = [
-            (ui.column(motor, self._make_load(number), spacing=0), 1)
+            (ui.column(motor, self._create_load(number), spacing=0), 1)
             for number, motor in self._motors.items()
         ]
         picture = ui.column(above, ui.row(*columns, spacing=8), spacing=12)
         self._grid.addLayout(picture, 0, 0, 1, -1)
-        follow_theme(self, "room", self._take_room)
+        follow_theme(self, "room", self._update_space)
         for changed in (learning.changed, learning.measured):
             changed.connect(self._on_learned)
 
-    def _take_room(self) -> None:
+    def _update_space(self) -> None:
         line, width = self.fontMetrics().height(), self.fontMetrics().horizontalAdvance
         names = (tr(name).replace("&", "") for name in (*_MIXED, *CHANNEL_NAMES.values()))
         self._inputs.setColumnMinimumWidth(0, max(width(f"5\u2002{name}") for name in names))
@@ -324,7 +324,7 @@ class Drawing(BoardRows):
         self._plugs.append(plug)
         self.controls += slider, plug
 
-    def _make_cable(self) -> PlugPart:
+    def _create_cable(self) -> PlugPart:
         tip = tr(
             "Unplugged, the port is gone: Serial Timeout and UART-Error Shutdown should stop motors"
         )
@@ -379,7 +379,7 @@ class Drawing(BoardRows):
         parts = self._leds, 1, mode, mix, ground, 1, supply
         ui.column(*parts, into=self._body, margins=0, spacing=2)
 
-    def _make_motor(self, number: int) -> MotorPart:
+    def _create_motor(self, number: int) -> MotorPart:
         name = tr("Motor {0}").format(number)
         tip = tr("The driver of motor {0} shuts down, as when hot or shorted").format(number)
         made = self._part(
@@ -404,7 +404,7 @@ class Drawing(BoardRows):
         self.on_snapshot(update)
         return made
 
-    def _make_load(self, number: int) -> QLayout:
+    def _create_load(self, number: int) -> QLayout:
         spoken = tr("Load of motor {0}").format(number)
         tip = tr(
             "The current that motor {0} draws at full speed; at the right end it stalls, which "

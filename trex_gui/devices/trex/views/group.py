@@ -65,14 +65,14 @@ class GroupDialog(ReusedDialog):
 
     def ask(self) -> None:
         numbers = [one.number for one in self._boards.boards]
-        self._make_rows(numbers)
+        self._create_rows(numbers)
         wheels = self._group.proposed(numbers)
         self._show_wheels(wheels)
         self._preset.setCurrentIndex(int({one.side for one in wheels if one.motor == 1} == {1, 2}))
         self._preset.setEnabled(len(numbers) == 2)
         self.show_in_front()
 
-    def _make_rows(self, numbers: list[int]) -> None:
+    def _create_rows(self, numbers: list[int]) -> None:
         wanted = [(number, motor) for number in numbers for motor in (1, 2)]
         if wanted == list(self._rows):
             return

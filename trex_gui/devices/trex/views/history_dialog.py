@@ -244,7 +244,7 @@ class HistoryDialog(ReusedDialog):
         if len(chosen) != 1:
             return
         source = chosen[0].path
-        path = file_questions.ask_to_save(
+        path = file_questions.prompt_to_save(
             self, tr("Save a copy of the snapshot"), file_questions.last_folder() / source.name
         )
         if path is not None:

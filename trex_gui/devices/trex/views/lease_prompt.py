@@ -38,10 +38,10 @@ class LeasePrompt(QObject):
         elif lease.waiting != self._offered:
             self._offered = lease.waiting
             if lease.waiting:
-                self._ask_to_hand_over(lease.waiting[0])
+                self._prompt_to_hand_over(lease.waiting[0])
         self._question.reconsider()
 
-    def _ask_to_hand_over(self, user: str) -> None:
+    def _prompt_to_hand_over(self, user: str) -> None:
         def still() -> bool:
             lease = self._device.board.lease
             return lease is not None and lease.is_mine and user in lease.waiting

@@ -16,7 +16,7 @@ from trex_gui.devices.trex.model.drive_texts import timeout_warning
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.theme import set_look, set_style_property
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import ConfirmButton, RedButton, keep_room
+from trex_gui.ui.widgets.behaviour import ConfirmButton, RedButton, reserve_space
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.messages import ActionBar
 
@@ -111,7 +111,7 @@ class TimeoutNotice(QWidget):
         self._seconds: float | None = None  # of a better timeout
         self._text = ui.named(Note(3, self), "timeoutLabel")
         self._button = ui.button(self, "timeoutButton", on_click=self._on_clicked)
-        keep_room(self._button)
+        reserve_space(self._button)
         ui.column(
             (self._text, 1), (self._button, 0, Qt.AlignmentFlag.AlignLeft), into=self, margins=0
         )
@@ -282,7 +282,7 @@ class ControlBar(MotorBar):
         stop, run = self.stop, ArmButton(device, "runButton", self)
         self._state = ui.named(Note(1, self), "motorStateLabel")
         self._state.setAlignment(Qt.AlignmentFlag.AlignVCenter)
-        keep_room(self._state)
+        reserve_space(self._state)
         tip = tr("Write the changed parameters into the board (Ctrl+Enter)")
         self._apply = ui.button(self, "applyButton", apply_text(_MANY), tip=tip, default=False)
         ui.set_large(stop, run, self._apply)

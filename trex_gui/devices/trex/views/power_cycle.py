@@ -11,7 +11,7 @@ from trex_gui.devices.trex.model.power_cycle import PowerCycle
 from trex_gui.devices.trex.model.power_cycle import PowerCycleStage as Stage
 from trex_gui.devices.trex.views.steps import Flow, Page, Shown
 from trex_gui.ui.theme.theme import set_look
-from trex_gui.ui.widgets.behaviour import keep_room
+from trex_gui.ui.widgets.behaviour import reserve_space
 from trex_gui.ui.widgets.builders import button, column, named
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.step_strip import StepStrip
@@ -54,7 +54,7 @@ class PowerCyclePage(Page):
         self._result = named(Note(3, self), "powerCycleResult")
         text = tr("I have &switched it off and on")
         self._confirm = button(self, "powerCycleDone", text, on_click=cycle.confirm)
-        keep_room(self._confirm)
+        reserve_space(self._confirm)
         confirm = self._confirm, 0, Qt.AlignmentFlag.AlignRight
         column(self._title, self._result, 1, confirm, into=self, margins=0, spacing=8)
         cycle.changed.connect(self._on_changed)

@@ -41,18 +41,18 @@ class ClosePrompt(QObject):
             leave_now = partial(self._leave, leave, draft.shown if may_leave else None)
             return self._files.may_close(leave_now)
 
-        def leave_with(agreed: Settings | None, *, keep_edits: bool) -> None:
+        def set_exit_code(agreed: Settings | None, *, keep_edits: bool) -> None:
             self.keeps_edits = keep_edits
             self._leave(leave, agreed)
 
         def keep() -> None:
-            leave_with(draft.shown, keep_edits=True)
+            set_exit_code(draft.shown, keep_edits=True)
 
         def discard() -> None:
-            leave_with(draft.shown, keep_edits=False)
+            set_exit_code(draft.shown, keep_edits=False)
 
         def save_and_leave() -> None:
-            self._files.shown.ask_and_save(partial(leave_with, draft.shown, keep_edits=False))
+            self._files.shown.prompt_and_save(partial(set_exit_code, draft.shown, keep_edits=False))
 
         self._frame.activateWindow()
         if device.writer.running:

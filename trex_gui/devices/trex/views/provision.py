@@ -59,9 +59,9 @@ class ProfilePage(Page):
         grid = ui.grid(self, margins=0, spacing=(8, 12), stretch=[(1, 1)])
         add = partial(self._add_path, grid)
         self.profile = self._add_path(
-            grid, "provisionProfile", tr("&Profile:"), self._choose_profile
+            grid, "provisionProfile", tr("&Profile:"), self._select_profile
         )
-        self.record = add("provisionRecord", tr("&Record:"), self._choose_record)
+        self.record = add("provisionRecord", tr("&Record:"), self._select_record)
         self.names = ui.named(QLineEdit("robot {number}", self), "provisionNames")
         title = tr("First device number")
         self.first = ui.spin_box(self, "provisionFirst", title, 0, NUMBERS - 1, value=1)
@@ -108,14 +108,14 @@ class ProfilePage(Page):
         return field
 
     @Slot()
-    def _choose_profile(self) -> None:
-        if path := file_questions.ask_to_open(self.window(), tr("Profile for every board")):
+    def _select_profile(self) -> None:
+        if path := file_questions.prompt_to_open(self.window(), tr("Profile for every board")):
             self.profile.setText(str(path))
             if not self.record.text():
                 self.record.setText(str(path.with_name("provisioned.csv")))
 
     @Slot()
-    def _choose_record(self) -> None:
+    def _select_record(self) -> None:
         proposal = Path(self.record.text() or file_questions.last_folder() / "provisioned.csv")
         kinds = tr("CSV files (*.csv);;All files (*)")
         goes_on = QFileDialog.Option.DontConfirmOverwrite

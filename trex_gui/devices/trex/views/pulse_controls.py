@@ -45,7 +45,7 @@ class PulseControls(QWidget):
         self._run_place.setEnabled(False)
         ui.row(run, into=self._run_place, margins=0)
         self._note = ui.named(Note(2, self), f"{name}PulseNote")
-        self._holds = {motor: self._make_hold(f"{name}Hold{motor}", motor) for motor in (1, 2)}
+        self._holds = {motor: self._create_hold(f"{name}Hold{motor}", motor) for motor in (1, 2)}
         motors: list[QWidget] = []
         for motor, hold in self._holds.items():
             motors += [hold, below[motor]] if motor in below else [hold]
@@ -56,7 +56,7 @@ class PulseControls(QWidget):
         for changed in (pulses.changed, device.telemetry.text_due):
             changed.connect(self.refresh)
 
-    def _make_hold(self, name: str, motor: int) -> HoldButton:
+    def _create_hold(self, name: str, motor: int) -> HoldButton:
         hold = HoldButton(tr("Hold to turn motor {0}").format(motor))
         tip = tr("Short, weak pulses while you hold it with the mouse or the space bar")
         ui.named(hold, name, tip=tip)

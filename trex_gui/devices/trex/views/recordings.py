@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Signal, Slot
 from PySide6.QtWidgets import QWidget
 
-from trex_gui.core.recording.kept import make_kept_folder
+from trex_gui.core.recording.kept import create_kept_folder
 from trex_gui.core.recording.store import Recording
 from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
@@ -43,7 +43,7 @@ class Recordings(RecordingManager["PlaybackWindow"]):
         self.events.failed.connect(self._on_event_lost)
         device.motors.arming_changed.connect(self._on_arming_changed)
 
-    def make_window(self, recording: Recording[Header, Record]) -> "PlaybackWindow":
+    def create_window(self, recording: Recording[Header, Record]) -> "PlaybackWindow":
         # The plotting library takes as long to load as all of Qt: not before it is needed.
         from trex_gui.devices.trex.model.playback import Playback  # noqa: PLC0415
         from trex_gui.devices.trex.views.playback import PlaybackWindow  # noqa: PLC0415
@@ -53,12 +53,12 @@ class Recordings(RecordingManager["PlaybackWindow"]):
         return window
 
     def entries(self) -> Entries:
-        choose, with_run = self.choose_and_open, tr("Start recording &when the motors are armed")
+        choose, with_run = self.select_and_open, tr("Start recording &when the motors are armed")
         keep_events = tr("&Keep 30 s around each fault and stop")
         return (
             Entry("record", tr("&Record…"), self.toggle, "Ctrl+Shift+R", "record"),
             Entry("open_recording", tr("Open recor&ding…"), choose, "Ctrl+Shift+O", "plot"),
-            Entry("open_kept", tr("Open fa&ult or stop…"), self._choose_and_open_kept),
+            Entry("open_kept", tr("Open fa&ult or stop…"), self._select_and_open_kept),
             Entry("record_with_run", with_run, self._toggle_starts_with_run, checkable=True),
             Entry("keep_events", keep_events, self._toggle_keeps_events, checkable=True),
         )
@@ -72,11 +72,11 @@ class Recordings(RecordingManager["PlaybackWindow"]):
         self.events.set_on(not self.events.is_on)
         self.changed.emit()
 
-    def _choose_and_open_kept(self) -> None:
+    def _select_and_open_kept(self) -> None:
         in_background(
             self,
-            make_kept_folder,
-            partial(self.choose_and_open, title_of(tr("Open fa&ult or stop…"))),
+            create_kept_folder,
+            partial(self.select_and_open, title_of(tr("Open fa&ult or stop…"))),
             lambda error: self._notifier.error.emit(str(error)),
         )
 

@@ -67,7 +67,7 @@ class SettingsCommands(QObject):
         """Close the review if its result asks for nothing more."""
         self._review.close_if_verified()
 
-    def make_learning(self, parent: QObject) -> "Learning":
+    def create_learning(self, parent: QObject) -> "Learning":
         from trex_gui.devices.trex.model.learning.learning import Learning  # noqa: PLC0415 - later
 
         made = Learning(self._device, parent)

@@ -24,7 +24,7 @@ from trex_gui.ui.files import in_background
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.builders import named, tab_order
 from trex_gui.ui.widgets.file_questions import SaveAnswer
-from trex_gui.ui.widgets.placement import keep_on_screen, resize_with_font
+from trex_gui.ui.widgets.placement import fit_on_screen, resize_with_font
 
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
@@ -52,23 +52,23 @@ class SettingsFiles(QObject):
         self._loading: ChangesDialog | None = None
         self.editors: list[SettingsEditor] = []  # the open windows, each with one file
         self.shown = ShownSettings(device, window)
-        self.shown.saved.connect(self._note_used)
+        self.shown.saved.connect(self._record_used)
         self._discarded: dict[SettingsEditor, str] = {}  # texts that need not be saved
 
-    def ask_and_open(self) -> None:
+    def prompt_and_open(self) -> None:
         """Let the user choose a file and show what it would change of the board."""
-        self._ask_and(self.open_file)
+        self._prompt_and(self.open_file)
 
-    def ask_for_document(self, use: Callable[[SettingsDocument], object]) -> None:
+    def prompt_for_document(self, use: Callable[[SettingsDocument], object]) -> None:
         """Let the user choose a file. `use` gets it, also one with errors."""
-        self._ask_and(lambda path: self._open(path, use))
+        self._prompt_and(lambda path: self._open(path, use))
 
-    def _ask_and(self, use: Callable[[Path], object]) -> None:
-        path = file_questions.ask_to_open(self._window, tr("&Open settings file…"))
+    def _prompt_and(self, use: Callable[[Path], object]) -> None:
+        path = file_questions.prompt_to_open(self._window, tr("&Open settings file…"))
         if path is not None:
             use(path)
 
-    def ask_and_begin(self) -> None:
+    def prompt_and_begin(self) -> None:
         """Let the user choose what a new file begins with, and open a window for it."""
         makers = dict(self._beginnings())
         dialog = QInputDialog(self._window)
@@ -86,7 +86,7 @@ class SettingsFiles(QObject):
         (buttons,) = dialog.findChildren(QDialogButtonBox)
         tab_order(view, buttons)
         resize_with_font(dialog, 620, 440)
-        keep_on_screen(dialog)
+        fit_on_screen(dialog)
         dialog.show()
 
     def _beginnings(self) -> Iterator[tuple[str, Callable[[], SettingsDocument]]]:
@@ -151,13 +151,13 @@ class SettingsFiles(QObject):
             except SettingsError as error:
                 on_failed(error)
                 return
-            self._note_used(path)
+            self._record_used(path)
             then(document)
 
         in_background(self, partial(load, path), on_read, on_failed)
 
     @Slot(object)
-    def _note_used(self, path: Path) -> None:
+    def _record_used(self, path: Path) -> None:
         file_questions.remember_folder(path)
         self.used.emit(path)
 
@@ -170,10 +170,10 @@ class SettingsFiles(QObject):
         editor = SettingsEditor(document, self._device)
         self.editors.append(editor)
         editor.send_requested.connect(partial(self._send, editor))
-        editor.new_requested.connect(self.ask_and_begin)
-        editor.open_requested.connect(partial(self._ask_and, self.edit_file))
+        editor.new_requested.connect(self.prompt_and_begin)
+        editor.open_requested.connect(partial(self._prompt_and, self.edit_file))
         editor.converted.connect(self.open_editor)
-        editor.saved.connect(self._note_used)
+        editor.saved.connect(self._record_used)
         editor.closed.connect(partial(self._on_editor_closed, editor))
         _raise(editor)
 

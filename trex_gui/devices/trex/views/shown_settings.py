@@ -38,16 +38,16 @@ class ShownSettings(QObject):
         self._window = window
         self.saving: set[Path] = set()  # files that are being written
 
-    def ask_and_save(self, then: Callable[[], object] = lambda: None) -> None:
+    def prompt_and_save(self, then: Callable[[], object] = lambda: None) -> None:
         """Let the user choose where to save the settings shown. Call `then` once they are."""
         state = self._device.state
         key = state.signature.model.key if state is not None else "trex"
         proposal = file_questions.last_folder() / f"{key}_settings.txt"
-        path = file_questions.ask_to_save(self._window, tr("&Save settings file…"), proposal)
+        path = file_questions.prompt_to_save(self._window, tr("&Save settings file…"), proposal)
         if path is not None:
             self.save_file(path, then)
 
-    def ask_and_export(self) -> None:
+    def prompt_and_export(self) -> None:
         """Let the user choose where to save the settings shown as a program, and its language."""
         settings = self._device.draft.shown
         if settings is None:

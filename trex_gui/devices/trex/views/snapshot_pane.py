@@ -227,13 +227,13 @@ class SnapshotPane(QWidget):
     @Slot(int)
     def _on_activated(self, item: int) -> None:
         if item == _FILE:
-            self._ask_for_file()
+            self._prompt_for_file()
         else:
             self._choice = item
         self.present_chosen.emit()
 
-    def _ask_for_file(self) -> None:
-        path = file_questions.ask_to_open(self, title_of(tr("&Open settings file…")))
+    def _prompt_for_file(self) -> None:
+        path = file_questions.prompt_to_open(self, title_of(tr("&Open settings file…")))
         if path is None:
             return
 

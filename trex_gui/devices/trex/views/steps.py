@@ -13,7 +13,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.views.motor_controls import MotorBar
 from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import ConfirmButton, ReusedDialog, keep_room
+from trex_gui.ui.widgets.behaviour import ConfirmButton, ReusedDialog, reserve_space
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.placement import resize_with_font
 from trex_gui.ui.widgets.scroll_box import ScrollBox
@@ -163,7 +163,7 @@ class Steps(ReusedDialog):
             self._moves, f"{name}NextButton", default=True, confirms=True, on_click=flow.next
         )
         for each in (self._back, self._skip, self._next):  # a second click must not hit another
-            keep_room(each)
+            reserve_space(each)
         ui.row(self._back, self._skip, self._next, into=self._moves, margins=0)
         bar.fill(*extras, bar.armed, 1, self._close, self._moves)
         margins = (_GAP, _GAP, _GAP, 8)

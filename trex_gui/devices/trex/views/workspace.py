@@ -84,12 +84,12 @@ class TrexWorkspace(Workspace):
         diagnostics = Diagnostics(self, "diagnostics", frame.show_help)
         self.add_pages(
             (
-                PageInfo("board", tr("B&oard"), self._make_board_page, "board"),
-                PageInfo("channels", tr("&Channels"), self._make_channels_page, "channels"),
-                PageInfo("motors", tr("&Motors"), self._make_motors_page, "motor"),
-                PageInfo("currents", tr("C&urrents"), self._make_currents_page, "plot"),
-                PageInfo("parameters", tr("&Parameters"), self._make_parameters_page, "settings"),
-                *diagnostics.pages(partial(ErrorsPage, device), self._make_traffic_page),
+                PageInfo("board", tr("B&oard"), self._create_board_page, "board"),
+                PageInfo("channels", tr("&Channels"), self._create_channels_page, "channels"),
+                PageInfo("motors", tr("&Motors"), self._create_motors_page, "motor"),
+                PageInfo("currents", tr("C&urrents"), self._create_currents_page, "plot"),
+                PageInfo("parameters", tr("&Parameters"), self._create_parameters_page, "settings"),
+                *diagnostics.pages(partial(ErrorsPage, device), self._create_traffic_page),
             )
         )
 
@@ -97,7 +97,7 @@ class TrexWorkspace(Workspace):
         self.bar = bar = ControlBar(device, self.recordings.indicator, self)
         self.page_changed.connect(bar.set_page)
         ui.row(panel, (tabs, 1), into=self, margins=0)
-        make_demo, key = self._make_demo_view, "demo_panel/wanted"
+        make_demo, key = self._create_demo_view, "demo_panel/wanted"
         self._demo = DemoDock("demoPanel", key, controller, make_demo, frame)
         self._demo.setWindowTitle(tr("Demo TReX"))
         self.files = files = SettingsFiles(device, frame)
@@ -132,14 +132,14 @@ class TrexWorkspace(Workspace):
             changed.connect(self._on_actions_changed)
         self._undo_watch = device.draft.undo.indexChanged.connect(self._on_actions_changed)
 
-    def _make_board_page(self, parent: QWidget) -> QWidget:
+    def _create_board_page(self, parent: QWidget) -> QWidget:
         start = partial(StartPanel, start_texts(), self._frame, self)
         page = BoardPage(self._device, self._controller.group, start, parent)
         page.setup_requested.connect(self._set_up)
         page.page_wanted.connect(self.show_page)
         return page
 
-    def _make_channels_page(self, parent: QWidget) -> QWidget:
+    def _create_channels_page(self, parent: QWidget) -> QWidget:
         from trex_gui.devices.trex.views.pages.channels.page import ChannelsPage  # noqa: PLC0415
 
         page = ChannelsPage(self._device, self._linter, parent)
@@ -148,7 +148,7 @@ class TrexWorkspace(Workspace):
         page.test_requested.connect(self._test_sticks)
         return page
 
-    def _make_motors_page(self, parent: QWidget) -> QWidget:
+    def _create_motors_page(self, parent: QWidget) -> QWidget:
         from trex_gui.devices.trex.views.pages.motors.page import MotorsPage  # noqa: PLC0415 - later
 
         page = MotorsPage(self._device, self._controller.group, parent)
@@ -156,16 +156,16 @@ class TrexWorkspace(Workspace):
         page.plot_wanted.connect(partial(self.show_page, "currents"))
         return page
 
-    def _make_currents_page(self, parent: QWidget) -> QWidget:
+    def _create_currents_page(self, parent: QWidget) -> QWidget:
         return CurrentsPage(self._device, self._controller.group, parent)
 
-    def _make_parameters_page(self, parent: QWidget) -> QWidget:
+    def _create_parameters_page(self, parent: QWidget) -> QWidget:
         page = ParametersPage(self._device, self._linter, parent)
         page.power_cycle_requested.connect(self._settings.guide)
         self._parameter_shown.connect(page.table.show_parameter)
         return page
 
-    def _make_demo_view(self, parent: QWidget) -> QWidget:
+    def _create_demo_view(self, parent: QWidget) -> QWidget:
         from trex_gui.devices.trex.views.demo_panel import DemoBoardView  # noqa: PLC0415
 
         return DemoBoardView(self._controller, self._learning, parent)
@@ -179,7 +179,7 @@ class TrexWorkspace(Workspace):
         self._plot.show()
         self._plot.activateWindow()
 
-    def _make_traffic_page(self, parent: QWidget) -> "TrafficPage":
+    def _create_traffic_page(self, parent: QWidget) -> "TrafficPage":
         from trex_gui.devices.trex.model.packet_sender import TrexPacketSender  # noqa: PLC0415
         from trex_gui.ui.traffic.page import TrafficPage  # noqa: PLC0415
 
@@ -193,7 +193,7 @@ class TrexWorkspace(Workspace):
 
     @cached_property
     def _learning(self) -> "Learning":
-        made = self._settings.make_learning(self)
+        made = self._settings.create_learning(self)
         made.begun.connect(self._controller.demo_board.centre_sticks)
         made.begun.connect(lambda: self._tools.learn)  # it tests what the set-up learned, too
         return made
@@ -207,7 +207,7 @@ class TrexWorkspace(Workspace):
 
     @Slot()
     def _apply_to_boards(self) -> None:
-        self.files.ask_for_document(self._tools.apply_to_boards.open_file)
+        self.files.prompt_for_document(self._tools.apply_to_boards.open_file)
 
     @Slot()
     def _set_up(self) -> None:
@@ -263,11 +263,11 @@ class TrexWorkspace(Workspace):
 
         return {
             Menu.FILE: (
-                Entry("new", tr("&New settings file…"), files.ask_and_begin, keys.New, "new"),
-                Entry("open", tr("&Open settings file…"), files.ask_and_open, "Ctrl+O", "open"),
-                Entry("save", tr("&Save settings file…"), shown.ask_and_save, "Ctrl+S", "save"),
+                Entry("new", tr("&New settings file…"), files.prompt_and_begin, keys.New, "new"),
+                Entry("open", tr("&Open settings file…"), files.prompt_and_open, "Ctrl+O", "open"),
+                Entry("save", tr("&Save settings file…"), shown.prompt_and_save, "Ctrl+S", "save"),
                 Entry("print", tr("Prin&t settings…"), shown.preview, keys.Print, "print"),
-                Entry("export", tr("&Export as code…"), shown.ask_and_export, "", "console"),
+                Entry("export", tr("&Export as code…"), shown.prompt_and_export, "", "console"),
                 SEPARATOR,
                 Entry("history", tr("&History…"), self._open_history, "Ctrl+H", "history"),
                 SEPARATOR,
@@ -316,8 +316,8 @@ class TrexWorkspace(Workspace):
             ),
         }
 
-    def take_actions(self, actions: Mapping[str, QAction]) -> None:
-        super().take_actions(actions)
+    def set_actions(self, actions: Mapping[str, QAction]) -> None:
+        super().set_actions(actions)
         self._demo.show_if_wanted()
         self._on_actions_changed()
 

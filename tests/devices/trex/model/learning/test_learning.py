@@ -403,7 +403,7 @@ def test_only_written_channels_request_a_test(
         else WriteResult(CalibrationKey.of(InputSource.RC, number), LEARNED)
         for number in (1, 2)
     )
-    setup.device.calibrations.note_stored(dict.fromkeys({1, 2} - set(failed), LEARNED))
+    setup.device.calibrations.record_stored(dict.fromkeys({1, 2} - set(failed), LEARNED))
     setup.device.applied.emit(results)
     assert setup.requested_tests == ([] if expected is None else [expected])
 

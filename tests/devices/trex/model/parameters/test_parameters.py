@@ -66,7 +66,7 @@ def test_model_passes_qt_model_tester_through_changes(
     qtmodeltester.check(model, force_py=True)  # type: ignore[no-untyped-call] # of pytest-qt
     load(model)
     edit(model, "serial_timeout", 9)
-    model.note_stored({"serial_timeout": 9})
+    model.record_stored({"serial_timeout": 9})
     load(model, factory(JUNIOR), JUNIOR)
     model.discard_edits()
     qtmodeltester.check(model, force_py=True)  # type: ignore[no-untyped-call] # of pytest-qt
@@ -166,20 +166,20 @@ def test_failed_write_stays_pending_with_a_reason(model: ParameterModel, qtbot: 
     edit(model, "serial_timeout", 9)
     edit(model, "motor_mode", 1)
     with qtbot.waitSignal(model.pending_changed):
-        model.note_stored({"serial_timeout": 9})
+        model.record_stored({"serial_timeout": 9})
     assert model.values.stored.get("serial_timeout") == 9
-    model.note_results(
+    model.record_results(
         [WriteResult("serial_timeout", 9), WriteResult("motor_mode", error=NoReply("No answer."))]
     )
     assert model.values.pending == (("motor_mode", 1),)
     assert of(model, "motor_mode", Role.PROBLEM) == "No answer."
     assert of(model, "serial_timeout", Role.PROBLEM) is None
-    model.note_results([WriteResult("motor_mode", 1)])
+    model.record_results([WriteResult("motor_mode", 1)])
     assert of(model, "motor_mode", Role.PROBLEM) is None
 
 
 def test_results_of_other_keys_are_ignored(model: ParameterModel) -> None:
-    model.note_results(
+    model.record_results(
         [WriteResult(CalibrationKey.RC_CHANNEL_1, error=NoReply("x")), WriteResult("nonsense", 1)]
     )
     assert model.values.pending == ()
@@ -190,7 +190,7 @@ def test_results_of_other_keys_are_ignored(model: ParameterModel) -> None:
 
 def test_parameters_waiting_for_a_power_cycle_are_named(model: ParameterModel) -> None:
     assert not model.values.waiting_for_power
-    model.note_stored({"motor_mode": 1, "serial_timeout": 9})
+    model.record_stored({"motor_mode": 1, "serial_timeout": 9})
     assert model.values.waiting_for_power == ("Motor Mode",)
     assert of(model, "motor_mode", Role.WAITING) is not None
     assert of(model, "serial_timeout", Role.WAITING) is None

@@ -36,7 +36,7 @@ def test_edit_made_during_the_write_stays_pending() -> None:
     draft = loaded()
     draft.edit(TIMEOUT, 9)
     draft.edit(TIMEOUT, 10)
-    draft.note_stored(TIMEOUT, 9)
+    draft.record_stored(TIMEOUT, 9)
     assert draft.pending == (("serial_timeout", 10),)
 
 
@@ -58,22 +58,22 @@ def test_edit_is_kept_on_request_unless_it_is_stored_or_its_parameter_is_missing
 
 def test_active_value_stays_until_a_power_cycle() -> None:
     draft = loaded()
-    draft.note_stored(MODE, 1)
+    draft.record_stored(MODE, 1)
     uart = SPECS["uart_settings"]
-    draft.note_stored(uart, 3)
-    draft.note_stored(uart, 4)
+    draft.record_stored(uart, 3)
+    draft.record_stored(uart, 4)
     stored = FACTORY | {"motor_mode": 1, "uart_settings": 4}
     assert draft.stored == stored
     active = {"motor_mode": 0, "uart_settings": uart.default}
     assert draft.active == active
     draft.load(stored, power_cycled=False)
     assert draft.active == active
-    draft.note_stored(MODE, 0)
+    draft.record_stored(MODE, 0)
     assert draft.active == {"uart_settings": uart.default}
     draft.load(stored, power_cycled=True)
     assert draft.active == {}
     unknown = ParameterValues()
-    unknown.note_stored(MODE, 1)
+    unknown.record_stored(MODE, 1)
     assert unknown.active == {}
 
 
@@ -160,7 +160,7 @@ def test_writing_all_pending_edits_leaves_none(
             continue
     written = dict(draft.pending)
     for key, wire in written.items():
-        draft.note_stored(SPECS[key], wire)
+        draft.record_stored(SPECS[key], wire)
     assert draft.pending == ()
     assert draft.stored == FACTORY | written
     assert set(draft.active) == {key for key in written if SPECS[key].needs_power_cycle}

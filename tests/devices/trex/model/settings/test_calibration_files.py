@@ -7,7 +7,7 @@ import pytest
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import SettingsError, load
-from trex_gui.devices.trex.model.settings.document import put_calibrations, take_calibrations
+from trex_gui.devices.trex.model.settings.document import put_calibrations, set_calibrations
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.calibration import (
     DEFAULT_CALIBRATION,
@@ -54,7 +54,7 @@ def test_import_takes_only_calibrations_of_the_input_source(
     }
     there = replace(factory, parameters=parameters, calibrations=calibrations)
     path.write_text(write_settings(there), encoding="utf-8")
-    count, left_out = take_calibrations(draft, read_settings(load(path), path.name)[0], "a file")
+    count, left_out = set_calibrations(draft, read_settings(load(path), path.name)[0], "a file")
     assert count == 1
     assert draft.calibrations.pending == ((CalibrationKey.RC_CHANNEL_2, OTHER),)
     assert draft.parameters.values.pending == ()
@@ -75,7 +75,7 @@ def test_import_takes_only_calibrations_of_the_input_source(
 )
 def test_import_rejects_files_that_do_not_fit(draft: SettingsDraft, text: str, reason: str) -> None:
     with pytest.raises(BadRequest, match=reason):
-        take_calibrations(draft, read_settings(text, "a.txt")[0], "a file")
+        set_calibrations(draft, read_settings(text, "a.txt")[0], "a file")
     assert draft.pending == 0
 
 

@@ -50,11 +50,11 @@ def test_inconsistent_calibration_is_rejected(model: Calibrations) -> None:
 def test_written_edit_is_stored_and_failed_edit_stays_pending(model: Calibrations) -> None:
     model.edit(1, LEARNED)
     model.edit(2, LEARNED)
-    model.note_stored(stored(InputSource.RC) | {1: LEARNED})
+    model.record_stored(stored(InputSource.RC) | {1: LEARNED})
     assert model.stored(1) == LEARNED
     assert model.pending == ((CalibrationKey.RC_CHANNEL_2, LEARNED),)
     model.edit(2, OTHER)  # during the write
-    model.note_stored({2: LEARNED})
+    model.record_stored({2: LEARNED})
     assert model.pending == ((CalibrationKey.RC_CHANNEL_2, OTHER),)
 
 

@@ -151,7 +151,7 @@ def test_edits_made_while_it_is_saved_stay_unsaved(rover: Path) -> None:
     edit("motor_mode", 1)
     content = document.content()
     edit("serial_timeout", 15)
-    content.note_saved(rover)
+    content.record_saved(rover)
     assert is_modified(document)
     assert document.on_disk == content.text.encode()
     edit("serial_timeout", 5)
@@ -160,7 +160,7 @@ def test_edits_made_while_it_is_saved_stay_unsaved(rover: Path) -> None:
     edit("motor_mode", 0)
     content = document.content()
     document.draft.undo.undo()
-    content.note_saved(rover)
+    content.record_saved(rover)
     assert is_modified(document), "it was undone meanwhile"
     assert "motor_mode: 1" in document.text
 

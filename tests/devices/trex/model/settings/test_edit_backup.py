@@ -279,8 +279,8 @@ def test_edit_of_a_setting_that_is_not_read_again_is_offered_later(run: Start) -
     assert state is not None
     parameters = {key: w for key, w in state.parameters.items() if key != "serial_timeout"}
     for read in (replace(state, parameters=parameters), state):
-        first.backup.leave_board()
-        first.draft.take_state(read, first.device.settings, power_cycled=False)
+        first.backup.close_board()
+        first.draft.set_state(read, first.device.settings, power_cycled=False)
         first.backup.take_board(ask=False)
         first.settle()
         if read is not state:
@@ -370,7 +370,7 @@ def _later(seconds: float) -> Callable[[], bool]:
 def test_backup_needs_no_board(qtbot: QtBot) -> None:
     device = Device()
     backup = EditBackup(device.draft)
-    backup.leave_board()
+    backup.close_board()
     backup.take_board(ask=True)
     backup.restore()
     backup.discard()

@@ -51,7 +51,7 @@ def test_one_stick_is_corrected_by_reversed_channels(
     if reversed_:
         robot.directions = {Side.LEFT: -1, Side.RIGHT: -1}
     setup = robot.setup
-    setup.choose_driver(Driver.ONE_STICK)
+    setup.select_driver(Driver.ONE_STICK)
     robot.show_sticks()
     robot.go_to(SetupStep.MOTORS)
     robot.find_motors()
@@ -78,7 +78,7 @@ def test_two_sticks_are_corrected_once_each_drives_its_side(
     if reversed_:
         robot.exchange_wires(Side.LEFT)
     setup = robot.setup
-    setup.choose_driver(Driver.TWO_STICKS)
+    setup.select_driver(Driver.TWO_STICKS)
     robot.show_sticks()
     robot.go_to(SetupStep.MOTORS)
     robot.find_motors()
@@ -87,7 +87,7 @@ def test_two_sticks_are_corrected_once_each_drives_its_side(
     if swapped:
         assert setup.edits == {}  # they would be wrong after the exchange
         robot.exchange_motors()
-        setup.forget_movements()
+        setup.clear_movements()
         robot.find_motors()
     setup.next()
     expected = 1 if reversed_ else 0
@@ -104,7 +104,7 @@ def test_computer_needs_the_wires_exchanged(robot: Robot) -> None:
     robot.exchange_motors()
     robot.exchange_wires(Side.LEFT)
     setup = robot.setup
-    setup.choose_driver(Driver.COMPUTER)
+    setup.select_driver(Driver.COMPUTER)
     robot.go_to(SetupStep.MOTORS)
     robot.find_motors()
     assert setup.wiring is not None
@@ -112,7 +112,7 @@ def test_computer_needs_the_wires_exchanged(robot: Robot) -> None:
     assert rewiring == Rewiring(exchange_motors=True, reverse=frozenset({Side.LEFT}))
     robot.exchange_motors()
     robot.exchange_wires(Side.LEFT)
-    setup.forget_movements()
+    setup.clear_movements()
     robot.find_motors()
     assert setup.wiring == Wiring(swapped=False, backward=frozenset())
     setup.next()
@@ -127,16 +127,16 @@ def test_single_reversed_motor_of_one_stick_is_rewired() -> None:
 
 def test_directions_wait_for_the_sticks_and_answers_that_agree(robot: Robot) -> None:
     setup = robot.setup
-    assert setup.note_pushed((1, 2)) == (1, 2)  # both are at neutral
+    assert setup.record_pushed((1, 2)) == (1, 2)  # both are at neutral
     robot.go_to(SetupStep.MOTORS)
-    setup.note_movement(1, Movement.LEFT_BACKWARD)
-    setup.note_movement(2, Movement.RIGHT_BACKWARD)
+    setup.record_movement(1, Movement.LEFT_BACKWARD)
+    setup.record_movement(2, Movement.RIGHT_BACKWARD)
     assert setup.edits == {}
     setup.rises.update({1: True, 2: True})
     assert setup.edits == {ParameterKey.REVERSED_CHANNELS: 3}
 
     for contradicting in (Movement.LEFT_FORWARD, Movement.NOTHING):
-        setup.note_movement(2, contradicting)
+        setup.record_movement(2, contradicting)
         assert setup.wiring is None
         assert setup.edits == {}
 
@@ -153,13 +153,13 @@ def test_learned_directions_are_taken_over(robot: Robot) -> None:
     assert setup.rises == {}
     learning.use_values()
     assert setup.rises == {1: False, 2: True}
-    setup.note_movement(1, Movement.LEFT_FORWARD)
-    setup.note_movement(2, Movement.RIGHT_FORWARD)
+    setup.record_movement(1, Movement.LEFT_FORWARD)
+    setup.record_movement(2, Movement.RIGHT_FORWARD)
     while setup.step is not SetupStep.MOTORS:
         setup.skip()
     assert setup.edits == {}  # learning has edited the directions as they have to be
-    setup.note_movement(1, Movement.LEFT_BACKWARD)
-    setup.note_movement(2, Movement.RIGHT_BACKWARD)
+    setup.record_movement(1, Movement.LEFT_BACKWARD)
+    setup.record_movement(2, Movement.RIGHT_BACKWARD)
     assert setup.edits == {ParameterKey.REVERSED_CHANNELS: 0b10}
 
 
@@ -168,7 +168,7 @@ def test_learned_directions_are_taken_over(robot: Robot) -> None:
 
 def test_skipped_steps_stay_open_until_they_have_their_result(robot: Robot) -> None:
     setup, parameters = robot.setup, robot.device.parameters
-    setup.choose_driver(Driver.ONE_STICK)
+    setup.select_driver(Driver.ONE_STICK)
     robot.go_to(SetupStep.REVIEW)
     all_open = [SetupStep.JUMPERS, SetupStep.STICKS, SetupStep.MOTORS, SetupStep.LIMITS]
     assert setup.open_steps == all_open
@@ -176,10 +176,10 @@ def test_skipped_steps_stay_open_until_they_have_their_result(robot: Robot) -> N
     setup.go_to(SetupStep.JUMPERS)
     setup.next()
     setup.next()  # nothing is known of the sticks
-    setup.note_movement(1, Movement.RIGHT_FORWARD)
-    setup.note_movement(2, Movement.LEFT_FORWARD)
+    setup.record_movement(1, Movement.RIGHT_FORWARD)
+    setup.record_movement(2, Movement.LEFT_FORWARD)
     setup.next()
-    setup.choose_preset(Preset.TANK)
+    setup.select_preset(Preset.TANK)
     setup.next()
     assert setup.step is SetupStep.REVIEW
     assert setup.open_steps == [SetupStep.STICKS, SetupStep.MOTORS]
@@ -192,7 +192,7 @@ def test_skipped_steps_stay_open_until_they_have_their_result(robot: Robot) -> N
     assert setup.open_steps == []
     robot.device.draft.undo.undo()
     assert setup.open_steps == [SetupStep.MOTORS]
-    setup.choose_driver(Driver.TWO_STICKS)  # which needs other wires and another jumper
+    setup.select_driver(Driver.TWO_STICKS)  # which needs other wires and another jumper
     assert setup.open_steps == all_open[:3]
     robot.device.disconnect_line()
     robot.wait(lambda: setup.open_steps == all_open)
@@ -204,7 +204,7 @@ def test_jumper_seen_to_be_wrong_leaves_its_step_open(robot: Robot, mix: str) ->
     robot.push(2)
     robot.wait(lambda: robot.device.mix_jumper.is_on is not None)
     for driver in (Driver.ONE_STICK, Driver.TWO_STICKS, Driver.COMPUTER):
-        robot.setup.choose_driver(driver)
+        robot.setup.select_driver(driver)
         robot.go_to(SetupStep.JUMPERS)
         robot.setup.next()
         is_open = SetupStep.JUMPERS in robot.setup.open_steps
@@ -317,7 +317,7 @@ def test_board_in_rc_mode_gets_neither_pulses_nor_edits(
     assert "in RC mode" in robot.setup.pulses.blocker
     assert not robot.setup.pulses.start(1)
     robot.go_to(SetupStep.LIMITS)
-    robot.setup.choose_preset(Preset.TANK)
+    robot.setup.select_preset(Preset.TANK)
     assert robot.setup.edits == {}
     qtbot.waitUntil(robot.device.shut_down)
 
@@ -327,9 +327,9 @@ def test_other_model_on_the_line_gets_no_answers_of_the_first(
 ) -> None:
     """A current limit counts in other units there."""
     setup = robot.setup
-    setup.choose_preset(Preset.TANK)
+    setup.select_preset(Preset.TANK)
     setup.rises.update({1: True, 2: True})
-    setup.note_movement(1, Movement.LEFT_FORWARD)
+    setup.record_movement(1, Movement.LEFT_FORWARD)
     other = start_simulator("--unpaced", "--model", "trexjr")
     robot.device.connect_to(ConnectionSettings(other.url))
     robot.wait(lambda: robot.device.parameters.model_key == "trexjr")
@@ -342,7 +342,7 @@ def test_other_model_on_the_line_gets_no_answers_of_the_first(
 @pytest.mark.parametrize("number", [7, 9])
 def test_other_robot_that_comes_after_a_silence_gets_no_answers(robot: Robot, number: int) -> None:
     setup, simulator = robot.setup, robot.simulator
-    setup.note_movement(1, Movement.LEFT_FORWARD)
+    setup.record_movement(1, Movement.LEFT_FORWARD)
     setup.rises.update({1: True, 2: True})
     simulator.do("line mute on")
     robot.wait(lambda: not robot.device.is_connected)
@@ -369,10 +369,10 @@ def test_hanging_window_lets_no_pulse_go_on(robot: Robot) -> None:
 
 def test_steps_that_do_not_apply_are_left_out(robot: Robot) -> None:
     setup = robot.setup
-    setup.choose_driver(Driver.COMPUTER)
+    setup.select_driver(Driver.COMPUTER)
     assert SetupStep.STICKS not in setup.steps
     assert SetupStep.TIMEOUT in setup.steps
-    setup.choose_driver(Driver.TWO_STICKS)
+    setup.select_driver(Driver.TWO_STICKS)
     assert SetupStep.STICKS in setup.steps
     assert SetupStep.TIMEOUT not in setup.steps
 
@@ -390,11 +390,11 @@ def test_preset_equals_its_sample(preset: Preset, model: str) -> None:
 
 def test_limits_and_timeout_become_pending_and_undo_in_one_step(robot: Robot) -> None:
     setup, parameters = robot.setup, robot.device.parameters
-    setup.choose_driver(Driver.COMPUTER)
+    setup.select_driver(Driver.COMPUTER)
     robot.go_to(SetupStep.LIMITS)
     assert setup.edits == {}
-    setup.choose_preset(Preset.AUTONOMOUS)
-    setup.choose_current_limit(20)
+    setup.select_preset(Preset.AUTONOMOUS)
+    setup.select_current_limit(20)
     setup.next()
     steps = [setup.step]
     assert [parameters.values.value_of(key) for key in LIMITS] == [20, 20]

@@ -16,7 +16,7 @@ from trex_gui.devices.aracna.poses.project import Project
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.widgets import file_questions
-from trex_gui.ui.widgets.behaviour import take_typed
+from trex_gui.ui.widgets.behaviour import set_typed
 from trex_gui.ui.widgets.document_saver import DocumentSaver
 
 _FOLDER = "aracna/folder"
@@ -45,9 +45,9 @@ class PoseFiles(QObject):
             self._library.new()
 
     @Slot()
-    def ask_and_open(self) -> None:
+    def prompt_and_open(self) -> None:
         title, kinds = tr("&Open pose file…"), self._filter()
-        if path := file_questions.ask_to_open(self._window, title, kinds, _FOLDER):
+        if path := file_questions.prompt_to_open(self._window, title, kinds, _FOLDER):
             self.open_file(path)
 
     def open_file(self, path: Path) -> None:
@@ -65,8 +65,8 @@ class PoseFiles(QObject):
             take = partial(self._on_read, path, self._library.project, file)
             if not self.may_close(take):
                 return
-        self._library.take_file(path, file)
-        self._note_used(path)
+        self._library.set_file(path, file)
+        self._record_used(path)
         findings = file.findings
         lines = [tr("{0} was opened.").format(path.name)]
         lines += [f"{str(finding).rstrip('. ')}." for finding in findings[:_MOST_FINDINGS]]
@@ -79,19 +79,19 @@ class PoseFiles(QObject):
     @Slot()
     def save(self) -> bool:
         """Begin to save the file. Return whether that has begun."""
-        take_typed()
+        set_typed()
         path = self._library.path
         if path is None:
-            return self.ask_and_save()
+            return self.prompt_and_save()
         return self._saver.save(path, self._library.content, ask=True)
 
     @Slot()
-    def ask_and_save(self) -> bool:
-        take_typed()
+    def prompt_and_save(self) -> bool:
+        set_typed()
         title = tr("&Save pose file")
         folder = file_questions.last_folder(_FOLDER)
         proposal = self._library.path or folder / self._library.name
-        path = file_questions.ask_to_save(self._window, title, proposal, self._filter(), SUFFIX)
+        path = file_questions.prompt_to_save(self._window, title, proposal, self._filter(), SUFFIX)
         return path is not None and self.save_to(path)
 
     def save_to(self, path: Path) -> bool:
@@ -99,18 +99,18 @@ class PoseFiles(QObject):
 
     @Slot(object)
     def _on_saved(self, path: Path) -> None:
-        self._note_used(path)
+        self._record_used(path)
         self._notifier.info.emit(tr("Saved in {0}.").format(path))
 
     def may_close(self, leave: Callable[[], object]) -> bool:
         """Ask before edits are lost. If the user wants to save them, call `leave` afterwards."""
-        take_typed()
+        set_typed()
         return self._saver.may_leave(self._saver.answer(), self.save, leave)
 
     def _report_error(self, text: str, error: StudioError) -> None:
         self._notifier.error.emit(text.format(str(error).rstrip(". ")))
 
-    def _note_used(self, path: Path) -> None:
+    def _record_used(self, path: Path) -> None:
         file_questions.remember_folder(path, _FOLDER)
         self.used.emit(path)
 

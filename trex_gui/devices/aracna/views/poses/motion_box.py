@@ -48,7 +48,7 @@ from trex_gui.devices.aracna.views.poses.name_list import (
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.theme.theme import follow_theme, set_look
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import paint_placeholder, take_typed
+from trex_gui.ui.widgets.behaviour import paint_placeholder, set_typed
 
 _Index = QModelIndex | QPersistentModelIndex
 _LINES = 3
@@ -92,7 +92,7 @@ class MotionBox(ui.Card):
             spacing=4,
         )
 
-        new.clicked.connect(lambda: self._list.choose_and_edit(library.add_sequence()))
+        new.clicked.connect(lambda: self._list.select_and_edit(library.add_sequence()))
         self._add.clicked.connect(self._on_add_clicked)
         self._list.chosen.connect(lambda: self.table.show_item(self._list.current))
         self.table.selectionModel().currentChanged.connect(self._update_buttons)
@@ -138,7 +138,7 @@ class MotionBox(ui.Card):
 
     @Slot()
     def _on_add_clicked(self) -> None:
-        take_typed()
+        set_typed()
         row, steps = self.table.currentRow(), self.table.steps
         after = row if row >= 0 else len(steps) - 1
         time = steps[after].milliseconds if steps else DEFAULT_MS

@@ -80,7 +80,7 @@ class NameList(QListWidget):
         """Make an item current. None if it is not in the list."""
         self.setCurrentRow(self._keys.index(key) if key in self._keys else -1)
 
-    def choose_and_edit(self, name: str) -> None:
+    def select_and_edit(self, name: str) -> None:
         self.choose(ItemKey(name))
         self.edit_name()
 

@@ -13,7 +13,7 @@ from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS, degrees
 from trex_gui.devices.aracna.views.poses.name_list import NameList, small_button
 from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import take_typed
+from trex_gui.ui.widgets.behaviour import set_typed
 
 _ACROSS = 4
 
@@ -71,7 +71,7 @@ class PoseBox(ui.Card):
     def _field(self, motor: int) -> QSpinBox:
         accessible = tr("Position of motor {0} in this pose").format(motor)
         box = ui.spin_box(self, f"aracnaPosition{motor}", accessible, 0, HIGHEST)
-        ui.make_bare(box, str(HIGHEST))
+        ui.strip_style(box, str(HIGHEST))
         box.valueChanged.connect(lambda value: self._on_position_edited(motor, value))
         return box
 
@@ -129,17 +129,17 @@ class PoseBox(ui.Card):
     @Slot()
     def capture(self) -> None:
         """Save the robot's position as a new pose, and let the user type its name."""
-        take_typed()
+        set_typed()
         present = self._robot.state.present
         known = tuple(each for each in present if each is not None)
         if len(known) < len(present):
             self._robot.notifier.error.emit(_unknown_text())
         else:
-            self._list.choose_and_edit(self._library.add_pose(known))
+            self._list.select_and_edit(self._library.add_pose(known))
 
     @Slot()
     def _on_go_to_clicked(self) -> None:
-        take_typed()
+        set_typed()
         if (pose := self._pose) is not None:
             self._robot.move(pose.first(self._robot.state.motors))
 

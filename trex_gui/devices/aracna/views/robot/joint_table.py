@@ -127,7 +127,7 @@ class JointRow(QObject):
 
         def position_box(kind: str, accessible: str) -> QSpinBox:
             box = ui.spin_box(parent, f"aracna{kind}{motor}", name(accessible), 0, HIGHEST)
-            ui.make_bare(box, str(HIGHEST))  # the slider is beside it
+            ui.strip_style(box, str(HIGHEST))  # the slider is beside it
             return box
 
         self.name = ui.label(parent, f"aracnaName{motor}", joint_text(motor))
@@ -144,7 +144,7 @@ class JointRow(QObject):
             decimals=1,
             suffix="°",
         )
-        ui.make_bare(self._degrees, self._degrees.textFromValue(degrees(HIGHEST)) + "°")
+        ui.strip_style(self._degrees, self._degrees.textFromValue(degrees(HIGHEST)) + "°")
         present = name(tr("present position"))
         self._present = LiveLabel(f"aracnaPresent{motor}", present, parent)
         widest = self._present.fontMetrics().horizontalAdvance(position_text(HIGHEST))

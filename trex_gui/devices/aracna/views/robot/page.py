@@ -24,7 +24,7 @@ from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.translations import error_text
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import take_typed
+from trex_gui.ui.widgets.behaviour import set_typed
 from trex_gui.ui.widgets.labels import PAGE_MARGINS, PageHead
 
 _WIDEST_RATE = 888.8
@@ -232,7 +232,7 @@ class Controls(QWidget):
 
     @Slot()
     def move_now(self) -> None:
-        take_typed()
+        set_typed()
         self._robot.move(self._robot.targets.goals)
 
     @property
@@ -242,7 +242,7 @@ class Controls(QWidget):
     @Slot()
     def _on_grabbed(self) -> None:
         if self._is_live:
-            self._robot.begin_drag()
+            self._robot.start_drag()
 
     @Slot()
     def _on_goal_edited(self) -> None:
@@ -251,23 +251,23 @@ class Controls(QWidget):
         if self._is_live and robot.dragging:
             robot.drag(robot.targets.goals)
         elif self._is_live and not self._table.is_held:
-            robot.begin_drag()
+            robot.start_drag()
             robot.drag(robot.targets.goals)
             robot.end_drag()
 
     @Slot()
     def take_present(self) -> None:
-        take_typed()
+        set_typed()
         self._robot.aim_at_present()
 
     @Slot()
     def centre(self) -> None:
-        take_typed()
+        set_typed()
         self._robot.targets.set_all((CENTRE,) * self._robot.state.motors)
 
     @Slot()
     def stand(self) -> None:
-        take_typed()
+        set_typed()
         self._robot.targets.set_all(STAND.first(self._robot.state.motors))
 
     def _button(self, name: str, text: str, tip: str, slot: ui.Handler) -> QPushButton:

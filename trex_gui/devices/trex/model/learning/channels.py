@@ -127,7 +127,7 @@ class LearnedChannel:
         if sample.count is not None or self._heard_at is None:
             self._heard_at = sample.time
 
-    def begin_sampling(self) -> None:
+    def start_sampling(self) -> None:
         self.samples = []
         self.neutral = None
 
@@ -136,7 +136,7 @@ class LearnedChannel:
         """The rest position was measured and has no fatal problem."""
         return self.neutral is not None and not has_fatal(self.neutral.problems)
 
-    def begin_travel(self) -> None:
+    def start_travel(self) -> None:
         self.travel = None
         if self.neutral is not None and self.is_at_rest:
             self.travel = Travel(self.neutral, TASKS[self.number])

@@ -166,9 +166,9 @@ class Learning(QObject):
                 channel.propose()
             self._go(LearningStep.REVIEW)
         elif self.has_sampled:
-            self._begin_travel()
+            self._start_travel()
         else:
-            self._begin_sampling()
+            self._start_sampling()
 
     def back(self) -> None:
         """Go one step back. Ends that were reached stay, rest positions are sampled again."""
@@ -181,13 +181,13 @@ class Learning(QObject):
         """Repeat this step. After a failure, all of them."""
         match self.step:
             case LearningStep.NEUTRAL if not self.sampling:
-                self._begin_sampling()
+                self._start_sampling()
             case LearningStep.TRAVEL:
-                self._begin_travel()
+                self._start_travel()
             case LearningStep.REVIEW:
                 self._wait_at_rest()
             case LearningStep.TEST:
-                self._begin_tests()
+                self._start_tests()
             case LearningStep.FAILED | LearningStep.DOUBT:
                 self._start(self.numbers, self._after_stopping)
 
@@ -239,7 +239,7 @@ class Learning(QObject):
     @Slot()
     def _on_standstill(self) -> None:
         if self.is_test:
-            self._begin_tests()
+            self._start_tests()
         else:
             self._wait_at_rest()
 
@@ -270,18 +270,18 @@ class Learning(QObject):
         self.channels = tuple(LearnedChannel(self._device, n, source) for n in self.numbers)
         self._go(LearningStep.NEUTRAL)
 
-    def _begin_sampling(self) -> None:
+    def _start_sampling(self) -> None:
         for channel in self.channels:
-            channel.begin_sampling()
+            channel.start_sampling()
         self.sampling = True
         self.changed.emit()
 
-    def _begin_travel(self) -> None:
+    def _start_travel(self) -> None:
         for channel in self.channels:
-            channel.begin_travel()
+            channel.start_travel()
         self._go(LearningStep.TRAVEL)
 
-    def _begin_tests(self) -> None:
+    def _start_tests(self) -> None:
         self.tests = StickTests(self._device, self.numbers)
         self._go(LearningStep.TEST)
 
@@ -329,14 +329,14 @@ class Learning(QObject):
         if self.sampling and self.seconds_left == 0:
             self.sampling = False
             if all(channel.is_at_rest for channel in self.channels):
-                self._begin_travel()
+                self._start_travel()
             else:
                 self.changed.emit()
 
     @Slot()
     def _on_stalled_changed(self) -> None:
         if self.inputs.stalled and self.sampling:  # a gap is no rest
-            self._begin_sampling()
+            self._start_sampling()
         else:
             self.changed.emit()
 

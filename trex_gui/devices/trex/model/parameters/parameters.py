@@ -128,7 +128,7 @@ class ParameterModel(QAbstractTableModel):
             optional=self.values.specs if open_ended else (),
         )
         for key, wire in (active or {}).items():
-            self.values.note_active(key, wire)
+            self.values.record_active(key, wire)
         self.model_key = specs.model.key
         problems = self.values.problems.items()
         kept = {key: why for key, why in problems if self.values.is_modified(key)}
@@ -146,15 +146,15 @@ class ParameterModel(QAbstractTableModel):
         self.rows.arrange()
         self.endResetModel()
 
-    def note_stored(self, stored: Mapping[str, int]) -> None:
+    def record_stored(self, stored: Mapping[str, int]) -> None:
         """Take the stored values after a verified write."""
         for key, wire in stored.items():
             if key in self.values.specs and wire != self.values.stored.get(key):
-                self.values.note_stored(self.values.specs[key], wire)
+                self.values.record_stored(self.values.specs[key], wire)
                 self._announce(key)
         self.pending_changed.emit()
 
-    def note_results(self, results: Sequence[WriteResult]) -> None:
+    def record_results(self, results: Sequence[WriteResult]) -> None:
         for result in results:
             if result.key in self.values.specs:
                 self.values.problems.pop(result.key, None)

@@ -135,7 +135,7 @@ class ParameterValues:
             if key in self.stored:
                 self.removed.add(key)
 
-    def note_stored(self, spec: ParameterSpec, wire: int) -> None:
+    def record_stored(self, spec: ParameterSpec, wire: int) -> None:
         """Take a value that was read back after a write."""
         before = self.stored.get(spec.key)
         if spec.needs_power_cycle and before is not None:
@@ -146,7 +146,7 @@ class ParameterValues:
         if self.edited.get(spec.key) == wire:
             del self.edited[spec.key]
 
-    def note_active(self, key: str, wire: int) -> None:
+    def record_active(self, key: str, wire: int) -> None:
         """Take a value that is known to be active, whatever is stored."""
         if self.stored.get(key) == wire:
             self.active.pop(key, None)

@@ -109,11 +109,11 @@ class Calibrations(QObject):
         self.left_out &= self._stored.keys()
         self.changed.emit()
 
-    def forget_seen(self) -> None:
+    def clear_seen(self) -> None:
         """Forget what another board showed, except where it was edited."""
         self._seen = {key: seen for key, seen in self._seen.items() if key in self.edited}
 
-    def note_stored(self, stored: Mapping[int, Calibration]) -> None:
+    def record_stored(self, stored: Mapping[int, Calibration]) -> None:
         """Take the stored calibrations of the active input source after a verified write."""
         for channel, calibration in stored.items():
             key = self._key(channel)

@@ -140,9 +140,9 @@ class SettingsDocument(QObject):
             raise SettingsError.of(self.name, self.trouble)
         else:
             text = self.text
-        return Content(text, partial(self._note_saved, text, settings, fresh))
+        return Content(text, partial(self._record_saved, text, settings, fresh))
 
-    def _note_saved(self, text: str, settings: Settings | None, fresh: bool, path: Path) -> None:
+    def _record_saved(self, text: str, settings: Settings | None, fresh: bool, path: Path) -> None:
         self.path = path
         self.on_disk = text.encode("utf-8")
         self._saved = text
@@ -200,7 +200,7 @@ def text_of(data: bytes, name: str) -> tuple[str, Finding | None]:
     return (BYTE_ORDER_MARK + text if data.startswith(BYTE_ORDER_MARK.encode()) else text), None
 
 
-def take_calibrations(
+def set_calibrations(
     draft: SettingsDraft, settings: Settings, text: str
 ) -> tuple[int, tuple[str, ...]]:
     """Make the calibrations of a file edits, in one undo step with the name `text`.

@@ -80,7 +80,7 @@ class SettingsDraft(QObject):
         self.reset_pending = reset_pending and stored == values.all_stored
         self.loaded.emit()
 
-    def take_state(
+    def set_state(
         self,
         state: DeviceState,
         connection: ConnectionSettings | None,
@@ -121,9 +121,9 @@ class SettingsDraft(QObject):
         )
         self.calibrations.load(model.key, state.source, state.calibrations, keep_edits=keep_edits)
 
-    def note_stored(self, state: DeviceState) -> None:
-        self.parameters.note_stored(state.parameters)
-        self.calibrations.note_stored(state.calibrations)
+    def record_stored(self, state: DeviceState) -> None:
+        self.parameters.record_stored(state.parameters)
+        self.calibrations.record_stored(state.calibrations)
 
     def take_settings(self, settings: Settings) -> None:
         """Take the settings of a file, to which any setting may be added."""

@@ -49,7 +49,7 @@ class EditBackup(QObject):
         self.files.failed.connect(self._on_failed)
         draft.pending_changed.connect(self._on_changed)
 
-    def leave_board(self, *, is_deselected: bool = False) -> None:
+    def close_board(self, *, is_deselected: bool = False) -> None:
         """Save no changes until `take_board`: the draft is about to take what a board stores.
 
         Edits of a board that `is_deselected`, since another one on its line is selected, are made

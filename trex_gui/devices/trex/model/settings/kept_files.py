@@ -35,9 +35,9 @@ class KeptFiles(QObject):
         self.files = BoardFiles(self._records, self)
         # For the memory:
         self.find, self.save, self.move = self.files.read, self.files.save, self.files.move
-        self.note_change = self.changed.emit
+        self.record_change = self.changed.emit
 
-        self.files.found.connect(self.memory.take_record)
+        self.files.found.connect(self.memory.handle_record)
         self.files.failed.connect(self._on_failed)
         self._notes.edited.connect(self._on_note_edited)
 
@@ -57,7 +57,7 @@ class KeptFiles(QObject):
 
     def find_lost(self, board: BoardIdentity, adapter: str) -> None:
         find = partial(self._records.of_other_number, board, adapter)
-        in_background(self, find, partial(self.memory.take_lost, board), self._on_failed)
+        in_background(self, find, partial(self.memory.set_lost, board), self._on_failed)
 
     def doubt(self, record: BoardRecord) -> None:
         time = "" if record.time is None else local_time(record.time)

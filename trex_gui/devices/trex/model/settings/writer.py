@@ -171,7 +171,7 @@ class SettingsWriter(QObject):
         )
         self._cancel_snapshot = start_in_background(
             self,
-            lambda _progress: transaction.take_snapshot(self.history),
+            lambda _progress: transaction.save_snapshot(self.history),
             partial(self._on_saved, transaction),
             self._on_not_saved,
         )
@@ -247,5 +247,5 @@ class SettingsWriter(QObject):
         ):
             self._draft.discard_edits()
             self._draft.reset_pending = True
-        self._draft.parameters.note_results(written.results)
+        self._draft.parameters.record_results(written.results)
         self.finished.emit(written.results)

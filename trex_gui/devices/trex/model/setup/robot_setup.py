@@ -60,8 +60,8 @@ class RobotSetup(QObject):
         self._former: DeviceState | None = None  # the board that is silent, or being left
         self._completed: set[SetupStep] = set()  # left with `next`
 
-        learning.edited.connect(self._take_learned)
-        learning.stored.connect(self._take_learned)
+        learning.edited.connect(self._handle_learned)
+        learning.stored.connect(self._handle_learned)
         device.link_changed.connect(self._on_link_changed)
         device.state_changed.connect(self._on_state_changed)
         device.draft.pending_changed.connect(self.changed)
@@ -164,14 +164,14 @@ class RobotSetup(QObject):
 
     # --- User actions -------------------------------------------------------------------
 
-    def choose_driver(self, driver: Driver) -> None:
+    def select_driver(self, driver: Driver) -> None:
         if driver is not self.driver:
             self.driver = driver
             self.rises.clear()  # a stick's way to the right may be another one's way forward
             self._completed.discard(SetupStep.JUMPERS)
             self.changed.emit()
 
-    def note_pushed(self, channels: Sequence[int]) -> tuple[int, ...]:
+    def record_pushed(self, channels: Sequence[int]) -> tuple[int, ...]:
         """Record that the sticks of these channels are pushed forward or right now.
 
         Return the channels whose input does not show it.
@@ -187,16 +187,16 @@ class RobotSetup(QObject):
         self.changed.emit()
         return tuple(channel for channel in channels if channel not in self.rises)
 
-    def note_movement(self, motor: int, seen: Movement) -> None:
+    def record_movement(self, motor: int, seen: Movement) -> None:
         self.movements[motor] = seen
         self.changed.emit()
 
-    def forget_movements(self) -> None:
+    def clear_movements(self) -> None:
         """Begin anew with both motors, as after their wires were exchanged."""
         self.movements.clear()
         self.changed.emit()
 
-    def choose_preset(self, preset: Preset | None) -> None:
+    def select_preset(self, preset: Preset | None) -> None:
         """Choose ramps, and the current limit with them if the sample has one for this board."""
         model = self._device.parameters.model_key
         self.preset = preset
@@ -205,11 +205,11 @@ class RobotSetup(QObject):
             self.current_limit = preset.values(model).get(LIMITS[0])
         self.changed.emit()
 
-    def choose_current_limit(self, wire: int) -> None:
+    def select_current_limit(self, wire: int) -> None:
         self.current_limit = wire
         self.changed.emit()
 
-    def choose_timeout(self, wire: int) -> None:
+    def select_timeout(self, wire: int) -> None:
         self.timeout = wire
         self.changed.emit()
 
@@ -249,7 +249,7 @@ class RobotSetup(QObject):
     # --- What has changed ---------------------------------------------------------------
 
     @Slot()
-    def _take_learned(self) -> None:
+    def _handle_learned(self) -> None:
         for channel in self._learning.channels:
             if channel.can_be_used and channel.choice is not None and channel.number in _STICKS:
                 self.rises[channel.number] = not channel.choice.reversed_

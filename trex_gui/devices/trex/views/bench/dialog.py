@@ -28,9 +28,9 @@ from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import HoldButton, ReusedDialog, only_when_visible
 from trex_gui.ui.widgets.file_questions import (
-    ask_to_open,
-    ask_to_save,
     last_folder,
+    prompt_to_open,
+    prompt_to_save,
     remember_folder,
 )
 from trex_gui.ui.widgets.labels import Note
@@ -88,10 +88,10 @@ class BenchDialog(ReusedDialog):
         ui.set_bold(self._hold)
         set_look(self._hold, "primary")
         tip = tr("Open a saved test")
-        ask = self._ask_and_open
+        ask = self._prompt_and_open
         self._open = button("benchOpenButton", tr("&Open…"), tip=tip, on_click=ask)
         tip = tr("Save this test to compare with later, or a picture of it")
-        ask = self._ask_and_save
+        ask = self._prompt_and_save
         self._save = button("benchSaveButton", tr("Sa&ve…"), tip=tip, on_click=ask)
         close = button("benchCloseButton", tr("&Close"), on_click=self.close)
 
@@ -139,17 +139,17 @@ class BenchDialog(ReusedDialog):
     # --- Files --------------------------------------------------------------------------
 
     @Slot()
-    def _ask_and_save(self) -> None:
+    def _prompt_and_save(self) -> None:
         run = self.bench.runs[-1]
         name = f"bench_motor{run.motor}_{run.profile.shape.value}_{run.started:%Y%m%d_%H%M%S}.csv"
         title, kinds = tr("Save bench test"), tr("Bench tests (*.csv);;Pictures (*.png)")
-        if path := ask_to_save(self, title, last_folder() / name, kinds):
+        if path := prompt_to_save(self, title, last_folder() / name, kinds):
             self.save_run(run, path)
 
     @Slot()
-    def _ask_and_open(self) -> None:
+    def _prompt_and_open(self) -> None:
         kinds = tr("Bench tests (*.csv);;All files (*)")
-        if path := ask_to_open(self, tr("Open bench test"), kinds):
+        if path := prompt_to_open(self, tr("Open bench test"), kinds):
             self.open_run(path)
 
     def save_run(self, run: Run, path: Path) -> None:

@@ -207,7 +207,7 @@ class TuningForm(ui.Card):
         )
         if (device.parameters.model_key, keys) != self._shown:
             self._shown = device.parameters.model_key, keys
-            self._make_editors(keys)
+            self._create_editors(keys)
         self.setTitle(tr("Settings of motor {0}").format(self._bench.plan.motor))
         self._empty.setVisible(not keys)
         self._show_values()
@@ -216,7 +216,7 @@ class TuningForm(ui.Card):
             editor.setEnabled(can_edit)
         self.apply.setEnabled(can_edit and device.draft.pending > 0)
 
-    def _make_editors(self, keys: tuple[str, ...]) -> None:
+    def _create_editors(self, keys: tuple[str, ...]) -> None:
         while self._form.rowCount():
             self._form.removeRow(0)
         self._fields.clear()

@@ -144,7 +144,7 @@ class ApplyToSeveral(QObject):
 
     def _on_write_clicked(self, _rows: Rows) -> None:
         self._trouble = ""
-        self.dialog.question.ask_before(lambda: self.work.write(self._chosen()), self._doubts)
+        self.dialog.question.prompt_before(lambda: self.work.write(self._chosen()), self._doubts)
 
     def _doubts(self) -> list[str]:
         """Return the values of the chosen boards of which only the boards can tell."""

@@ -60,7 +60,9 @@ class Changes:
 
 
 class Question(InlinePrompt):
-    def ask_before(self, write: Callable[[], object], doubts: Callable[[], Sequence[str]]) -> None:
+    def prompt_before(
+        self, write: Callable[[], object], doubts: Callable[[], Sequence[str]]
+    ) -> None:
         """Call `write`, after a question if there are doubts. `doubts` names the values."""
         named = doubts()
         if not named:

@@ -153,7 +153,7 @@ class Review(QObject):
 
     def _on_write_clicked(self, rows: Rows) -> None:
         if rows and self._phase is _Phase.REVIEW and self._can_write:
-            self.dialog.question.ask_before(partial(self._write_rows, rows), self._doubts)
+            self.dialog.question.prompt_before(partial(self._write_rows, rows), self._doubts)
 
     def _doubts(self) -> list[str]:
         """Return the checked values of which only the board can tell whether it takes them."""

@@ -171,10 +171,10 @@ class LearnFlow(Flow):
                 widget.setParent(None)
                 widget.deleteLater()
         self._shown_for = step, subject
-        self._page = page = self._make_page(step)
+        self._page = page = self._create_page(step)
         return page
 
-    def _make_page(self, step: LearningStep) -> Page:
+    def _create_page(self, step: LearningStep) -> Page:
         learning = self.learning
         match step:
             case LearningStep.NEUTRAL:

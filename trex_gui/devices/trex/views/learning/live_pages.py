@@ -44,9 +44,9 @@ class InputStrip(ChannelStrip):
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._scale: tuple[InputSource, Calibration | None] | None = None
-        follow_theme(self, "room", self._take_room)
+        follow_theme(self, "room", self._update_space)
 
-    def _take_room(self) -> None:
+    def _update_space(self) -> None:
         self.setMinimumHeight(round(_LEAST_LINES * self.fontMetrics().height()))
 
     def show_input(
@@ -82,11 +82,11 @@ class ChannelRow(Generic[ChannelT]):
         self.text = ui.named(Note(1, page), f"{self.text_name}{number}")
         self.text.setMinimumWidth(_TEXT_WIDTH * self.text.fontMetrics().averageCharWidth())
         grid.addWidget(self.strip, row, 0)
-        grid.addLayout(ui.row(*self.make_signs(page), margins=0), row, 1)
+        grid.addLayout(ui.row(*self.create_signs(page), margins=0), row, 1)
         grid.addWidget(self.text, row, 2, Qt.AlignmentFlag.AlignVCenter)
         grid.setRowStretch(row, 1)
 
-    def make_signs(self, page: QWidget) -> Sequence[QWidget]:
+    def create_signs(self, page: QWidget) -> Sequence[QWidget]:
         self.sign = Sign(page)
         return [self.sign]
 
@@ -178,7 +178,7 @@ class TravelRow(ChannelRow[LearnedChannel]):
 
     text_name = "learnTravel"
 
-    def make_signs(self, page: QWidget) -> Sequence[QWidget]:
+    def create_signs(self, page: QWidget) -> Sequence[QWidget]:
         number = self.channel.number
         self._ends = {
             Way.DOWN: EndSign(tr("low"), f"learnEndDown{number}", page),

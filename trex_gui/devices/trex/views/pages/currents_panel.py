@@ -16,7 +16,7 @@ from trex_gui.ui.plotting.traces import Traces
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.builders import column
-from trex_gui.ui.widgets.placement import keep_on_screen, restore_geometry, save_geometry
+from trex_gui.ui.widgets.placement import fit_on_screen, restore_geometry, save_geometry
 
 
 class CurrentsPanel(TracePanel):
@@ -102,7 +102,7 @@ class PlotWindow(QMainWindow):
         self.setCentralWidget(frame)
         QShortcut(QKeySequence(QKeySequence.StandardKey.Close), self, self.close)
         restore_geometry(self, self._KEY, 900, 560)
-        keep_on_screen(self)
+        fit_on_screen(self)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         save_geometry(self, self._KEY)

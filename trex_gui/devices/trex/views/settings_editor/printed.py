@@ -13,7 +13,7 @@ from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_FIELDS
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.ui.widgets.placement import keep_on_screen
+from trex_gui.ui.widgets.placement import fit_on_screen
 
 
 class PrintedSettings(QTextDocument):
@@ -53,7 +53,7 @@ class PrintedSettings(QTextDocument):
         dialog.printer().setDocName(self._name)
         dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.setObjectName("printPreviewDialog")
-        keep_on_screen(dialog)
+        fit_on_screen(dialog)
         dialog.paintRequested.connect(self.print_)
         self.setParent(dialog)
         dialog.show()

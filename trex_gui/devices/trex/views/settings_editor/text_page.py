@@ -181,9 +181,9 @@ class NumberedText(QPlainTextEdit):
 
         self.blockCountChanged.connect(self._fit)
         self.updateRequest.connect(self._on_update_request)
-        follow_theme(self, "font", self._take_font)
+        follow_theme(self, "font", self._update_font)
 
-    def _take_font(self) -> None:
+    def _update_font(self) -> None:
         self.setFont(fixed_font())
         self._fit()
         self._numbers.update()

@@ -34,7 +34,7 @@ from trex_gui.ui.widgets.builders import column, named
 from trex_gui.ui.widgets.document_saver import DocumentSaver
 from trex_gui.ui.widgets.file_questions import SaveAnswer
 from trex_gui.ui.widgets.messages import Banner, MessageRoom
-from trex_gui.ui.widgets.placement import keep_on_screen, restore_geometry, save_geometry
+from trex_gui.ui.widgets.placement import fit_on_screen, restore_geometry, save_geometry
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 _TOOL_BAR = ("new", "open", "save", SEPARATOR, "undo", "redo", SEPARATOR, "send", "print")
@@ -84,7 +84,7 @@ class SettingsEditor(QMainWindow):
         self._actions = self._build_menus()
         self._build_tool_bar()
         restore_geometry(self, "editor", 1000, 720)
-        keep_on_screen(self)
+        fit_on_screen(self)
 
         self.saver.saved.connect(self._on_saved)
         self.saver.failed.connect(self._on_not_saved)
@@ -109,10 +109,10 @@ class SettingsEditor(QMainWindow):
                 Entry("open", tr("&Open…"), self.open_requested.emit, keys.Open, "open"),
                 SEPARATOR,
                 Entry("save", tr("&Save"), self.save, keys.Save, "save"),
-                Entry("saveAs", tr("Save &as…"), self._ask_and_save, "Ctrl+Shift+S"),
+                Entry("saveAs", tr("Save &as…"), self._prompt_and_save, "Ctrl+Shift+S"),
                 SEPARATOR,
                 Entry("print", tr("&Print…"), self.preview, keys.Print, "print"),
-                Entry("pdf", tr("Save as P&DF…"), self._ask_and_save_pdf),
+                Entry("pdf", tr("Save as P&DF…"), self._prompt_and_save_pdf),
                 SEPARATOR,
                 Entry("close", tr("&Close"), self.close, keys.Close),
             ),
@@ -123,7 +123,7 @@ class SettingsEditor(QMainWindow):
                 Entry("convert", tr("&Convert for another board…"), self.convert),
             ),
             tr("&Compare"): (
-                Entry("compareFile", tr("With another &file…"), self._ask_and_compare),
+                Entry("compareFile", tr("With another &file…"), self._prompt_and_compare),
                 Entry("compareBoard", tr("With the &board"), self.compare_with_board),
                 Entry("compareFactory", tr("With factory &defaults"), self._compare_with_factory),
             ),
@@ -149,11 +149,11 @@ class SettingsEditor(QMainWindow):
     def save(self) -> bool:
         """Begin to save the file. Return whether that has begun."""
         path = self.document.path
-        return self._ask_and_save() if path is None else self._save(path, ask=True)
+        return self._prompt_and_save() if path is None else self._save(path, ask=True)
 
-    def _ask_and_save(self) -> bool:
+    def _prompt_and_save(self) -> bool:
         title, proposal = tr("&Save settings file…"), self._folder() / self.document.name
-        path = file_questions.ask_to_save(self, title, proposal)
+        path = file_questions.prompt_to_save(self, title, proposal)
         return path is not None and self.save_to(path)
 
     def save_to(self, path: Path) -> bool:
@@ -189,10 +189,10 @@ class SettingsEditor(QMainWindow):
         printed = self._printed()
         return None if printed is None else printed.preview(self, self._banner.show_problem)
 
-    def _ask_and_save_pdf(self) -> None:
+    def _prompt_and_save_pdf(self) -> None:
         name = self._folder() / Path(self.document.name).with_suffix(".pdf").name
         filters = tr("PDF (*.pdf)")
-        path = file_questions.ask_to_save(self, tr("Save as P&DF…"), name, filters)
+        path = file_questions.prompt_to_save(self, tr("Save as P&DF…"), name, filters)
         if path is not None:
             self.save_pdf(path)
 
@@ -211,8 +211,8 @@ class SettingsEditor(QMainWindow):
         path = self.document.path
         return path.parent if path is not None else file_questions.last_folder()
 
-    def _ask_and_compare(self) -> None:
-        path = file_questions.ask_to_open(self, tr("Compare &with:"))
+    def _prompt_and_compare(self) -> None:
+        path = file_questions.prompt_to_open(self, tr("Compare &with:"))
         if path is not None:
             self.compare_with_file(path)
 

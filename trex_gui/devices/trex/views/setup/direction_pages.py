@@ -67,7 +67,7 @@ class SticksPage(Page):
         return self._setup.driver is Driver.ONE_STICK
 
     def _note(self, channels: tuple[int, ...]) -> None:
-        self._unclear = self._setup.note_pushed(channels)
+        self._unclear = self._setup.record_pushed(channels)
         self.refresh()
 
     def refresh(self) -> None:
@@ -150,19 +150,19 @@ class WiringPage(Page):
         items = (self._question, 0, middle), (self._robot, 1), below
         ui.column(*items, into=self, margins=0)
 
-        self._answers = {motor: self._make_answer(motor) for motor in (1, 2)}
+        self._answers = {motor: self._create_answer(motor) for motor in (1, 2)}
         self._controls = PulseControls("setup", device, setup.pulses, side, self._answers)
         self._controls.hold_started.connect(self._on_hold_started)
         self._result = ui.named(Note(2, side), "setupWiringNote")
         notice = TimeoutNotice(device, side)
         ui.column(self._controls, self._result, notice, into=side, margins=0, spacing=6)
 
-        self._again.clicked.connect(setup.forget_movements)
+        self._again.clicked.connect(setup.clear_movements)
         self._again.clicked.connect(partial(self._ask, 1))
         for changed in (setup.changed, setup.pulses.changed, device.telemetry.text_due):
             changed.connect(self.refresh)
 
-    def _make_answer(self, motor: int) -> QPushButton:
+    def _create_answer(self, motor: int) -> QPushButton:
         name, tip = f"setupAnswer{motor}", tr("Click what this motor moved")
         answer = ui.button(self.side, name, tip=tip, default=False)
         set_look(answer, "link")
@@ -184,7 +184,7 @@ class WiringPage(Page):
         motor = self._motor
         if 3 - motor not in self._setup.movements and seen is not Movement.NOTHING:
             self._motor = 3 - motor
-        self._setup.note_movement(motor, seen)
+        self._setup.record_movement(motor, seen)
 
     def _show_answers(self) -> None:
         """Show what each motor moved, and ask for the motor that was held last."""

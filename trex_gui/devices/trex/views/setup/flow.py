@@ -85,7 +85,7 @@ class SetupFlow(Flow):
             (self._learn if self._learns else self.setup).back()
 
     def skip(self) -> None:
-        self._leave_learning()
+        self._close_learning()
         self.setup.skip()
 
     def next(self) -> None:
@@ -97,10 +97,10 @@ class SetupFlow(Flow):
     def leave(self, *, closed: bool) -> None:
         if closed:
             self._is_open = False
-            self._leave_learning()
+            self._close_learning()
         self.setup.leave()
 
-    def _leave_learning(self) -> None:
+    def _close_learning(self) -> None:
         if self._learns:
             self._learn.learning.cancel()
 

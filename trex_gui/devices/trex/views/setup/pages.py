@@ -51,7 +51,7 @@ class DriverPage(Page):
         self._choices = Choices("setupDriver", texts, self, columns=3)
         for driver, caption in captions.items():
             self._choices.show_picture(driver, partial(paint_driver, driver), caption)
-        self._choices.chosen.connect(setup.choose_driver)
+        self._choices.chosen.connect(setup.select_driver)
         text = tr("Each step can be skipped. Nothing is written before you apply it at the end.")
         ui.column((self._choices, 1), Muted(text, self), into=self, margins=0, spacing=16)
 
@@ -144,7 +144,7 @@ class LimitsPage(Page):
         )
         self._limit.setSpecialValueText(tr("off", "limit"))
         self._hint = ui.named(Note(6, self.side), "setupLimitHint")
-        self._choices.chosen.connect(setup.choose_preset)
+        self._choices.chosen.connect(setup.select_preset)
         title = ui.label(self.side, text=tr("Current &limit of each motor"), buddy=self._limit)
         ui.column(self._choices, into=self, margins=0)
         ui.column(title, self._limit, self._hint, into=self.side, margins=0)
@@ -204,7 +204,7 @@ class LimitsPage(Page):
     @Slot(float)
     def _on_limit_changed(self, amps: float) -> None:
         scale = self._device.parameters.values.specs[LIMITS[0]].scale
-        self._setup.choose_current_limit(round(amps / scale))
+        self._setup.select_current_limit(round(amps / scale))
 
 
 class TimeoutPage(Page):
@@ -223,7 +223,7 @@ class TimeoutPage(Page):
             decimals=1,
             step=0.1,
             suffix=tr(" s"),
-            on_change=lambda seconds: setup.choose_timeout(round(10 * seconds)),
+            on_change=lambda seconds: setup.select_timeout(round(10 * seconds)),
         )
         self._short = ui.named(Note(2, side), "setupTimeoutShort")
         title = ui.label(side, text=tr("&Stop the motors after a silence of"), buddy=self._seconds)

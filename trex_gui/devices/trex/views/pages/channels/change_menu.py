@@ -16,7 +16,7 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.calibration_moves import symmetric, why_not_symmetric
 from trex_gui.devices.trex.model.channel_text import CHANNEL_NAMES
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.settings.document import put_calibrations, take_calibrations
+from trex_gui.devices.trex.model.settings.document import put_calibrations, set_calibrations
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.settings.document import Settings
@@ -54,7 +54,7 @@ class ChangeMenu(QMenu):
         ends = self.addMenu(tr("&Equal travel to both ends"))
         ends.setToolTipsVisible(True)
         shorter, longer = tr("As on the &shorter side"), tr("As on the &longer side")
-        equalize = self._make_symmetric
+        equalize = self._set_symmetric
         self._equals = {
             False: self._add(ends, "symmetricSmallerAction", shorter, partial(equalize, False)),
             True: self._add(ends, "symmetricLargerAction", longer, partial(equalize, True)),
@@ -67,8 +67,8 @@ class ChangeMenu(QMenu):
         self._discard = self._add(self, "discardChannelAction", text, discard, icon="undo")
         self.addSeparator()
         text = tr("&Load calibrations from a file…")
-        self._add(self, "loadCalibrationsAction", text, self._ask_and_load, icon="open")
-        text, save = tr("&Save calibrations to a file…"), self._ask_and_save
+        self._add(self, "loadCalibrationsAction", text, self._prompt_and_load, icon="open")
+        text, save = tr("&Save calibrations to a file…"), self._prompt_and_save
         self._save = self._add(self, "saveCalibrationsAction", text, save, icon="save")
 
     @staticmethod
@@ -105,7 +105,7 @@ class ChangeMenu(QMenu):
             for channel in set(channels) - {self._channel}:
                 calibrations.edit(channel, wanted)
 
-    def _make_symmetric(self, larger: bool) -> None:
+    def _set_symmetric(self, larger: bool) -> None:
         calibrations = self._device.calibrations
         shown = calibrations.shown(self._channel)
         if shown is not None and not shown.problem() and self._equals[larger].isEnabled():
@@ -118,14 +118,14 @@ class ChangeMenu(QMenu):
 
     # --- Settings files -----------------------------------------------------------------
 
-    def _ask_and_load(self) -> None:
+    def _prompt_and_load(self) -> None:
         title = title_of(tr("&Load calibrations from a file…"))
-        path = file_questions.ask_to_open(self._window, title)
+        path = file_questions.prompt_to_open(self._window, title)
         if path:
             file_questions.remember_folder(path)
             self.load_file(path)
 
-    def _ask_and_save(self) -> None:
+    def _prompt_and_save(self) -> None:
         chosen, _ = QFileDialog.getSaveFileName(
             self._window,
             title_of(tr("&Save calibrations to a file…")),
@@ -145,7 +145,7 @@ class ChangeMenu(QMenu):
         def on_read(settings: Settings) -> None:
             title = tr("Calibrations of {0}").format(path.name)
             try:
-                count, left_out = take_calibrations(self._device.draft, settings, title)
+                count, left_out = set_calibrations(self._device.draft, settings, title)
             except BadRequest as error:
                 on_failed(error)
                 return

@@ -210,7 +210,7 @@ class DriveControl(ui.Card):
         self._entry = ui.named(SpeedEntry(self), f"{name}Entry")
         self._entry.setRange(lowest, FULL_SCALE)
         set_style_property(self._entry, "textSize", "title")
-        ui.make_bare(self._entry, str(-FULL_SCALE))
+        ui.strip_style(self._entry, str(-FULL_SCALE))
         self._setpoint = ui.named(ElidedLabel("", self), f"{name}Setpoint")
         self._current = LiveLabel(f"{name}Current", "", self)
         ui.set_bold(self._current)

@@ -153,12 +153,14 @@ class Options(ui.Card):
             "Stop both motors and the auxiliary when another page is shown or the window is "
             "minimised"
         )
-        self.stop_on_leaving = self._make_stored(
+        self.stop_on_leaving = self._create_stored(
             "stopOnLeaving", text, tip, "motors/stop_on_leaving"
         )
         text = tr("Sliders return to &zero")
         tip = tr("A slider drives only while you hold it; letting go brakes its motor")
-        self.return_to_zero = self._make_stored("returnToZero", text, tip, "motors/return_to_zero")
+        self.return_to_zero = self._create_stored(
+            "returnToZero", text, tip, "motors/return_to_zero"
+        )
 
         numbers = ui.grid(spacing=(_SPACING, _SPACING), stretch=[(0, 1)])
         for line, (text, entry) in enumerate(((title, brake), (lock_title, lock))):
@@ -173,7 +175,7 @@ class Options(ui.Card):
         motors.options_changed.connect(self._on_options_changed)
         self._on_options_changed()
 
-    def _make_stored(self, name: str, text: str, tip: str, key: str) -> QCheckBox:
+    def _create_stored(self, name: str, text: str, tip: str, key: str) -> QCheckBox:
         """Create a check box whose state is stored, by default cleared."""
         checked, store = self._store.flag(key, default=False), partial(self._store.set, key)
         return ui.check_box(self, name, text, tip=tip, checked=checked, on_toggle=store)

@@ -66,7 +66,7 @@ class MotorsPage(QWidget):
         self._holder = ""
         self._dragged: int | None = None
         self._is_held_still, self._held_in = False, QSize()
-        self._forget_holder = new_timer(self, 0, self._on_event_over, single_shot=True)
+        self._clear_holder = new_timer(self, 0, self._on_event_over, single_shot=True)
 
         self._head = PageHead("", self)
         ui.named(self._head.title, "motorsReason")
@@ -211,7 +211,7 @@ class MotorsPage(QWidget):
             self._motors.acquire(_name(number))
 
     def _on_released(self, number: int) -> None:
-        self._forget_holder.start()
+        self._clear_holder.start()
         self._motors.release(_name(number))
         self._show_setpoints()
 
@@ -261,7 +261,7 @@ class MotorsPage(QWidget):
         if self._motors.holder in own:
             self._holder = self._motors.holder
         elif self._holder:
-            self._forget_holder.start()
+            self._clear_holder.start()
         if self._pad.held and not self._pad_drive.held:
             self._pad.release()
 
@@ -380,7 +380,7 @@ class MotorsPage(QWidget):
 
     def changeEvent(self, event: QEvent) -> None:
         if event.type() == QEvent.Type.ActivationChange and self.isActiveWindow():
-            self._forget_holder.start()
+            self._clear_holder.start()
         super().changeEvent(event)
 
     @Slot()

@@ -125,7 +125,7 @@ class ParameterView(QTableView):
             return self.filter.best_match(self._model)
         return _value_at(super().moveCursor(action, modifiers))
 
-    def _begin_edit(self, key: str) -> None:
+    def _start_edit(self, key: str) -> None:
         value = self._model.index_of(key)
         self.setCurrentIndex(value)
         self.edit(value)
@@ -138,13 +138,13 @@ class ParameterView(QTableView):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         is_editing = self.state() is QAbstractItemView.State.EditingState
         if self.current_key and event.key() in _PRESS and not is_editing:
-            self._begin_edit(self.current_key)
+            self._start_edit(self.current_key)
         else:
             super().keyPressEvent(event)
 
     def _set_up_menu(self) -> None:
         model, copy = self._model, QKeySequence.StandardKey.Copy
-        self._edit = self._action("editParameter", self._begin_edit, tr("Edit"))
+        self._edit = self._action("editParameter", self._start_edit, tr("Edit"))
         text = tr("Try another &wire value…")
         self._try = self._action("tryParameter", lambda _key: self.wire_wanted.emit(), text)
         keys, leave_out = "Ctrl+Backspace", title_of(tr("Leave out of the fi&le"))
