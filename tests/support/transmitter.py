@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from random import Random
 
 from tests.support.simulator import SimulatedDevice
-from trex_gui.devices.trex.calibration.neutral import Sample
+from trex_gui.devices.trex.calibration.neutral import ChannelSample
 from trex_gui.devices.trex.protocol.flags import InputSource
 
 RATE = 50.0
@@ -59,12 +59,12 @@ class Stick:
         random: Random,
         start: float = 0.0,
         rate: float = RATE,
-    ) -> list[Sample]:
+    ) -> list[ChannelSample]:
         """What the board reports while it goes from position to position: (seconds, to where).
 
         A slow line asks less often than the board renews its inputs: `rate` times a second.
         """
-        taken: list[Sample] = []
+        taken: list[ChannelSample] = []
         position, missing, last = 0.0, 0, None
         pulses = 0
         for seconds, target in moves:
@@ -75,7 +75,7 @@ class Stick:
                 moment = pulses / RATE
                 last, missing = self._pulse(position, moment, random, last, missing)
                 if moment >= len(taken) / rate:
-                    taken.append(Sample(start + moment, last))
+                    taken.append(ChannelSample(start + moment, last))
                 pulses += 1
         return taken
 

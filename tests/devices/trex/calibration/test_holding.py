@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from tests.devices.trex.calibration.measure import neutral_of
 from tests.support.matrix import examples
 from tests.support.transmitter import RATE, Stick
-from trex_gui.devices.trex.calibration.neutral import Sample, measure_neutral
+from trex_gui.devices.trex.calibration.neutral import ChannelSample, measure_neutral
 from trex_gui.devices.trex.calibration.problems import ProblemKind
 from trex_gui.devices.trex.calibration.proposal import Proposal, propose
 from trex_gui.devices.trex.calibration.travel import TASKS, WINDOW, Task, Travel, Way
@@ -167,11 +167,11 @@ def test_switch_at_low_rate_must_be_held_in_position() -> None:
 
 
 def test_time_left_counts_samples_at_low_rate() -> None:
-    samples = [Sample(index / 4, 3750) for index in range(9)]  # two seconds
+    samples = [ChannelSample(index / 4, 3750) for index in range(9)]  # two seconds
     found = measure_neutral(samples, InputSource.RC)
     assert found is not None
     assert found.seconds_left == pytest.approx(1.5)
-    samples = [Sample(index / 4, 3750) for index in range(15)]
+    samples = [ChannelSample(index / 4, 3750) for index in range(15)]
     found = measure_neutral(samples, InputSource.RC)
     assert found is not None
     assert found.seconds_left == 0

@@ -9,7 +9,7 @@ from tests.support.matrix import examples
 from tests.support.transmitter import Stick
 from trex_gui.devices.trex.calibration.neutral import (
     LIMITS,
-    Sample,
+    ChannelSample,
     deadband_floor,
     measure_neutral,
 )
@@ -91,7 +91,7 @@ def test_drift_is_reported_only_beyond_its_limit(source: InputSource) -> None:
     def problems(drift: int) -> list[ProblemKind]:
         middle = source.highest_count // 2
         counts = [middle + step for step in (0, drift // 2, drift) for _ in range(25)]
-        samples = [Sample(i / 50, count) for i, count in enumerate(counts)]
+        samples = [ChannelSample(i / 50, count) for i, count in enumerate(counts)]
         found = measure_neutral(samples, source)
         assert found is not None
         return [problem.kind for problem in found.problems]
@@ -102,7 +102,9 @@ def test_drift_is_reported_only_beyond_its_limit(source: InputSource) -> None:
 
 def problems_of(counts: list[int]) -> list[tuple[ProblemKind, str]]:
     """Measure an RC input at rest that gives these counts, 50 a second."""
-    found = measure_neutral([Sample(i / 50, c) for i, c in enumerate(counts)], InputSource.RC)
+    found = measure_neutral(
+        [ChannelSample(i / 50, c) for i, c in enumerate(counts)], InputSource.RC
+    )
     assert found is not None
     return [(problem.kind, problem_text(problem)) for problem in found.problems]
 
@@ -153,7 +155,7 @@ def test_outliers_are_reported_only_beyond_three_percent() -> None:
 
 
 def test_single_outlier_does_not_count_as_noise() -> None:
-    samples = [Sample(i / 50, 5100 if i == 30 else 3750 + i % 2) for i in range(80)]
+    samples = [ChannelSample(i / 50, 5100 if i == 30 else 3750 + i % 2) for i in range(80)]
     found = measure_neutral(samples, InputSource.RC)
     assert found is not None
     assert not found.problems
@@ -163,7 +165,9 @@ def test_single_outlier_does_not_count_as_noise() -> None:
 @pytest.mark.parametrize("wild", [1, 2])
 def test_outliers_at_end_of_samples_are_ignored(wild: int) -> None:
     counts = [3750] * 80 + [5100] * wild
-    found = measure_neutral([Sample(i / 50, c) for i, c in enumerate(counts)], InputSource.RC)
+    found = measure_neutral(
+        [ChannelSample(i / 50, c) for i, c in enumerate(counts)], InputSource.RC
+    )
     assert found is not None
     assert not found.problems
 
@@ -198,7 +202,7 @@ def test_neutral_without_samples_is_none() -> None:
 
 
 def test_movement_is_reported_before_sampling_is_complete() -> None:
-    moving = [Sample(i / 50, 3750 + 40 * i) for i in range(10)]
+    moving = [ChannelSample(i / 50, 3750 + 40 * i) for i in range(10)]
     found = measure_neutral(moving, InputSource.RC)
     assert found is not None
     assert [problem.kind for problem in found.problems] == [ProblemKind.MOVED]

@@ -10,7 +10,7 @@ from tests.devices.trex.calibration.measure import check, learn, neutral_of, tra
 from tests.support.matrix import examples
 from tests.support.transmitter import HOLD, Stick
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
-from trex_gui.devices.trex.calibration.neutral import Sample
+from trex_gui.devices.trex.calibration.neutral import ChannelSample
 from trex_gui.devices.trex.calibration.problems import ProblemKind
 from trex_gui.devices.trex.calibration.proposal import Proposal, propose
 from trex_gui.devices.trex.calibration.travel import WINDOW, Task, Travel, Way, least_travel
@@ -181,7 +181,7 @@ def travel_of_counts(counts: list[int | None]) -> Travel:
     """Feed these counts, 50 a second, from a stick that rests at 3750."""
     travel = Travel(neutral_of(Stick()), Task.STICK)
     for step, count in enumerate(counts):
-        travel.feed(Sample(step / 50, count))
+        travel.feed(ChannelSample(step / 50, count))
     return travel
 
 

@@ -7,7 +7,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.window import LEFT, WidgetDriver
 from trex_gui.devices.trex.model.linter import SettingsLinter
-from trex_gui.devices.trex.model.parameters.parameters import Role
+from trex_gui.devices.trex.model.parameters.parameters import ParameterRole
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.parameters import ParameterSet
@@ -51,7 +51,7 @@ class ParametersDriver(WidgetDriver):
     def headings(self) -> list[QModelIndex]:
         rows = (row for row in range(self.model.rowCount()) if not self.view.isRowHidden(row))
         cells = (self.model.index(row, 0) for row in rows)
-        return [cell for cell in cells if cell.data(Role.GROUP) is not None]
+        return [cell for cell in cells if cell.data(ParameterRole.GROUP) is not None]
 
     @property
     def titles(self) -> list[str]:

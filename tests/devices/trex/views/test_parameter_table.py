@@ -11,7 +11,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.views.parameters import ParametersDriver
 from tests.support.window import LEFT
-from trex_gui.devices.trex.model.parameters.parameters import Role
+from trex_gui.devices.trex.model.parameters.parameters import ParameterRole
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.protocol.parameters import parameters_of
@@ -47,7 +47,7 @@ def test_first_value_is_selected_once_a_board_is_read(qtbot: QtBot) -> None:
     assert parameters.current == ""
 
     parameters.load(SPECS)
-    assert [heading.data(Role.GROUP) for heading in parameters.headings] == TASKS
+    assert [heading.data(ParameterRole.GROUP) for heading in parameters.headings] == TASKS
     assert parameters.current == FIRST
     assert parameters.view.verticalScrollBar().value() == 0, "the first heading is in sight"
 

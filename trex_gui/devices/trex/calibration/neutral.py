@@ -7,7 +7,7 @@ from math import ceil, pi, sqrt
 from statistics import median
 
 from trex_gui.core.translation import Number
-from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind
+from trex_gui.devices.trex.calibration.problems import CalibrationProblem, ProblemKind
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
 from trex_gui.devices.trex.protocol.flags import InputSource
 
@@ -39,7 +39,7 @@ _STILL = 0.75  # share of equal neighbours at standstill; polling reads some val
 
 
 @dataclass(frozen=True, slots=True)
-class Sample:
+class ChannelSample:
     """A raw count at a time in seconds. `None` without a valid signal."""
 
     time: float
@@ -73,7 +73,7 @@ class Neutral:
     invalid: float  # share of samples without a signal
     samples: int
     seconds: float  # from the first sample to the last
-    problems: tuple[Problem, ...]
+    problems: tuple[CalibrationProblem, ...]
 
     @property
     def seconds_left(self) -> float:
@@ -107,15 +107,15 @@ def swing_text(counts: float, source: InputSource) -> str:
     return f"±{1000 * source.physical(counts):.0f} mV"
 
 
-def no_signal(source: InputSource) -> Problem:
-    return Problem(ProblemKind.NO_SIGNAL, source.name)
+def no_signal(source: InputSource) -> CalibrationProblem:
+    return CalibrationProblem(ProblemKind.NO_SIGNAL, source.name)
 
 
-def lost_pulses(share: float, *, fatal: bool = True) -> Problem:
-    return Problem(ProblemKind.JITTER, "LOST", (share,), fatal)
+def lost_pulses(share: float, *, fatal: bool = True) -> CalibrationProblem:
+    return CalibrationProblem(ProblemKind.JITTER, "LOST", (share,), fatal)
 
 
-def measure_neutral(samples: Sequence[Sample], source: InputSource) -> Neutral | None:
+def measure_neutral(samples: Sequence[ChannelSample], source: InputSource) -> Neutral | None:
     """Judge a channel that should be at rest. `None` before the first valid sample."""
     if not samples:
         return None
@@ -130,12 +130,16 @@ def measure_neutral(samples: Sequence[Sample], source: InputSource) -> Neutral |
     spread = _deviation(counts)
     quiet, spikes = _without_spikes(counts, max(LIMITS[source].moved, 10 * spread))
     noise = max(quiet) - min(quiet)
-    problems: tuple[Problem, ...] = ()
+    problems: tuple[CalibrationProblem, ...] = ()
     if total >= _JUDGED_FROM:
         found = _movement(quiet, noise, spread, source), _jitter(invalid, spikes, total)
         problems = tuple(problem for problem in found if problem is not None)
         if not problems and noise > LIMITS[source].noisy:
-            problems = (Problem(ProblemKind.NOISE, source.name, (swing_text(noise / 2, source),)),)
+            problems = (
+                CalibrationProblem(
+                    ProblemKind.NOISE, source.name, (swing_text(noise / 2, source),)
+                ),
+            )
         if not problems and total >= _LEAST_SAMPLES and source is InputSource.RC:
             problems = _stuck(counts, spread, seconds / (total - 1))
     return Neutral(source, round(median(counts)), noise, spread, invalid, total, seconds, problems)
@@ -178,7 +182,7 @@ def _without_spikes(counts: Sequence[int], limit: float) -> tuple[Sequence[int],
 
 def _movement(
     counts: Sequence[int], noise: int, spread: float, source: InputSource
-) -> Problem | None:
+) -> CalibrationProblem | None:
     limits = LIMITS[source]
     third = len(counts) // 3
     drift = round(median(counts[-third:]) - median(counts[:third])) if third else 0
@@ -188,9 +192,11 @@ def _movement(
     is_steady = drifts and _noise_beside(counts, drift) <= noise_limit
     if noise > noise_limit and not is_steady:
         ends = source.text(min(counts)), source.text(max(counts))
-        return Problem(ProblemKind.MOVED, source.name, ends)
+        return CalibrationProblem(ProblemKind.MOVED, source.name, ends)
     if drifts:
-        return Problem(ProblemKind.MOVED, "UP" if drift > 0 else "DOWN", (source.text(abs(drift)),))
+        return CalibrationProblem(
+            ProblemKind.MOVED, "UP" if drift > 0 else "DOWN", (source.text(abs(drift)),)
+        )
     return None
 
 
@@ -201,15 +207,15 @@ def _noise_beside(counts: Sequence[int], drift: int) -> float:
     return max(level) - min(level)
 
 
-def _jitter(invalid: float, spikes: int, total: int) -> Problem | None:
+def _jitter(invalid: float, spikes: int, total: int) -> CalibrationProblem | None:
     if invalid > _MOST_INVALID:
         return lost_pulses(invalid)
     if spikes > max(1, ceil(_MOST_SPIKES * total)):
-        return Problem(ProblemKind.JITTER, "SPIKES", (spikes, total))
+        return CalibrationProblem(ProblemKind.JITTER, "SPIKES", (spikes, total))
     return None
 
 
-def _stuck(counts: Sequence[int], spread: float, interval: float) -> tuple[Problem, ...]:
+def _stuck(counts: Sequence[int], spread: float, interval: float) -> tuple[CalibrationProblem, ...]:
     """Estimate how many pulses are lost, though the board repeats the last value for each.
 
     Every value differs from the one before, except for some that are equal by chance or were read
@@ -225,4 +231,4 @@ def _stuck(counts: Sequence[int], spread: float, interval: float) -> tuple[Probl
     share = (alike - by_chance) / (1 - by_chance)
     if share < _STUCK_SHOWN:
         return ()
-    return (Problem(ProblemKind.JITTER, "STUCK", (share,), fatal=False),)
+    return (CalibrationProblem(ProblemKind.JITTER, "STUCK", (share,), fatal=False),)

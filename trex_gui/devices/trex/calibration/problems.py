@@ -26,7 +26,7 @@ class ProblemKind(Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Problem:
+class CalibrationProblem:
     """A problem. Nothing can be learned while a `fatal` one remains."""
 
     kind: ProblemKind
@@ -35,5 +35,5 @@ class Problem:
     fatal: bool = True
 
 
-def has_fatal(problems: tuple[Problem, ...]) -> bool:
+def has_fatal(problems: tuple[CalibrationProblem, ...]) -> bool:
     return any(problem.fatal for problem in problems)

@@ -5,7 +5,7 @@ from math import ceil
 
 from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.calibration.neutral import Neutral, deadband_floor, swing_text
-from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind, has_fatal
+from trex_gui.devices.trex.calibration.problems import CalibrationProblem, ProblemKind, has_fatal
 from trex_gui.devices.trex.calibration.travel import Task, Travel, Way
 from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED, Calibration
 
@@ -27,7 +27,7 @@ class Proposal:
     reversed_: bool  # whether the channel should be reversed
     reversed_reason: str  # empty when that stays as it is
     reasons: tuple[str, ...]  # where the values come from
-    problems: tuple[Problem, ...]
+    problems: tuple[CalibrationProblem, ...]
 
 
 def propose(neutral: Neutral, travel: Travel, *, reversed_now: bool) -> Proposal:
@@ -42,7 +42,7 @@ def propose(neutral: Neutral, travel: Travel, *, reversed_now: bool) -> Proposal
         deadband=neutral.deadband,
     )
     if refused := wanted.problem():
-        problems += (Problem(ProblemKind.REFUSED, "MEASURED", (refused,)),)
+        problems += (CalibrationProblem(ProblemKind.REFUSED, "MEASURED", (refused,)),)
         return Proposal(None, reversed_now, "", (), problems)
     reasons = [_ends_reason(neutral, travel)]
     if neutral.noise > deadband_floor(neutral.source):

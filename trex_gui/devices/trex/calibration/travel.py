@@ -9,12 +9,12 @@ from statistics import median, median_low
 
 from trex_gui.devices.trex.calibration.neutral import (
     LIMITS,
+    ChannelSample,
     Neutral,
-    Sample,
     lost_pulses,
     no_signal,
 )
-from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind
+from trex_gui.devices.trex.calibration.problems import CalibrationProblem, ProblemKind
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.flags import InputSource
 
@@ -130,7 +130,7 @@ class Travel:
         self._samples = 0
         self._invalid = 0
 
-    def feed(self, sample: Sample) -> None:
+    def feed(self, sample: ChannelSample) -> None:
         self._samples += 1
         self._times.append(sample.time)
         if sample.count is None:
@@ -248,7 +248,7 @@ class Travel:
     # --- Problems -----------------------------------------------------------------------
 
     @property
-    def problems(self) -> tuple[Problem, ...]:
+    def problems(self) -> tuple[CalibrationProblem, ...]:
         if self._samples and self._invalid > self._samples / 2:
             return (no_signal(self.source),)
         found = self._length_problem()
@@ -257,7 +257,7 @@ class Travel:
             return (*problems, lost_pulses(self._invalid / self._samples, fatal=False))
         return problems
 
-    def _length_problem(self) -> Problem | None:
+    def _length_problem(self) -> CalibrationProblem | None:
         shorter, longer = sorted(Way, key=self.length)
         shortest, longest = self.length(shorter), self.length(longer)
         text, least = self.source.text, least_travel(self.deadband)
@@ -266,32 +266,36 @@ class Travel:
             return self._never_moved()
         if shortest < -self.deadband:
             places = text(self.neutral), text(self.end(Way.DOWN)), text(self.end(Way.UP))
-            return Problem(ProblemKind.NEUTRAL_OUTSIDE, values=places)
+            return CalibrationProblem(ProblemKind.NEUTRAL_OUTSIDE, values=places)
         if longest < least:
-            return Problem(ProblemKind.TOO_LITTLE, values=(text(longest), *needed))
+            return CalibrationProblem(ProblemKind.TOO_LITTLE, values=(text(longest), *needed))
         if self.task is not Task.STICK:
             return self._not_held()
         if shortest <= self.deadband:
-            return Problem(ProblemKind.ONE_DIRECTION, shorter.name)
+            return CalibrationProblem(ProblemKind.ONE_DIRECTION, shorter.name)
         if shortest < least:
-            return Problem(ProblemKind.END_TOO_NEAR, shorter.name, (text(shortest), *needed))
+            return CalibrationProblem(
+                ProblemKind.END_TOO_NEAR, shorter.name, (text(shortest), *needed)
+            )
         if (passed := self._not_held()) is not None:
             return passed
         if shortest < _UNEVEN * longest:
             lengths = text(longest), text(shortest)
-            return Problem(ProblemKind.UNEVEN, shorter.name, lengths, fatal=False)
+            return CalibrationProblem(ProblemKind.UNEVEN, shorter.name, lengths, fatal=False)
         return None
 
-    def _never_moved(self) -> Problem:
+    def _never_moved(self) -> CalibrationProblem:
         if self.source is InputSource.RC:
-            return Problem(ProblemKind.NEVER_MOVED, "RC")
+            return CalibrationProblem(ProblemKind.NEVER_MOVED, "RC")
         at_rail = self.neutral <= _RAIL or self.neutral >= self.source.highest_count - _RAIL
         variant = "RAIL" if at_rail else "ANALOG"
-        return Problem(ProblemKind.NEVER_MOVED, variant, (self.source.text(self.neutral),))
+        return CalibrationProblem(
+            ProblemKind.NEVER_MOVED, variant, (self.source.text(self.neutral),)
+        )
 
-    def _not_held(self) -> Problem | None:
+    def _not_held(self) -> CalibrationProblem | None:
         ends = [way.name for way in Way if self.reached(way) and not self.held(way)]
         if not ends:
             return None
         variant = ends[0] if len(ends) == 1 else "BOTH"
-        return Problem(ProblemKind.NOT_HELD, variant, (self.hold_seconds,))
+        return CalibrationProblem(ProblemKind.NOT_HELD, variant, (self.hold_seconds,))

@@ -18,7 +18,7 @@ NEEDS_EXTRA = tr_noop(
 )
 
 
-class Session(Protocol):
+class BoardSession(Protocol):
     def run(self) -> None: ...
 
 
@@ -38,7 +38,7 @@ def session_at(
     clock: Callable[[], float],
     *,
     may_move: bool = False,
-) -> Session:
+) -> BoardSession:
     """Return the session of the board at these settings. See `TrexSession` for the arguments."""
     if not is_served(settings.url):
         return TrexSession(settings, inbox, emit, open_transport, may_move=may_move)

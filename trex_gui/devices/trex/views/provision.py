@@ -129,7 +129,7 @@ class ProfilePage(Page):
         self.trouble.show_note("")
 
 
-class BoardPage(Page):
+class BoardStep(Page):
     """Settings for the next board, beside the finished boards."""
 
     def __init__(self, work: Provision, device: Device) -> None:
@@ -184,7 +184,7 @@ class BoardPage(Page):
         return text.format(board.name, board.number, board.board)
 
 
-class MotorsPage(Page):
+class MotorsStep(Page):
     """Turns each motor while its button is held."""
 
     def __init__(self, work: Provision, device: Device) -> None:
@@ -207,8 +207,8 @@ class ProvisionFlow(Flow):
         self._device = device
         self.work = work = Provision(device, self)
         self._first = ProfilePage(self._start)
-        self._board: BoardPage | None = None
-        self._motors: MotorsPage | None = None
+        self._board: BoardStep | None = None
+        self._motors: MotorsStep | None = None
         self._is_loading = False
         for changed in (work.changed, device.writer.changed):
             changed.connect(self.changed)
@@ -309,7 +309,7 @@ class ProvisionFlow(Flow):
         if self.work.step is ProvisionStep.PROFILE:
             return self._first
         if self.work.step is ProvisionStep.MOTORS:
-            self._motors = self._motors or MotorsPage(self.work, self._device)
+            self._motors = self._motors or MotorsStep(self.work, self._device)
             return self._motors
-        self._board = self._board or BoardPage(self.work, self._device)
+        self._board = self._board or BoardStep(self.work, self._device)
         return self._board

@@ -10,7 +10,7 @@ from pytestqt.qtbot import QtBot
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.linter import SettingsLinter
-from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, Role
+from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, ParameterRole
 from trex_gui.devices.trex.model.parameters.text import (
     ParameterColumn,
     frequency_code,
@@ -55,7 +55,7 @@ def said(model: ParameterModel, key: str, role: int = Qt.ItemDataRole.DisplayRol
 
 def heading(model: ParameterModel, task: str) -> QModelIndex:
     rows = (model.index(row, 0) for row in range(model.rowCount()))
-    return next(row for row in rows if row.data(Role.GROUP) == task)
+    return next(row for row in rows if row.data(ParameterRole.GROUP) == task)
 
 
 # --- Headings ---------------------------------------------------------------------------
@@ -63,7 +63,7 @@ def heading(model: ParameterModel, task: str) -> QModelIndex:
 
 def test_tasks_are_listed_in_order(model: ParameterModel) -> None:
     rows = (model.index(row, 0) for row in range(model.rowCount()))
-    titles = [row.data() for row in rows if row.data(Role.GROUP) is not None]
+    titles = [row.data() for row in rows if row.data(ParameterRole.GROUP) is not None]
     assert titles == ["Motors and speed ramp", "Braking", "Current", "PWM", "Inputs", "Serial"]
 
 
@@ -81,8 +81,8 @@ def test_heading_counts_modified_parameters(model: ParameterModel, qtbot: QtBot)
 
 def test_heading_has_no_parameter_data_and_is_passed_by(model: ParameterModel) -> None:
     serial = heading(model, "serial")
-    for role in Role:
-        if role is not Role.GROUP:
+    for role in ParameterRole:
+        if role is not ParameterRole.GROUP:
             assert serial.data(role) is None
     value = serial.siblingAtColumn(ParameterColumn.MOTOR1)
     assert value.data() is None
@@ -127,10 +127,10 @@ def test_reset_to_default_is_an_edit(model: ParameterModel, undo: QUndoStack) ->
     assert model.values.value_of("serial_timeout") == FACTORY["serial_timeout"]
     assert not undo.canUndo()
     model.load(SPECS, FACTORY | {"serial_timeout": 15}, {}, power_cycled=True)
-    assert said(model, "serial_timeout", Role.RESET) == "Reset to default: 0 (off)"
+    assert said(model, "serial_timeout", ParameterRole.RESET) == "Reset to default: 0 (off)"
     model.reset("serial_timeout")
     assert dict(model.values.pending) == {"serial_timeout": 0}
-    assert model.index_of("serial_timeout").data(Role.RESET) is None
+    assert model.index_of("serial_timeout").data(ParameterRole.RESET) is None
     undo.undo()
     assert not model.values.pending
 
@@ -229,7 +229,7 @@ def test_accepted_finding_changes_both_motors_in_one_step(qtbot: QtBot) -> None:
 
 def test_adding_a_parameter_to_a_file_can_be_undone(file: ParameterModel, undo: QUndoStack) -> None:
     assert said(file, "motor_mode") == "not given"
-    assert file.index_of("motor_mode").data(Role.RESET) is None
+    assert file.index_of("motor_mode").data(ParameterRole.RESET) is None
     file.edit("motor_mode", 0)
     assert dict(file.values.pending) == {"motor_mode": 0}
     assert file.values.all_shown["motor_mode"] == 0
@@ -249,7 +249,7 @@ def test_leaving_out_a_parameter_of_a_file_can_be_undone(
     assert not file.values.pending
     assert "serial_timeout" not in file.values.all_shown
     assert file.values.all_stored["serial_timeout"] == 5
-    assert file.index_of("serial_timeout").data(Role.DIRTY) is True
+    assert file.index_of("serial_timeout").data(ParameterRole.DIRTY) is True
     undo.undo()
     assert not file.values.modified
     undo.redo()
@@ -345,7 +345,7 @@ def test_prescaler_and_maximum_are_one_value(
     model.edit("motor1_pwm_prescaler", 0, alone=True)  # as a settings file or a finding changes it
     assert cell.data() == "19531 Hz"
     assert cell.row() in reports
-    assert cell.data(Role.DIRTY) is True
+    assert cell.data(ParameterRole.DIRTY) is True
 
 
 def test_frequency_that_no_choice_gives_is_shown_as_it_is(model: ParameterModel) -> None:
@@ -362,7 +362,7 @@ def test_frequency_that_no_choice_gives_is_shown_as_it_is(model: ParameterModel)
     unread = {key: wire for key, wire in FACTORY.items() if key != "motor1_pwm_prescaler"}
     model.load(SPECS, unread, {"motor1_pwm_prescaler": "No reply."}, power_cycled=True)
     cell = model.index_of("motor1_pwm_maximum")
-    assert (cell.data(), cell.data(Role.PROBLEM)) == ("not read", "No reply.")
+    assert (cell.data(), cell.data(ParameterRole.PROBLEM)) == ("not read", "No reply.")
     assert not cell.flags() & Qt.ItemFlag.ItemIsEditable
 
 

@@ -9,7 +9,7 @@ from pytestqt.qtbot import QtBot
 
 from trex_gui.core.errors import NoReply
 from trex_gui.devices.trex.board import WriteResult
-from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, Role
+from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, ParameterRole
 from trex_gui.devices.trex.model.parameters.text import (
     ParameterColumn,
 )
@@ -51,7 +51,7 @@ def edit(model: ParameterModel, key: str, wire: object) -> bool:
     return model.setData(model.index_of(key), wire)
 
 
-def of(model: ParameterModel, key: str, role: Role) -> object:
+def of(model: ParameterModel, key: str, role: ParameterRole) -> object:
     found: object = model.index_of(key).data(role)
     return found
 
@@ -110,7 +110,7 @@ def test_unread_parameter_shows_the_reason(model: ParameterModel) -> None:
     del stored["serial_timeout"]
     load(model, stored, unread={"serial_timeout": "No reply to 9F 07."})
     assert text(model, "serial_timeout") == "not read"
-    assert of(model, "serial_timeout", Role.PROBLEM) == "No reply to 9F 07."
+    assert of(model, "serial_timeout", ParameterRole.PROBLEM) == "No reply to 9F 07."
     assert "No reply to 9F 07." in str(
         model.index_of("serial_timeout").data(Qt.ItemDataRole.AccessibleTextRole)
     )
@@ -125,7 +125,7 @@ def test_edit_is_shown_and_pending(model: ParameterModel, qtbot: QtBot) -> None:
         assert edit(model, "serial_timeout", 15)
     assert model.values.pending == (("serial_timeout", 15),)
     assert text(model, "serial_timeout") == "1.5 s"
-    assert of(model, "serial_timeout", Role.DIRTY) is True
+    assert of(model, "serial_timeout", ParameterRole.DIRTY) is True
     assert model.values.value_of("serial_timeout") == 15
     assert model.values.stored.get("serial_timeout") == SPECS["serial_timeout"].default
 
@@ -172,10 +172,10 @@ def test_failed_write_stays_pending_with_a_reason(model: ParameterModel, qtbot: 
         [WriteResult("serial_timeout", 9), WriteResult("motor_mode", error=NoReply("No answer."))]
     )
     assert model.values.pending == (("motor_mode", 1),)
-    assert of(model, "motor_mode", Role.PROBLEM) == "No answer."
-    assert of(model, "serial_timeout", Role.PROBLEM) is None
+    assert of(model, "motor_mode", ParameterRole.PROBLEM) == "No answer."
+    assert of(model, "serial_timeout", ParameterRole.PROBLEM) is None
     model.record_results([WriteResult("motor_mode", 1)])
-    assert of(model, "motor_mode", Role.PROBLEM) is None
+    assert of(model, "motor_mode", ParameterRole.PROBLEM) is None
 
 
 def test_results_of_other_keys_are_ignored(model: ParameterModel) -> None:
@@ -192,8 +192,8 @@ def test_parameters_waiting_for_a_power_cycle_are_named(model: ParameterModel) -
     assert not model.values.waiting_for_power
     model.record_stored({"motor_mode": 1, "serial_timeout": 9})
     assert model.values.waiting_for_power == ("Motor Mode",)
-    assert of(model, "motor_mode", Role.WAITING) is not None
-    assert of(model, "serial_timeout", Role.WAITING) is None
+    assert of(model, "motor_mode", ParameterRole.WAITING) is not None
+    assert of(model, "serial_timeout", ParameterRole.WAITING) is None
 
 
 # --- Another board ----------------------------------------------------------------------

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
-from trex_gui.devices.trex.calibration.neutral import Neutral, Sample, no_signal
-from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind, has_fatal
+from trex_gui.devices.trex.calibration.neutral import ChannelSample, Neutral, no_signal
+from trex_gui.devices.trex.calibration.problems import CalibrationProblem, ProblemKind, has_fatal
 from trex_gui.devices.trex.calibration.proposal import Proposal, propose
 from trex_gui.devices.trex.calibration.travel import TASKS, Task, Travel
 from trex_gui.devices.trex.model.device import Device
@@ -113,7 +113,7 @@ class LearnedChannel:
         self._parabolic = is_in(parameters.values.value_of(ParameterKey.PARABOLIC_CHANNELS))
         self._ignored = is_in(parameters.values.value_of(ParameterKey.IGNORED_CHANNELS))
         self.raw: int | None = None  # the newest count; `None` without a signal
-        self.samples: list[Sample] = []  # of the rest position, of which `neutral` is made
+        self.samples: list[ChannelSample] = []  # of the rest position, of which `neutral` is made
         self.neutral: Neutral | None = None
         self.travel: Travel | None = None  # follows the ends; `None` without a rest position
         self.proposal: Proposal | None = None
@@ -121,7 +121,7 @@ class LearnedChannel:
         self._heard_at: float | None = None
         self.time = 0.0  # of the newest sample
 
-    def feed(self, sample: Sample) -> None:
+    def feed(self, sample: ChannelSample) -> None:
         self.raw = sample.count
         self.time = sample.time
         if sample.count is not None or self._heard_at is None:
@@ -199,14 +199,14 @@ class LearnedChannel:
         )
 
     @property
-    def rest_problems(self) -> tuple[Problem, ...]:
+    def rest_problems(self) -> tuple[CalibrationProblem, ...]:
         """The problems of the rest position, or of a signal that is not sampled yet."""
         if self.neutral is not None:
             return self.neutral.problems
         return (no_signal(self.source),) if self.is_silent else ()
 
     @property
-    def result_problems(self) -> tuple[Problem, ...]:
+    def result_problems(self) -> tuple[CalibrationProblem, ...]:
         """The problems of the measurement and of the chosen values."""
         if self.proposal is None:
             return self.rest_problems
@@ -215,4 +215,7 @@ class LearnedChannel:
         if (check := self._check) is not None:
             return self.proposal.problems + check.problems
         refused = self.choice.calibration.problem()
-        return (*self.proposal.problems, Problem(ProblemKind.REFUSED, "CHOSEN", (refused,)))
+        return (
+            *self.proposal.problems,
+            CalibrationProblem(ProblemKind.REFUSED, "CHOSEN", (refused,)),
+        )

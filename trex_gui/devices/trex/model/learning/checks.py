@@ -7,7 +7,7 @@ from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.calibration.neutral import Neutral
-from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind
+from trex_gui.devices.trex.calibration.problems import CalibrationProblem, ProblemKind
 from trex_gui.devices.trex.calibration.travel import Task, Travel, Way
 from trex_gui.devices.trex.model.channel_text import concern, deadband_problem
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
@@ -32,10 +32,11 @@ class Check:
     travel: Travel
 
     @property
-    def problems(self) -> tuple[Problem, ...]:
+    def problems(self) -> tuple[CalibrationProblem, ...]:
         """Warnings: none of them is fatal."""
         return tuple(
-            Problem(kind, variant, values, fatal=False) for kind, variant, values in self._found()
+            CalibrationProblem(kind, variant, values, fatal=False)
+            for kind, variant, values in self._found()
         )
 
     @property

@@ -9,7 +9,11 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.calibration.neutral import SAMPLING_SECONDS, Sample, measure_neutral
+from trex_gui.devices.trex.calibration.neutral import (
+    SAMPLING_SECONDS,
+    ChannelSample,
+    measure_neutral,
+)
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.channels import Counts, LearnedChannel, MeasuredInputs
 from trex_gui.devices.trex.model.learning.pending_values import PendingLearnedValues
@@ -318,7 +322,7 @@ class Learning(QObject):
     def _feed_channels(self, measured: Sequence[tuple[float, Counts]]) -> None:
         for channel in self.channels:
             for moment, counts in measured:
-                sample = Sample(moment, counts[CHANNELS.index(channel.number)])
+                sample = ChannelSample(moment, counts[CHANNELS.index(channel.number)])
                 channel.feed(sample)
                 if self.sampling:
                     channel.samples.append(sample)

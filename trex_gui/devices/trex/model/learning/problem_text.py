@@ -1,16 +1,16 @@
 """Sentences for the problems of a channel that is learned."""
 
 from trex_gui.core.translation import Number, tr
-from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind
+from trex_gui.devices.trex.calibration.problems import CalibrationProblem, ProblemKind
 
 
-def problem_text(problem: Problem) -> str:
+def problem_text(problem: CalibrationProblem) -> str:
     return " ".join(_sentences()[problem.kind, problem.variant]).format(
         *(Number(value) if isinstance(value, float) else value for value in problem.values)
     )
 
 
-def problems_text(problems: tuple[Problem, ...]) -> str:
+def problems_text(problems: tuple[CalibrationProblem, ...]) -> str:
     return " ".join(map(problem_text, problems))
 
 

@@ -42,7 +42,7 @@ _FIXED = Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.
 _EDITABLE = _FIXED | Qt.ItemFlag.ItemIsEditable
 
 
-class Role(IntEnum):
+class ParameterRole(IntEnum):
     """Data of a cell besides its text. A heading has GROUP only.
 
     RESET is the effect of a reset to the default, `None` where nothing differs. The name of a row
@@ -86,11 +86,13 @@ class ParameterModel(QAbstractTableModel):
             Qt.ItemDataRole.DisplayRole: self.text.value,
             Qt.ItemDataRole.EditRole: self._number,
             Qt.ItemDataRole.AccessibleTextRole: self.text.spoken,
-            Role.KEY: str,
-            Role.DIRTY: lambda key: any(map(self.values.is_modified, self.text.together(key))),
-            Role.WAITING: lambda key: self.values.active.get(key),  # noqa: PLW0108
-            Role.PROBLEM: self._problem,
-            Role.RESET: self._reset_text,
+            ParameterRole.KEY: str,
+            ParameterRole.DIRTY: lambda key: any(
+                map(self.values.is_modified, self.text.together(key))
+            ),
+            ParameterRole.WAITING: lambda key: self.values.active.get(key),  # noqa: PLW0108
+            ParameterRole.PROBLEM: self._problem,
+            ParameterRole.RESET: self._reset_text,
         }
 
     # --- Reports of the device ----------------------------------------------------------
@@ -324,7 +326,7 @@ class ParameterModel(QAbstractTableModel):
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         source = self._sources.get(role)
-        if (source is None and role != Role.GROUP) or not index.isValid():
+        if (source is None and role != ParameterRole.GROUP) or not index.isValid():
             return None
         key = self._key_at(index)
         if not key:
@@ -350,7 +352,7 @@ class ParameterModel(QAbstractTableModel):
 
     def _heading_data(self, index: Index, role: int) -> Any:
         heading = self.rows[index.row()]
-        if role == Role.GROUP:
+        if role == ParameterRole.GROUP:
             return heading.group
         if role != Qt.ItemDataRole.DisplayRole or index.column() > 0:
             return None

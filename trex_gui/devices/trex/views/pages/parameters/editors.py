@@ -28,7 +28,7 @@ from PySide6.QtWidgets import (
 from trex_gui.core.decimals import quantity
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.model.parameters.parameters import Index, ParameterModel, Role
+from trex_gui.devices.trex.model.parameters.parameters import Index, ParameterModel, ParameterRole
 from trex_gui.devices.trex.model.parameters.text import (
     ParameterColumn,
     frequency_code,
@@ -296,7 +296,7 @@ class ParameterDelegate(UnitDelegate):
 
     def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: Index) -> QWidget:
         del option
-        key, text = str(index.data(Role.KEY)), self._model.text
+        key, text = str(index.data(ParameterRole.KEY)), self._model.text
         is_frequency = len(text.together(key)) > 1
         editor: Editor = (
             FrequencyEditor(text.frequencies, parent)
@@ -330,7 +330,7 @@ class ParameterDelegate(UnitDelegate):
         wire = index.data(Qt.ItemDataRole.EditRole)
         untouched = editor.property(_UNTOUCHED)
         cast("Editor", editor).setValue(
-            self._model.default_number(str(index.data(Role.KEY))) if wire is None else wire
+            self._model.default_number(str(index.data(ParameterRole.KEY))) if wire is None else wire
         )
         editor.setProperty(_UNTOUCHED, untouched)  # not changed by the user
 
@@ -367,18 +367,18 @@ class ParameterDelegate(UnitDelegate):
             and event.type() in _CLICKS
             and self._reset_place(option, index).contains(event.position().toPoint())
         ):
-            self._model.reset(str(index.data(Role.KEY)))
+            self._model.reset(str(index.data(ParameterRole.KEY)))
             return True
         return super().editorEvent(event, model, option, index)
 
     def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
         super().initStyleOption(option, index)
         option.state &= ~QStyle.StateFlag.State_Selected  # `paint` shows it
-        if index.data(Role.GROUP) is not None:
+        if index.data(ParameterRole.GROUP) is not None:
             option.state |= QStyle.StateFlag.State_Enabled
             _write(option, "muted", bold=True)
         elif index.column() != ParameterColumn.NAME:
-            if index.data(Role.DIRTY):
+            if index.data(ParameterRole.DIRTY):
                 _write(option, "dirty", bold=True)
             elif index.data(Qt.ItemDataRole.EditRole) is None:
                 _write(option, "muted")
@@ -389,7 +389,7 @@ class ParameterDelegate(UnitDelegate):
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
         """Paint the current row, a sign before a value, and the icon that resets it."""
         cell, is_value = QRect(option.rect), index.column() != ParameterColumn.NAME
-        if index.data(Role.GROUP) is not None:
+        if index.data(ParameterRole.GROUP) is not None:
             painter.setPen(theme().color("hairline"))
             painter.drawLine(cell.topLeft(), cell.topRight())
         else:
@@ -415,17 +415,19 @@ class ParameterDelegate(UnitDelegate):
 
     def _sign(self, index: Index) -> str:
         """Return the sign of the most important state of a value. Empty for none."""
-        if index.data(Role.PROBLEM) or self._has_finding(str(index.data(Role.KEY))):
+        if index.data(ParameterRole.PROBLEM) or self._has_finding(
+            str(index.data(ParameterRole.KEY))
+        ):
             return "warning"
-        if index.data(Role.DIRTY):
+        if index.data(ParameterRole.DIRTY):
             return "edited"
-        return "power" if index.data(Role.WAITING) is not None else ""
+        return "power" if index.data(ParameterRole.WAITING) is not None else ""
 
     def _reset_place(self, option: QStyleOptionViewItem, index: Index) -> QRect:
         """Return where the icon is that resets a value. Empty without one, or room for it."""
         place, cell = QRect(0, 0, _ICON, _ICON), option.rect
         place.moveCenter(QPoint(cell.right() - _ICON, cell.center().y()))
-        if index.data(Role.RESET) is None:
+        if index.data(ParameterRole.RESET) is None:
             return QRect()
         return place if self.sizeHint(option, index).width() < cell.width() - 2 * _ICON else QRect()
 

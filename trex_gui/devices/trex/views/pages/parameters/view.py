@@ -17,7 +17,7 @@ from PySide6.QtWidgets import QAbstractItemView, QMenu, QTableView, QWidget
 
 from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, Role
+from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, ParameterRole
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.protocol.parameters import motor_name
 from trex_gui.devices.trex.views.pages.parameters.editors import ParameterDelegate
@@ -113,7 +113,7 @@ class ParameterView(QTableView):
     @property
     def current_key(self) -> str:
         """The parameter of the current cell. Empty without one."""
-        return str(self.currentIndex().data(Role.KEY) or "")
+        return str(self.currentIndex().data(ParameterRole.KEY) or "")
 
     def indexAt(self, pos: QPoint) -> QModelIndex:  # noqa: N802 # of Qt
         return _value_at(super().indexAt(pos))
@@ -132,7 +132,7 @@ class ParameterView(QTableView):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         super().mousePressEvent(event)
-        if self.indexAt(event.position().toPoint()).data(Role.KEY) is None:
+        if self.indexAt(event.position().toPoint()).data(ParameterRole.KEY) is None:
             self.setCurrentIndex(QModelIndex())  # else keys would edit a cell clicked before
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -200,7 +200,7 @@ class ParameterView(QTableView):
         if event.reason() is QContextMenuEvent.Reason.Keyboard:
             index = self.currentIndex()
             place = self.visualRect(index).center()
-        if index.data(Role.KEY) is not None:
+        if index.data(ParameterRole.KEY) is not None:
             self.setCurrentIndex(index)
             self._menu.popup(self.viewport().mapToGlobal(place))
 
@@ -221,8 +221,10 @@ class ParameterView(QTableView):
         self._try.setVisible(model.open_key(key) is not None)
         self._try.setEnabled(can_edit)
         self._reset.setText(model.text.reset(key))
-        self._reset.setEnabled(can_edit and self.currentIndex().data(Role.RESET) is not None)
-        self._restore.setEnabled(can_edit and bool(self.currentIndex().data(Role.DIRTY)))
+        self._reset.setEnabled(
+            can_edit and self.currentIndex().data(ParameterRole.RESET) is not None
+        )
+        self._restore.setEnabled(can_edit and bool(self.currentIndex().data(ParameterRole.DIRTY)))
         self._leave_out.setVisible(model.values.can_leave_out(key))
         other_motor = model.values.other_motor_of(key)
         self._to_other_motor.setVisible(other_motor is not None)
@@ -255,5 +257,5 @@ class ParameterView(QTableView):
 
 def _value_at(index: QModelIndex) -> QModelIndex:
     """Return the value that a name stands for. Any other cell itself."""
-    is_name = index.column() == ParameterColumn.NAME and index.data(Role.KEY) is not None
+    is_name = index.column() == ParameterColumn.NAME and index.data(ParameterRole.KEY) is not None
     return index.siblingAtColumn(ParameterColumn.MOTOR1) if is_name else index
