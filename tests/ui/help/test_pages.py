@@ -25,7 +25,9 @@ def test_links_of_pages_lead_somewhere() -> None:
             assert file.is_relative_to(ROOT / "resources"), "what else is there is not shipped"
 
 
-@pytest.mark.parametrize("name", ["README.md", "CONTRIBUTING.md", "trex_gui/README.md"])
+@pytest.mark.parametrize(
+    "name", ["README.md", "CONTRIBUTING.md", "SECURITY.md", "trex_gui/README.md"]
+)
 def test_links_of_document_lead_somewhere(name: str) -> None:
     check_links((ROOT / name).read_text(encoding="utf-8"), ROOT / name)
 
