@@ -26,7 +26,15 @@ def test_links_of_pages_lead_somewhere() -> None:
 
 
 @pytest.mark.parametrize(
-    "name", ["README.md", "CONTRIBUTING.md", "SECURITY.md", "trex_gui/README.md"]
+    "name",
+    [
+        "README.md",
+        "CONTRIBUTING.md",
+        "SECURITY.md",
+        "tests/README.md",
+        "trex_gui/README.md",
+        "trex_gui/devices/trex/README.md",
+    ],
 )
 def test_links_of_document_lead_somewhere(name: str) -> None:
     check_links((ROOT / name).read_text(encoding="utf-8"), ROOT / name)
