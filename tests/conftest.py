@@ -118,6 +118,18 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     config.hook.pytest_deselected(items=slow)
 
 
+def pytest_collection_finish() -> None:
+    """Keep Python's collector out of all threads but the GUI thread, as the program does.
+
+    What is loaded by now stays: looking through it each time would take a fifth of the run. The
+    collector stays off to the end of the process: switched on, it would run next in whichever
+    thread allocates, and windows that it frees there take the process with them.
+    """
+    gc.disable()
+    gc.collect()
+    gc.freeze()
+
+
 @pytest.fixture
 def virtual_time(request: pytest.FixtureRequest) -> Iterator[VirtualRuntime]:
     """Run the program in virtual time."""
@@ -134,20 +146,17 @@ def _is_real(request: pytest.FixtureRequest) -> bool:
 
 
 @pytest.fixture(autouse=True)
-def _time(request: pytest.FixtureRequest) -> Iterator[None]:
-    """Run the program in virtual time, unless a test is marked `realtime`."""
+def _time(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """Run the program in virtual time, with the same port on every computer.
+
+    Tests marked `realtime` have the clock and the ports of the computer.
+    """
     if not _is_real(request):
         request.getfixturevalue("virtual_time")
-    yield
-    end_background(60_000)  # files that were still read when the window closed
-
-
-@pytest.fixture(autouse=True)
-def _has_one_port(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
-    """List the same port on every computer in virtual time. Nothing could open another one."""
-    if not _is_real(request):
         ports = [ListPortInfo("/dev/ttyS0")]
         monkeypatch.setattr(list_ports, "comports", lambda: ports)
+    yield
+    end_background(60_000)  # files that were still read when the window closed
 
 
 @pytest.fixture(scope="session")
@@ -167,15 +176,18 @@ def qtbot(qapp: QApplication, request: pytest.FixtureRequest) -> QtBot:
     return VirtualQtBot(request, request.getfixturevalue("virtual_time"))
 
 
-@pytest.fixture(autouse=True)
-def _usual_scheme() -> Iterator[None]:
-    """Leave no colour scheme, font size or order of units of a test behind."""
-    yield
-    units.cache_clear()
+@pytest.fixture
+def light_scheme(qapp: QApplication) -> None:
+    """Light colours and the usual font size, whatever the computer has."""
+    theme().install(qapp)
+    theme().set_scheme("light")
     theme().set_font_size(100)
-    if theme().choice != "system":
-        theme().set_scheme("system")
-        QCoreApplication.processEvents()
+
+
+@pytest.fixture
+def no_ports(monkeypatch: pytest.MonkeyPatch) -> None:
+    """List no port of the computer: only those that the test adds."""
+    monkeypatch.setattr(list_ports, "comports", list)
 
 
 @pytest.fixture
@@ -231,51 +243,12 @@ def _own_settings(_settings_root: Path, monkeypatch: pytest.MonkeyPatch) -> None
     QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, str(folder))
 
 
-@pytest.fixture(autouse=True, scope="session")
-def _collects_in_the_gui_thread_only() -> None:
-    """Keep Python's collector out of all threads but the GUI thread, as the program does.
-
-    What is loaded by now stays: looking through it each time would take a fifth of the run. The
-    collector stays off to the end of the process: switched on, it would run next in whichever
-    thread allocates, and windows that it frees there take the process with them.
-    """
-    gc.disable()
-    gc.collect()
-    gc.freeze()
-
-
 _MOUSE_BUTTONS = (
     Qt.MouseButton.LeftButton,
     Qt.MouseButton.MiddleButton,
     Qt.MouseButton.RightButton,
 )
 _MANY_OBJECTS = 100_000  # a window has about 40,000 that refer to others
-
-
-@pytest.fixture(autouse=True)
-def _collects_now_and_then() -> Iterator[None]:
-    """Collect garbage where there can be much: after a few windows, not after 25 small tests.
-
-    What is left stays, too: caches, and what pytest keeps of every test.
-    """
-    yield
-    if gc.get_count()[0] > _MANY_OBJECTS:  # made since, and not freed
-        gc.collect()
-        gc.freeze()
-
-
-@pytest.fixture(autouse=True)
-def _leaves_nothing_behind() -> Iterator[None]:
-    """Fail a test after which a thread or a window of its own lives on."""
-    threads = _threads()
-    yield
-    deadline = time.monotonic() + 20
-    while (_threads() - threads or _windows()) and time.monotonic() < deadline:
-        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-        QCoreApplication.processEvents()
-        time.sleep(0.01)
-    assert not _threads() - threads
-    assert not _windows()
 
 
 class _MouseRest(QWidget):
@@ -286,13 +259,45 @@ class _MouseRest(QWidget):
 
 
 @pytest.fixture(autouse=True)
-def _lets_go_of_the_mouse() -> Iterator[None]:
-    """Release what a test left pressed: QTest goes on telling it, and no drag would take."""
+def _clean_up() -> Iterator[None]:
+    """Leave nothing of a test behind; fail it if a thread or a window of its own lives on.
+
+    Garbage is collected where there can be much: after a few windows, not after 25 small tests.
+    """
+    threads = _threads()
     yield
+    _restore_scheme()
+    _release_mouse()
+    _check_threads_and_windows(threads)
+    if gc.get_count()[0] > _MANY_OBJECTS:  # made since, and not freed
+        gc.collect()
+        gc.freeze()  # caches, and what pytest keeps of every test
+
+
+def _restore_scheme() -> None:
+    units.cache_clear()
+    theme().set_font_size(100)
+    if theme().choice != "system":
+        theme().set_scheme("system")
+        QCoreApplication.processEvents()
+
+
+def _release_mouse() -> None:
+    """Release what a test left pressed: QTest goes on telling it, and no drag would take."""
     if isinstance(QCoreApplication.instance(), QApplication):
         rest = _MouseRest()
         for button in _MOUSE_BUTTONS:
             QTest.mouseRelease(rest, button)
+
+
+def _check_threads_and_windows(threads: set[threading.Thread]) -> None:
+    deadline = time.monotonic() + 20
+    while (_threads() - threads or _windows()) and time.monotonic() < deadline:
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        QCoreApplication.processEvents()
+        time.sleep(0.01)
+    assert not _threads() - threads
+    assert not _windows()
 
 
 @pytest.fixture(autouse=True, scope="session")

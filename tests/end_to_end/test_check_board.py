@@ -11,10 +11,7 @@ from trex_gui.devices.trex.views.check_board import _STEPS
 from trex_gui.devices.trex.views.steps import Steps
 from trex_gui.ui.devices.connection import ConnectionState
 
-
-@pytest.fixture(autouse=True)
-def _no_other_ports(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("serial.tools.list_ports.comports", list)
+pytestmark = pytest.mark.usefixtures("no_ports")
 
 
 def driver_of(window: WindowDriver) -> WidgetDriver:

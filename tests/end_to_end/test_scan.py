@@ -20,16 +20,13 @@ from trex_gui.ui.runtime import open_transport
 if sys.platform == "win32":
     pytest.skip("has no pseudo-terminals", allow_module_level=True)
 
+pytestmark = pytest.mark.usefixtures("no_ports")
+
 EVEN = LineSettings(57600, Detection.EVEN)
 
 
-@pytest.fixture(autouse=True)
-def _no_other_ports(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("serial.tools.list_ports.comports", list)
-
-
 @pytest.fixture
-def dialog(_no_other_ports: None, window: WindowDriver) -> FindBoardDialog:
+def dialog(no_ports: None, window: WindowDriver) -> FindBoardDialog:
     window.trigger("find")
     dialog = window.find(FindDialog, "findDialog")
     return FindBoardDialog(dialog, window.program.device_manager.scanner, window.qtbot)

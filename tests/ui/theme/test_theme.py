@@ -23,19 +23,14 @@ from trex_gui.ui.theme.theme import Scheme, read_colours, set_look, theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.messages import Banner
 
+pytestmark = pytest.mark.usefixtures("light_scheme")
+
 SHOWN = ("light", "dark", "high_contrast")
 
 
 def needed(ordinary: float, scheme: str) -> float:
     """Return the least contrast of text (4.5 otherwise) or of shapes (3)."""
     return {4.5: 7.0, 3: 4.5}[ordinary] if scheme == "high_contrast" else ordinary
-
-
-@pytest.fixture(autouse=True)
-def _light(qapp: QApplication) -> None:
-    theme().install(qapp)
-    theme().set_scheme("light")
-    theme().set_font_size(100)
 
 
 def tables(scheme: str) -> dict[str, dict[str, str]]:

@@ -8,7 +8,7 @@ from tests.devices.trex.conformance.ends import End, ParserEnd, WireEnd
 from tests.devices.trex.conformance.trex import VARIANTS, Trex, Variant, in_gate
 
 
-@pytest.fixture(autouse=True)
+@pytest.fixture
 def _own_settings() -> None:
     """Nothing in here remembers settings, and a folder a test costs as much as the test."""
 

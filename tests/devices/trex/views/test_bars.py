@@ -1,7 +1,6 @@
 """Strips of the inputs: their bar, its axis and its colours."""
 
 import pytest
-from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from tests.support.accessible_names import spoken_state
@@ -12,13 +11,9 @@ from trex_gui.devices.trex.views.learning.live_pages import InputStrip
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.bar import PartBar
 
+pytestmark = pytest.mark.usefixtures("light_scheme")
+
 RC = DEFAULT_CALIBRATION[InputSource.RC]
-
-
-@pytest.fixture(autouse=True)
-def _light(qapp: QApplication) -> None:
-    theme().install(qapp)
-    theme().set_scheme("light")
 
 
 @pytest.fixture
