@@ -164,7 +164,7 @@ def _memory(program: Program, seconds: float) -> dict[str, float]:
                 samples = tuple(replace(one, time=one.time + later) for one in batch.samples)
                 device.connection.sampled.emit(replace(batch, samples=samples))
             for event in heard:
-                device.connection.log.note(replace(event, time=event.time + later))
+                device.connection.log.record(replace(event, time=event.time + later))
             traffic.pull()
             QCoreApplication.processEvents()
         return _resident()

@@ -66,7 +66,7 @@ def test_messages_are_in_sight_and_move_no_control(connected_window: WindowDrive
         window.device.notifier.error.emit(_LONG)
         assert moved(window, before) == [], page
         assert is_in_sight(window, "banner")
-        window.window.question.ask(_LONG)
+        window.window.question.prompt(_LONG)
         assert moved(window, before) == [], page
         assert is_in_sight(window, "question")
         window.window.question.withdraw()
@@ -86,7 +86,7 @@ def test_messages_are_in_sight_and_move_no_control(connected_window: WindowDrive
     review = window.dialog("reviewDialog")
     QTest.qWait(300)
     before = places(review.root)
-    review.find(InlinePrompt, "reviewQuestion").ask(_LONG)
+    review.find(InlinePrompt, "reviewQuestion").prompt(_LONG)
     assert moved(review, before) == []
 
 
@@ -128,8 +128,8 @@ def test_question_takes_no_keys_from_what_is_typed(connected_window: WindowDrive
     search = window.find(QLineEdit, "parameterSearch")
     search.setFocus()
     window.wait(search.hasFocus)
-    window.window.question.ask("Restore?")
+    window.window.question.prompt("Restore?")
     assert search.hasFocus()
     window.button("stopButton").setFocus()
-    window.window.question.ask("Discard?")
+    window.window.question.prompt("Discard?")
     assert window.button("questionCancel").hasFocus()

@@ -95,8 +95,8 @@ def test_recent_files_are_offered_and_open(window: WindowDriver, tmp_path: Path)
     poses = tmp_path / "walk & turn.ppr"
     poses.write_text("low = [1, 2, 3, 4, 5, 6, 7, 8]\n")
     for number in range(6):
-        recent.note("trex", "settings", tmp_path / f"{number}.txt")
-    recent.note("aracna", "poses", poses)
+        recent.add("trex", "settings", tmp_path / f"{number}.txt")
+    recent.add("aracna", "poses", poses)
 
     def shown() -> dict[str, QPushButton]:
         buttons = group.findChildren(QPushButton)

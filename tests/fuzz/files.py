@@ -182,7 +182,7 @@ def check_snapshot(data: bytes, folder: Path) -> None:
     bound = history.bound()
     assert bound.kept is None or bound.kept >= 1
     settings = factory_settings(device_table().model("trex"), None)
-    kept = history.take(settings, adapter=data.decode("latin-1"), reason="any")
+    kept = history.save(settings, adapter=data.decode("latin-1"), reason="any")
     assert history.load(kept) == settings
     assert kept.path in {snapshot.path for snapshot in history.snapshots()}
 
@@ -190,9 +190,9 @@ def check_snapshot(data: bytes, folder: Path) -> None:
 def _snapshot_samples() -> Sequence[bytes]:
     with tempfile.TemporaryDirectory() as name:
         history = SettingsHistory(Path(name))
-        history.keep(7)
+        history.set_limit(7)
         settings = factory_settings(device_table().model("trex"), None)
-        taken = history.take(settings, adapter="/dev/ttyUSB0", reason="Apply of 3 settings")
+        taken = history.save(settings, adapter="/dev/ttyUSB0", reason="Apply of 3 settings")
         return [taken.path.read_bytes(), (Path(name) / BOUND_FILE).read_bytes()]
 
 
@@ -230,7 +230,7 @@ def check_profile(data: bytes, folder: Path) -> None:
     pilot = Pilot(profile)
     for axes in ((0.0,) * 4, (1.0,) * 4):
         for pressed in (False, True):
-            request = pilot.take(PadState(axes, (pressed,) * 6))
+            request = pilot.update(PadState(axes, (pressed,) * 6))
             assert -1 <= request.forward <= 1
             assert -1 <= request.turn <= 1
 
@@ -319,7 +319,7 @@ def _play(path: Path) -> None:
                 steps += 1
 
             loaded = player.loader()(count)
-            player._take(loaded)
+            player._set_recording(loaded)
             assert steps <= recording.count / 1000 + 2
             assert len(recording.problems) <= 22
             for time in (-math.inf, recording.header.clock, loaded.end, math.inf, math.nan):

@@ -46,7 +46,7 @@ def attack(seconds: float, seed: int) -> list[str]:
         for request in (AskLease(), Arm(), SetMotor(1, Drive.at(50)), Heartbeat(), Alive())
     ]
     for data in recorded:
-        driver.server.take(driver.parties["alice"], data)
+        driver.server.handle(driver.parties["alice"], data)
     driver.session.clear()
     driver.received.clear()
     stranger = Party("id-stranger", "stranger", Role.WATCH)
@@ -59,7 +59,7 @@ def attack(seconds: float, seed: int) -> list[str]:
             if who != driver.parties["alice"]:
                 request = chance.choice(REQUESTS)
                 data = _changed(encode_request(request, count, driver.now, driver.now), chance)
-            driver.server.take(who, data)
+            driver.server.handle(who, data)
         driver.received.clear()
         if moved := [request for request in driver.session if _moves(request)]:
             return [f"message {count}: {moved[0]}"]

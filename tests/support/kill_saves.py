@@ -85,9 +85,9 @@ def _find_settings(folder: Path) -> int:
 def _save_snapshot(folder: Path, version: int) -> None:
     history = SettingsHistory(folder / "snapshots")
     if history.bound().kept != KEPT:
-        history.keep(KEPT)
+        history.set_limit(KEPT)
     now = BEGIN + timedelta(seconds=version)
-    history.take(_settings_of(version), adapter="COM1", reason=f"version {version}", now=now)
+    history.save(_settings_of(version), adapter="COM1", reason=f"version {version}", now=now)
 
 
 def _find_snapshot(folder: Path) -> int:
@@ -104,7 +104,7 @@ def _find_snapshot(folder: Path) -> int:
 
 
 def _save_bound(folder: Path, version: int) -> None:
-    SettingsHistory(folder / "snapshots").keep(version)
+    SettingsHistory(folder / "snapshots").set_limit(version)
 
 
 def _find_bound(folder: Path) -> int:

@@ -27,4 +27,4 @@ def take(
         calibrations={k: c for k, c in there.calibrations.items() if k.source is InputSource.RC},
     )
     now = datetime.now(UTC) - ago
-    return history.take(settings, adapter=adapter, reason=reason, now=now)
+    return history.save(settings, adapter=adapter, reason=reason, now=now)

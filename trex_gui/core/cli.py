@@ -109,7 +109,7 @@ class Interruption:
 
     def __enter__(self) -> Self:
         for number in handled_signals((*ENDING, *((SUSPENDING,) if self._precious else ()))):
-            self._before[number] = signal.signal(number, self._note)
+            self._before[number] = signal.signal(number, self._record)
         for number in handled_signals(FROM_TERMINAL if self._precious else ()):
             self._before[number] = signal.signal(number, signal.SIG_IGN)
         return self
@@ -118,7 +118,7 @@ class Interruption:
         for number, handler in self._before.items():
             signal.signal(number, handler)
 
-    def _note(self, number: int, frame: FrameType | None) -> None:
+    def _record(self, number: int, frame: FrameType | None) -> None:
         del number, frame
         if self._prompted and not self._precious:
             raise KeyboardInterrupt
@@ -224,7 +224,7 @@ def traffic_option(
         def open_logged(open_transport: OpenTransport) -> OpenTransport:
             def opened(settings: PortSettings) -> Transport:
                 writer.open()
-                return logged(writer.note, open_transport, present.clock)(settings)
+                return logged(writer.record, open_transport, present.clock)(settings)
 
             return opened
 

@@ -167,19 +167,19 @@ class Pilot:
     """Reads one gamepad by one profile.
 
     Some gamepads give random values for a stick until it is touched. So both axes must have been
-    at rest before they count, and the button must go down after `begin`.
+    at rest before they count, and the button must go down after `reset`.
     """
 
     def __init__(self, profile: GamepadProfile) -> None:
         self._profile = profile
         self._stop_was_down = False
-        self.begin()
+        self.reset()
 
-    def begin(self) -> None:
+    def reset(self) -> None:
         self._rested: set[int] = set()
         self._released = False
 
-    def take(self, state: PadState) -> PilotRequest:
+    def update(self, state: PadState) -> PilotRequest:
         profile = self._profile
         for axis in (profile.first, profile.second):
             if abs(state.axis(axis.number)) <= max(profile.dead_zone, REST):

@@ -99,14 +99,14 @@ class SleepDelay(QObject):
         self._descriptor: int | None = None
         self._request: QDBusPendingCallWatcher | None = None
         self._wait = StopWait(may_move, self.give, self, timeout=timeout)
-        self.take()
+        self.request()
 
     @property
     def holds(self) -> bool:
         """True if sleep would wait for this program."""
         return self._descriptor is not None
 
-    def take(self) -> None:
+    def request(self) -> None:
         """Request a delay of the next sleep. The reply comes later."""
         if self.holds or self._request is not None or not self._bus.isConnected():
             return
@@ -133,7 +133,7 @@ class SleepDelay(QObject):
             self._wait.start()
         else:
             self._wait.cancel()
-            self.take()
+            self.request()
 
     @Slot(QDBusPendingCallWatcher)
     def _on_reply(self, watcher: QDBusPendingCallWatcher) -> None:

@@ -108,14 +108,14 @@ class SignalWatch(QObject):
                     if number == getattr(signal, SUSPENDING, None):
                         self._suspend()
                     elif number in self._numbers:
-                        self._leave(number)
+                        self._exit(number)
 
     def _suspend(self) -> None:
         self._do(self._rest)
         self._closed.wait(_LAST_WORD_S)
         self._suspend_process()  # returns when the process is resumed
 
-    def _leave(self, number: int) -> None:
+    def _exit(self, number: int) -> None:
         self._do(self._act)
         self._do(partial(self.caught.emit, number))
         hurry = self._wait_for_hurry()

@@ -39,7 +39,7 @@ class _Filter(QAbstractNativeEventFilter):
     ) -> object:
         if bytes(kind) == b"windows_generic_MSG":  # type: ignore[arg-type] # a QByteArray is bytes too
             seen = ctypes.wintypes.MSG.from_address(int(message))
-            self._owner.take(seen.message, seen.wParam)
+            self._owner.handle(seen.message, seen.wParam)
         return False, 0
 
 
@@ -60,6 +60,6 @@ class WindowsEvents(QObject):
         if sys.platform == "win32":
             ctypes.windll.wtsapi32.WTSRegisterSessionNotification(window, 0)
 
-    def take(self, message: int, parameter: int) -> None:
+    def handle(self, message: int, parameter: int) -> None:
         if reason := why_to_stop(message, parameter):
             self.leaving.emit(reason)

@@ -120,6 +120,6 @@ class Notifier(QObject):
         self.remedies_offered.emit(remedies)
         self.danger_lasts = lasts
 
-    def ask(self, text: str, *answers: Answer) -> None:
+    def prompt(self, text: str, *answers: Answer) -> None:
         self.info.emit(text)
         self.remedies_offered.emit(answers)

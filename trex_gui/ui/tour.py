@@ -112,7 +112,7 @@ class Tour(QObject):
             if widget is not None:
                 yield partial(self.write, widget, name, scheme)
 
-    def choose(self, action: str) -> bool:
+    def trigger_action(self, action: str) -> bool:
         found = self._program.window.findChild(QAction, action)
         if found is None or not found.isEnabled():
             return False

@@ -18,7 +18,7 @@ class Units(QObject):
         super().__init__()
         self.own_first = Preferences().flag(_KEY, default=False)
 
-    def choose(self, *, own_first: bool) -> None:
+    def set_order(self, *, own_first: bool) -> None:
         """Set the order from now on, also at the next start."""
         Preferences().set(_KEY, own_first)
         if own_first != self.own_first:

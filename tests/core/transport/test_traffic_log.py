@@ -39,9 +39,9 @@ def run_taped(stage: Stage, seconds: float) -> list[TrafficEvent]:
     """Run a session whose line is noted; return what was noted."""
     log = TrafficLog()
     stage.script.at(seconds, lambda: None)
-    open_taped = logged(log.note, lambda _settings: stage.transport, stage.transport.clock)
+    open_taped = logged(log.record, lambda _settings: stage.transport, stage.transport.clock)
     TrexSession(SETTINGS, stage.script, stage.reports.append, open_taped).run()
-    return log.take()
+    return log.pop()
 
 
 def test_sent_and_received_bytes_are_logged_in_order(stage: Stage) -> None:
@@ -71,28 +71,28 @@ def test_failed_opening_of_port_is_logged() -> None:
 
     log = TrafficLog()
     with pytest.raises(PortUnavailable):
-        logged(log.note, refuse)(SETTINGS)
-    assert texts_of(log.take()) == ["It is in use."]
+        logged(log.record, refuse)(SETTINGS)
+    assert texts_of(log.pop()) == ["It is in use."]
 
 
 @pytest.mark.parametrize("act", ["write", "read"])
 def test_port_loss_is_logged(stage: Stage, act: str) -> None:
     log = TrafficLog()
-    line = LoggingTransport(stage.transport, SETTINGS, log.note)
+    line = LoggingTransport(stage.transport, SETTINGS, log.record)
     stage.transport.fail = PortUnavailable("The line is gone.")
     with pytest.raises(PortUnavailable):
         line.write(b"\x81") if act == "write" else line.read(1, 0.1)
-    assert texts_of(log.take()) == ["The line is gone."]
+    assert texts_of(log.pop()) == ["The line is gone."]
 
 
 def test_new_line_settings_are_logged_once(stage: Stage) -> None:
     log = TrafficLog()
-    line = LoggingTransport(stage.transport, SETTINGS, log.note)
+    line = LoggingTransport(stage.transport, SETTINGS, log.record)
     other = LineSettings(57600, Detection.CRC7)
     line.reconfigure(SETTINGS.line)
     line.reconfigure(other)
     line.reconfigure(other)
-    noted = log.take()
+    noted = log.pop()
     assert [piece.text for piece in noted] == [f"Set to {other.text()}."]
     assert noted[0].settings is not None
     assert noted[0].settings.line == other
@@ -101,9 +101,9 @@ def test_new_line_settings_are_logged_once(stage: Stage) -> None:
 def test_unread_traffic_log_is_bounded_and_counts_losses() -> None:
     log = TrafficLog()
     for number in range(60_000):
-        log.note(TrafficEvent(float(number), TrafficDirection.SENT, b"\xff"))
-    kept = log.take()
+        log.record(TrafficEvent(float(number), TrafficDirection.SENT, b"\xff"))
+    kept = log.pop()
     assert len(kept) + log.lost == 60_000
     assert kept[0].time == 0.0
-    log.note(TrafficEvent(1.0, TrafficDirection.SENT, b"\xff"))
-    assert len(log.take()) == 1
+    log.record(TrafficEvent(1.0, TrafficDirection.SENT, b"\xff"))
+    assert len(log.pop()) == 1

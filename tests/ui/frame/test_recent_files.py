@@ -18,19 +18,19 @@ def test_newest_are_listed_first_and_once(qtbot: QtBot) -> None:
     recent = RecentFiles()
     for name in ("a.txt", "b.trexrec", "a.txt"):
         with qtbot.waitSignal(recent.changed):
-            recent.note("trex", "settings", FOLDER / name)
+            recent.add("trex", "settings", FOLDER / name)
     assert names(recent) == ["a.txt", "b.trexrec"]
     first = RecentFiles().entries[0]
     assert (first.device, first.kind, first.path) == ("trex", "settings", FOLDER / "a.txt")
     for number in range(20):
-        recent.note("trex", "settings", FOLDER / f"{number}.txt")
+        recent.add("trex", "settings", FOLDER / f"{number}.txt")
     assert names(recent) == [f"{number}.txt" for number in range(19, 11, -1)]
 
 
 def test_files_are_removed_one_by_one_or_all() -> None:
     recent = RecentFiles()
     for name in ("a & b.txt", "c.txt"):
-        recent.note("aracna", "poses", FOLDER / name)
+        recent.add("aracna", "poses", FOLDER / name)
     assert recent.entries[1].title == "a & b.txt  (some where)"
     recent.remove(recent.entries[0])
     assert names(recent) == ["a & b.txt"]
@@ -42,5 +42,5 @@ def test_files_are_removed_one_by_one_or_all() -> None:
 def test_unusable_lines_are_left_out(stored: str) -> None:
     Preferences().set("files/recent", f"{stored}\ntrex settings /a b.txt")
     assert names(RecentFiles()) == ["a b.txt"]
-    RecentFiles().note("trex", "settings", FOLDER / "two\nlines.txt")
+    RecentFiles().add("trex", "settings", FOLDER / "two\nlines.txt")
     assert names(RecentFiles()) == ["a b.txt"]

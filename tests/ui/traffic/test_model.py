@@ -31,9 +31,11 @@ class TrafficSetup:
 
     def log(self, sent: bytes, received: bytes = b"") -> None:
         self._now += 0.01
-        self.line.log.note(TrafficEvent(self._now, TrafficDirection.SENT, sent))
+        self.line.log.record(TrafficEvent(self._now, TrafficDirection.SENT, sent))
         if received:
-            self.line.log.note(TrafficEvent(self._now + 0.005, TrafficDirection.RECEIVED, received))
+            self.line.log.record(
+                TrafficEvent(self._now + 0.005, TrafficDirection.RECEIVED, received)
+            )
 
     @property
     def texts(self) -> list[str]:

@@ -70,7 +70,7 @@ def test_news_leave_by_themselves_and_problems_and_questions_stay(qtbot: QtBot) 
     notifier.error.emit("Not written.")
     runtime().sleep(60)
     assert banner.text == "Not written."
-    notifier.ask("Write?", Answer("yes", "Yes", lambda: None))
+    notifier.prompt("Write?", Answer("yes", "Yes", lambda: None))
     runtime().sleep(60)
     assert banner.text == "Write?"
 

@@ -28,9 +28,9 @@ def test_answer_runs_its_action_and_may_ask_another_question(
     question: InlinePrompt, driver: WidgetDriver
 ) -> None:
     done: list[str] = []
-    again = Answer("again", "Again", lambda: question.ask("Again?", other))
+    again = Answer("again", "Again", lambda: question.prompt("Again?", other))
     other = Answer("other", "Other", lambda: done.append("other"))
-    question.ask("How?", Answer("one", "One", lambda: done.append("one")), again)
+    question.prompt("How?", Answer("one", "One", lambda: done.append("one")), again)
     driver.click("again")
     assert question.text == "Again?"
     assert question.isVisible()
@@ -44,7 +44,7 @@ def test_cancel_runs_only_the_otherwise_action(
     question: InlinePrompt, driver: WidgetDriver, key: Qt.Key | None
 ) -> None:
     done: list[str] = []
-    question.ask(
+    question.prompt(
         "Sure?",
         Answer("yes", "Yes", lambda: done.append("yes")),
         otherwise=lambda: done.append("otherwise"),
@@ -61,10 +61,10 @@ def test_new_question_cancels_the_previous_one(
     question: InlinePrompt, driver: WidgetDriver
 ) -> None:
     done: list[str] = []
-    question.ask(
+    question.prompt(
         "A?", Answer("a", "A", lambda: done.append("a")), otherwise=lambda: done.append("no")
     )
-    question.ask("B?", Answer("b", "B", lambda: done.append("b")))
+    question.prompt("B?", Answer("b", "B", lambda: done.append("b")))
     assert question.text == "B?"
     assert done == ["no"]
     assert "a" not in [button.objectName() for button in driver.find_all(QPushButton)]
@@ -76,7 +76,7 @@ def test_outdated_answer_is_not_run(question: InlinePrompt, driver: WidgetDriver
     done: list[str] = []
     sense = [True]
     yes = Answer("yes", "Yes", lambda: done.append("yes"))
-    question.ask("Sure?", yes, still=lambda: sense[0])
+    question.prompt("Sure?", yes, still=lambda: sense[0])
     question.reconsider()
     assert question.isVisible()
     sense[0] = False
@@ -90,7 +90,7 @@ def test_double_click_that_asks_does_not_answer_and_the_next_click_does(
 ) -> None:
     done: list[str] = []
     double_click = QApplication.doubleClickInterval() / 1000
-    question.ask("Sure?", Answer("yes", "Yes", lambda: done.append("yes")))
+    question.prompt("Sure?", Answer("yes", "Yes", lambda: done.append("yes")))
     yes = driver.button("yes")
     QTest.mouseClick(yes, LEFT)
     runtime().sleep(0.75 * double_click)

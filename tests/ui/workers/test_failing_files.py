@@ -70,7 +70,7 @@ def test_internal_error_fails_the_recording(
     recorder.failed.connect(failures.append)
     recorder.ended.connect(ended.append)
     with caplog.at_level(logging.ERROR):
-        recorder.begin(tmp_path / "a.trexrec", FORMAT, HEADER)
+        recorder.start_recording(tmp_path / "a.trexrec", FORMAT, HEADER)
         recorder.stop()
         qtbot.waitUntil(lambda: recorder.can_record)
     assert failures == [

@@ -13,7 +13,7 @@ from trex_gui.core.recording.store import CHUNK, Recording
 class ReplayState(Protocol):
     """Everything known. `copy.copy` of it is independent of later records."""
 
-    def take(self, record: Any, /) -> None: ...
+    def update(self, record: Any, /) -> None: ...
 
 
 StateT = TypeVar("StateT", bound=ReplayState)
@@ -38,7 +38,7 @@ class Replay(Generic[HeaderT, RecordT, StateT]):
     def read_next(
         self, take: Callable[[StateT, Sequence[RecordT]], ResultT]
     ) -> tuple[Sequence[RecordT], ResultT]:
-        """Read one more chunk. Return its records and what `take` makes of state and records."""
+        """Read one more chunk. Return its records and what `update` makes of state and records."""
         index = len(self._starts)
         records = self._read(index)
         state = copy(self._states[-1])
@@ -57,7 +57,7 @@ class Replay(Generic[HeaderT, RecordT, StateT]):
                 self._cached = (index, self._read(index))
             for record in self._cached[1]:
                 if record.time <= time:
-                    state.take(record)
+                    state.update(record)
         return state
 
     def _read(self, index: int) -> Sequence[RecordT]:

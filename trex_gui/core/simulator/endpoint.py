@@ -42,7 +42,7 @@ class Endpoint(Protocol):
 
     def waiting_for(self) -> list[int]: ...
 
-    def take(self, ready: Collection[int]) -> Iterable[Arrival]:
+    def receive(self, ready: Collection[int]) -> Iterable[Arrival]:
         """Serve descriptors that are readable. Return what the host has sent."""
 
     def write(self, data: bytes) -> None:
@@ -75,7 +75,7 @@ class TcpEndpoint:
         end = self._client or self._listener
         return [end.fileno()] if end is not None else []
 
-    def take(self, ready: Collection[int]) -> Iterable[Arrival]:
+    def receive(self, ready: Collection[int]) -> Iterable[Arrival]:
         if self._client is None:
             if self._listener is not None and self._listener.fileno() in ready:
                 self._accept(self._listener)

@@ -42,7 +42,7 @@ class PtyEndpoint:
     def waiting_for(self) -> list[int]:
         return [self._master] if self._master is not None else []
 
-    def take(self, ready: Collection[int]) -> Iterable[Arrival]:
+    def receive(self, ready: Collection[int]) -> Iterable[Arrival]:
         if self._master is None or self._slave is None or self._master not in ready:
             return
         try:

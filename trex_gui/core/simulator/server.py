@@ -77,7 +77,7 @@ class Server:
         ready, _, _ = select.select(sources, [], [], self._timeout())
         self._catch_up()
         self._check_departure()  # before anything of the next host is taken
-        for settings, data in self._endpoint.take(ready):
+        for settings, data in self._endpoint.receive(ready):
             self._receive(settings, data)
         self._check_departure()
         while self._unsent and self._line.backlog < _MAX_AHEAD:

@@ -48,13 +48,13 @@ class TrafficLog:
     lost: int = 0
     _events: deque[TrafficEvent] = field(default_factory=deque)
 
-    def note(self, event: TrafficEvent) -> None:
+    def record(self, event: TrafficEvent) -> None:
         if len(self._events) >= _MOST_EVENTS:
             self.lost += 1
             return
         self._events.append(event)
 
-    def take(self) -> list[TrafficEvent]:
+    def pop(self) -> list[TrafficEvent]:
         """Return the events since the last call, in order. From the reader's thread."""
         count = len(self._events)  # those added meanwhile stay for the next call
         return [self._events.popleft() for _ in range(count)]

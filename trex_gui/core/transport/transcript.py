@@ -81,7 +81,7 @@ class TranscriptWriter:
                 tr("{0} cannot be written: {1}.").format(self._path, reason)
             ) from error
 
-    def note(self, event: TrafficEvent) -> None:
+    def record(self, event: TrafficEvent) -> None:
         for row in self._assembler.feed([event]):
             self._pending = None if row.is_over else row
             if row.is_over:

@@ -90,7 +90,7 @@ class AracnaProber:
     def record_unsolicited(self, line: SerialFormat, data: bytes) -> None:
         """Take bytes that arrived before a probe, such as `.h` after a reset."""
         if line == LINE:
-            self._take(data)
+            self._handle(data)
 
     def probe(
         self,
@@ -144,9 +144,9 @@ class AracnaProber:
                 data += wire.discard()
             except BadReply:  # endless data
                 data += wire.read(_KEPT, 0.0)
-            self._take(data)
+            self._handle(data)
 
-    def _take(self, data: bytes) -> None:
+    def _handle(self, data: bytes) -> None:
         self._received = (self._received + data)[:_KEPT]
         for reply in self._reader.feed(data):
             if isinstance(reply, Version):

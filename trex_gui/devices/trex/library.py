@@ -259,7 +259,7 @@ class Trex:
         begun = board.session.clock()
         while board.session.clock() - begun < seconds:
             for sample in board.pump(begun + seconds):
-                if sample.time >= begun and table.take(sample):
+                if sample.time >= begun and table.add(sample):
                     yield table.finish(sample.time - begun)
         if not board.mirror.is_responding:
             raise NoReply(Reason(DriveBlocker.SILENT).text())
@@ -402,7 +402,7 @@ class Trex:
         reason = f"library: {', '.join(key for key, _ in (*parameters, *calibrations))}"
         self._board.pump(self._board.session.clock())  # the board may have been silent meanwhile
         board, state = self._board, self.state
-        transaction = board.keeper.begin(state, self.settings, reason, parameters, calibrations)
+        transaction = board.keeper.prepare(state, self.settings, reason, parameters, calibrations)
         written = board.session.result(
             lambda number: board.addressed(Write(number, parameters, calibrations, before=state)),
             _WRITING,

@@ -166,12 +166,12 @@ class OpenSession:
             elif not isinstance(report, Closed):
                 del boards[1:]
             for board in boards:
-                samples += ((board, one) for one in board.take(report))
-            self._take(report)
+                samples += ((board, one) for one in board.handle(report))
+            self._handle(report)
             report = self._reports.get(0.0)
         return samples
 
-    def _take(self, report: Report) -> None:
+    def _handle(self, report: Report) -> None:
         match report:
             case Connected(settings=settings) if self._group not in {(), settings.group}:
                 there = ", ".join(map(str, settings.group)) or str(settings.device_number)
@@ -231,9 +231,9 @@ class OpenBoard:
         """Return the samples of this board. See `OpenSession.pump`."""
         return [sample for board, sample in self.session.pump(end) if board is self]
 
-    def take(self, report: Report) -> Iterator[Sample]:
+    def handle(self, report: Report) -> Iterator[Sample]:
         """Take a report and yield its samples. Raise if the motors do not do as they should."""
-        for event in self.mirror.take(report, self.session.clock(), utc_now()):
+        for event in self.mirror.handle(report, self.session.clock(), utc_now()):
             match event:
                 case LatchedStatus():
                     self._handle_status(event)

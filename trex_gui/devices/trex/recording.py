@@ -282,7 +282,7 @@ class MeasurementTable:
     def _clear_status(self) -> None:
         self.row |= dict.fromkeys(self._kinds[LatchedStatus].exported, 0)
 
-    def take(self, sample: Sample) -> bool:
+    def add(self, sample: Sample) -> bool:
         """Take a sample. Return whether it completes a row."""
         self._missing.discard(type(sample))
         cells = self._kinds[type(sample)].cells(sample)
@@ -311,7 +311,7 @@ class BoardSnapshot(Newest):
     def at_start(cls, header: Header) -> Self:
         return cls({ModeSample: ModeSample(header.clock, header.mode)}, header.settings)
 
-    def take(self, record: Record) -> None:
+    def update(self, record: Record) -> None:
         match record:
             case Sample():
                 self.samples[type(record)] = record

@@ -51,9 +51,9 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
         self.status = tr("Not connected.")  # `link` as a sentence
         self.settings: SettingsT | None = None  # how the line is, or was last, opened
         self._next: SettingsT | None = None
-        self.open_logged = logged(self.log.note, open_transport, now)
+        self.open_logged = logged(self.log.record, open_transport, now)
         self.traffic = TrafficModel(self, decoder)  # every byte on the line
-        self.reported.connect(self.take)
+        self.reported.connect(self.handle)
         self.closed.connect(self._on_closed)
 
     def open(self, settings: SettingsT, *, may_move: bool = False) -> None:
@@ -97,7 +97,7 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
     def prepare_to_close(self) -> None:
         """Do what is due before the line is closed. Nothing by default."""
 
-    def take(self, report: object) -> None:
+    def handle(self, report: object) -> None:
         raise NotImplementedError
 
     def _set_state(self, link: ConnectionState, status: str) -> None:

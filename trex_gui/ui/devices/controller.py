@@ -98,7 +98,7 @@ class DeviceController(QObject, Generic[SettingsT]):
     def line_text(self) -> str:
         return self.settings.short
 
-    def choose(self, port: Port) -> None:
+    def select(self, port: Port) -> None:
         """Use the settings at which a device was found at a port, until others are chosen."""
         if self._chosen is None or not self._chosen.is_same(port):
             self._chosen = port
@@ -107,7 +107,7 @@ class DeviceController(QObject, Generic[SettingsT]):
 
     def connect_to(self, port: Port) -> None:
         """Connect to a port. Closes an open line and ends a scan of the port first."""
-        self.choose(port)
+        self.select(port)
         if self._scanner.is_searching(port):
             self._after_scan = port
             self._scanner.cancel()

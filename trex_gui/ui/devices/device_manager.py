@@ -64,10 +64,10 @@ class DeviceManager(QObject):
     def is_idle(self) -> bool:
         return self.current.link is ConnectionState.DISCONNECTED and not self.current.starting
 
-    def choose(self, port: Port) -> None:
+    def select(self, port: Port) -> None:
         """Show and use the settings of a port that the user may connect to next."""
         if self.is_idle and port.device == self.current.plugin.key:
-            self.current.choose(port)
+            self.current.select(port)
 
     def connect_to(self, port: Port) -> None:
         self.was_left = False

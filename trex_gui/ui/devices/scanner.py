@@ -44,7 +44,7 @@ class ScanWorker(WorkerThread):
         self.setObjectName("ScanWorker")
         self._open_wire: Callable[[PortSettings], Transport] = open_transport
         for log in logs:
-            self._open_wire = logged(log.note, self._open_wire, now)
+            self._open_wire = logged(log.record, self._open_wire, now)
         self._jobs = tuple(jobs)
         self._cancelled = threading.Event()
 

@@ -222,9 +222,9 @@ class DemoDevice(QObject, Generic[SnapshotT]):
             if self._timer.isActive():
                 self._poll()  # the state is older than a control line sent since
         elif answer.startswith("ok "):
-            self._take(self._read(answer.removeprefix("ok ")))
+            self._show(self._read(answer.removeprefix("ok ")))
 
-    def _take(self, snapshot: SnapshotT) -> None:
+    def _show(self, snapshot: SnapshotT) -> None:
         before, self.snapshot = self.snapshot, snapshot
         if snapshot != before:
             self.changed.emit()

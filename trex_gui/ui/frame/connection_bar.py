@@ -204,7 +204,7 @@ class ConnectionBar(QFrame):
     def _unless_busy(self, then: Callable[[], object]) -> None:
         if self._manager.current.is_busy:
             self.window().activateWindow()  # the question is there
-            self._question.ask(
+            self._question.prompt(
                 tr(
                     "Settings are still being written. Disconnect anyway? Unwritten settings stay "
                     "pending."
@@ -270,13 +270,13 @@ class ConnectionBar(QFrame):
     def _on_activated(self, index: int) -> None:
         choice = self._combo.itemData(index)
         if isinstance(choice, Port):
-            self._choose(choice)
+            self._select(choice)
         elif choice == _OTHER:
             self._prompt_for_address()
         elif choice == _NOT_CONNECTED:
-            self._choose(None)
+            self._select(None)
 
-    def _choose(self, port: Port | None) -> None:
+    def _select(self, port: Port | None) -> None:
         self._chosen, self._wants_none = port, port is None
         self._on_ports_changed()
         self.choice_changed.emit()
@@ -291,7 +291,7 @@ class ConnectionBar(QFrame):
             ),
         )
         if given and address.strip():
-            self._choose(self._ports.add_typed(address))
+            self._select(self._ports.add_typed(address))
         else:
             self._on_ports_changed()
 
@@ -309,7 +309,7 @@ class ConnectionBar(QFrame):
     def _on_ports_changed(self) -> None:
         combo, shown = self._combo, self._port_to_show()
         if shown is not None:
-            self._manager.choose(shown)
+            self._manager.select(shown)
         with QSignalBlocker(combo):
             combo.clear()
             combo.addItem(tr("Not connected"), _NOT_CONNECTED)

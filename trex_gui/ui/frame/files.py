@@ -43,18 +43,18 @@ class RecentFiles(QObject):
         found = [RecentFile(line[0], line[1], Path(line[2])) for line in lines if len(line) == 3]
         return tuple(found[:_MOST])
 
-    def note(self, device: str, kind: str, path: Path) -> None:
+    def add(self, device: str, kind: str, path: Path) -> None:
         noted = RecentFile(device, kind, path.absolute())
         if not {"\n", "\0"} & set(str(noted.path)):
-            self._keep(noted, *(one for one in self.entries if one.path != noted.path))
+            self._save(noted, *(one for one in self.entries if one.path != noted.path))
 
     def remove(self, gone: RecentFile) -> None:
-        self._keep(*(one for one in self.entries if one != gone))
+        self._save(*(one for one in self.entries if one != gone))
 
     def clear(self) -> None:
-        self._keep()
+        self._save()
 
-    def _keep(self, *entries: RecentFile) -> None:
+    def _save(self, *entries: RecentFile) -> None:
         lines = [f"{one.device} {one.kind} {one.path}" for one in entries[:_MOST]]
         Preferences().set(_KEY, "\n".join(lines))
         self.changed.emit()

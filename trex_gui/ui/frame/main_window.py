@@ -237,7 +237,7 @@ class MainWindow(QMainWindow):
         )
         about = partial(self.show_help, f"{INDEX}#about")
         help_ = (
-            Entry("search", tr("Search every&thing"), self._search.begin, "Ctrl+K", "find"),
+            Entry("search", tr("Search every&thing"), self._search.start, "Ctrl+K", "find"),
             Entry("help", tr("&Help"), self._show_help, "F1", "help"),
             SEPARATOR,
             *shared(Menu.HELP),

@@ -76,7 +76,7 @@ class PreferencesDialog(ReusedDialog):
             "unitsBox",
             tr("&Units:"),
             list(zip(own, (False, True), strict=True)),
-            lambda at: units().choose(own_first=bool(at)),
+            lambda at: units().set_order(own_first=bool(at)),
             tr("What is shown first, and what a number typed without a unit means"),
         )
         self._own_folder = ui.check_box(
@@ -185,7 +185,7 @@ class PreferencesDialog(ReusedDialog):
     def _reset(self) -> None:
         select_scheme("system")
         select_font_size(100)
-        units().choose(own_first=False)
+        units().set_order(own_first=False)
         file_questions.set_default_folder(None)
         set_automatic(True)
         self._on_language_chosen(self._language.findData(AS_THE_SYSTEM))

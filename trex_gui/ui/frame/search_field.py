@@ -55,7 +55,7 @@ class SearchField(QLineEdit):
         self.setMaximumWidth(_WIDEST * self.fontMetrics().averageCharWidth())
 
     @Slot()
-    def begin(self) -> None:
+    def start(self) -> None:
         """Take the focus, and show the pages until something is typed."""
         if (focused := self.window().focusWidget()) is not self:
             self._before = focused

@@ -109,7 +109,7 @@ class UnconfirmedStopWarning(QObject):
         self.given = True
         self._window.setWindowState(self._window.windowState() & ~Qt.WindowState.WindowMinimized)
         self._window.activateWindow()
-        self._question.ask(
+        self._question.prompt(
             text,
             Answer("closeUnstopped", tr("Close the window"), self._window.close),
             still=lambda: self._manager.unconfirmed_stop == text,

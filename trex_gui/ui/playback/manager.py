@@ -211,7 +211,7 @@ class RecordingManager(QObject, Generic[WindowT]):
             remember_folder(recording.path, self._folder_key)
         self.used.emit(recording.path)
         self.windows.append(window)
-        window.closed.connect(partial(self._forget, window))
+        window.closed.connect(partial(self._remove, window))
         window.show()
         # The thread that loads slows this one down: not before the window was drawn.
         new_timer(window, 0, window.player.start_loading, single_shot=True).start()
@@ -249,7 +249,7 @@ class RecordingManager(QObject, Generic[WindowT]):
         ends += [window.player.close() for window in self.windows]
         return all(ends)
 
-    def _forget(self, window: WindowT) -> None:
+    def _remove(self, window: WindowT) -> None:
         if window in self.windows:
             self.windows.remove(window)
 

@@ -175,7 +175,7 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
         return partial(load_recording, self._recording, self._initial, self._curves)
 
     def start_loading(self) -> None:
-        self._begin(self.loader())
+        self._start(self.loader())
 
     def export_header(self, start: float) -> dict[str, Value]:
         del start  # a device adds its settings at that time
@@ -185,12 +185,12 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
         """Write a span as CSV or MCAP. Ends in `exported` or `failed` unless cancelled."""
         if self.is_loaded and not self.is_busy:
             span, header = (start, end), self.export_header(start)
-            self._begin(partial(_export, self._recording, path, span, header))
+            self._start(partial(_export, self._recording, path, span, header))
 
     def cancel(self) -> None:
         self._task.cancel()
 
-    def _begin(self, work: Callable[[ProgressCallback], object]) -> None:
+    def _start(self, work: Callable[[ProgressCallback], object]) -> None:
         self.share = 0.0
         self._task.start(work)
 
@@ -202,7 +202,7 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
     @Slot(object)
     def _on_done(self, done: Done) -> None:
         if isinstance(done.result, LoadedRecording):
-            self._take(done.result)
+            self._set_recording(done.result)
         elif isinstance(done.result, Path):
             self.exported.emit(done.result)
         elif done.error is not None:
@@ -210,7 +210,7 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
         else:
             self.progressed.emit()
 
-    def _take(self, loaded: LoadedRecording[HeaderT, RecordT, StateT]) -> None:
+    def _set_recording(self, loaded: LoadedRecording[HeaderT, RecordT, StateT]) -> None:
         self._replay, self.is_loaded, self.share = loaded.replay, True, 1.0
         self._history, self._rows = loaded.history, loaded.rows
         self.events = loaded.events

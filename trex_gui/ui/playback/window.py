@@ -302,7 +302,7 @@ class RecordingWindow(QMainWindow):
         if self.plot.span.length > 12 * _EVENT_MARGIN:
             self.plot.show_span(event.time - _EVENT_MARGIN, event.time + _EVENT_MARGIN)
         self.player.set_position(event.time)
-        self._list.choose(event)
+        self._list.select(event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

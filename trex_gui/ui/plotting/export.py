@@ -91,9 +91,11 @@ class ExportButton(QToolButton):
         self.menu().addAction(self._light)
 
     def _add(self, name: str, text: str, kind: str, whole: bool = False) -> None:
-        self.menu().addAction(action(self, name, text, on_trigger=partial(self._ask, kind, whole)))
+        self.menu().addAction(
+            action(self, name, text, on_trigger=partial(self._prompt, kind, whole))
+        )
 
-    def _ask(self, kind: str, whole: bool) -> None:
+    def _prompt(self, kind: str, whole: bool) -> None:
         kinds = tr("Tables (*.csv)") if kind == "csv" else tr("Pictures (*.{0})")
         name = self._name
         if self._is_live:

@@ -358,7 +358,7 @@ class EventList(QListWidget):
         shown = tr("Choosing one shows its place in the plot.")
         self.setAccessibleDescription(shown if self._events else self._placeholder)
 
-    def choose(self, event: Event) -> None:
+    def select(self, event: Event) -> None:
         if event in self._events:
             self.setCurrentRow(self._events.index(event))
 

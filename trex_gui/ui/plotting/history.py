@@ -172,11 +172,11 @@ class SampleHistory:
     @property
     def times(self) -> Floats:
         """A view, oldest first, valid until the next row."""
-        return self._times[self._begin : self._size]
+        return self._times[self._start : self._size]
 
     def values(self, column: int) -> Floats:
         """Return a view, oldest first, valid until the next row."""
-        return self._columns[column].values[self._begin : self._size]
+        return self._columns[column].values[self._start : self._size]
 
     @property
     def span(self) -> tuple[float, float] | None:
@@ -242,24 +242,24 @@ class SampleHistory:
         self._gaps = [gap for gap in self._gaps if gap[0] > oldest]
 
     @property
-    def _begin(self) -> int:
+    def _start(self) -> int:
         return max(0, self._size - self.capacity)
 
     def rows(self, start: float, end: float) -> slice:
         """Return which of `times` lie from `start` to `end`."""
         first, stop = self._rows(start, end)
-        return slice(first - self._begin, stop - self._begin)
+        return slice(first - self._start, stop - self._start)
 
     def _rows(self, start: float, end: float) -> tuple[int, int]:
         times = self.times
         first = int(times.searchsorted(start, side="left"))
         stop = int(times.searchsorted(end, side="right"))
-        return self._begin + first, self._begin + max(first, stop)
+        return self._start + first, self._start + max(first, stop)
 
     def value_at(self, column: int, time: float) -> float:
         """Return the last value before or at a time, NaN before the first and within a gap."""
         _, stop = self._rows(-math.inf, time)
-        if stop == self._begin or time - self._times[stop - 1] > self._max_gap:
+        if stop == self._start or time - self._times[stop - 1] > self._max_gap:
             return math.nan
         return float(self._columns[column].values[stop - 1])
 
@@ -284,7 +284,7 @@ class SampleHistory:
         newest sample is always the last point.
         """
         first, stop = self._rows(start, end)
-        first, stop = max(self._begin, first - 1), min(self._size, stop + 1)
+        first, stop = max(self._start, first - 1), min(self._size, stop + 1)
         width = (end - start) / bins
         pieces = []
         for begin, until in self._between_gaps(first, stop, max(self._max_gap, width)):

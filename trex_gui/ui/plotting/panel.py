@@ -111,7 +111,7 @@ class TracePanel(QWidget):
         self.plot.view_changed.connect(self._table.refresh)
         self.plot.cursor_changed.connect(self._table.refresh)
         self.plot.cursor_changed.connect(self._view.show_needed_columns)
-        self.plot.event_chosen.connect(self._list.choose)
+        self.plot.event_chosen.connect(self._list.select)
         self.plot.shown_changed.connect(self._on_shown_changed)
         self.plot.colors_changed.connect(self._on_colors_changed)
         self._view.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
@@ -253,7 +253,7 @@ class TracePanel(QWidget):
         events = [] if source is None else source.events_between(-math.inf, time)
         for event in reversed(events):
             if event.text == text:
-                self._list.choose(event)
+                self._list.select(event)
                 self._on_event_chosen(event)
                 return
         self._show_time(time)

@@ -141,8 +141,8 @@ class TrafficModel(QObject):
 
     @Slot()
     def pull(self) -> None:
-        rows = self._assembler.feed(self.log.take())
-        rows += self._search.feed(self.search_log.take())
+        rows = self._assembler.feed(self.log.pop())
+        rows += self._search.feed(self.search_log.pop())
         for transaction in rows:
             self._add(transaction)
         if rows and self._is_seen:

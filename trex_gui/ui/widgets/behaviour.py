@@ -145,7 +145,7 @@ class PressMonitor(QObject):
         self._timer = new_timer(self, _POLL_MS, self._on_poll)
         widget.installEventFilter(self)
 
-    def begin(self) -> None:
+    def start(self) -> None:
         """Watch from now on. Beginning again is fine."""
         if not self._timer.isActive():
             self._was_active = self._widget.isActiveWindow()
@@ -236,10 +236,10 @@ class HoldButton(QPushButton):
         self._monitor = PressMonitor(self)
         self._monitor.lost.connect(self._end)
 
-    def _begin(self) -> None:
+    def _start(self) -> None:
         if not self.is_held and self.isEnabled():
             self.is_held = True
-            self._monitor.begin()
+            self._monitor.start()
             self.hold_started.emit()
 
     @Slot()
@@ -253,7 +253,7 @@ class HoldButton(QPushButton):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         super().mousePressEvent(event)
         if event.button() == Qt.MouseButton.LeftButton:
-            self._begin()
+            self._start()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if self.is_held:  # else Qt would press it again when the mouse comes back
@@ -268,7 +268,7 @@ class HoldButton(QPushButton):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         super().keyPressEvent(event)
         if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
-            self._begin()
+            self._start()
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():

@@ -31,7 +31,7 @@ class Document(Protocol):
 
 @dataclass(slots=True)
 class _Following:
-    """A save that waits for another one in the same file. What `known` means is in `_begin`."""
+    """A save that waits for another one in the same file. What `known` means is in `_start`."""
 
     content: Content
     known: bytes | None
@@ -71,10 +71,10 @@ class DocumentSaver(QObject):
             self._leave = None
             self.failed.emit(error)
             return False
-        self._begin(path, content, self._document.on_disk if ask else None)
+        self._start(path, content, self._document.on_disk if ask else None)
         return True
 
-    def _begin(self, path: Path, content: Content, known: bytes | None) -> None:
+    def _start(self, path: Path, content: Content, known: bytes | None) -> None:
         """Save in a file that should hold what is `known`. `None`: whatever it holds."""
         if path in self._running:
             self._running[path].append(_Following(content, known))
@@ -110,7 +110,7 @@ class DocumentSaver(QObject):
 
     def _go_on(self, path: Path) -> None:
         for following in self._running.pop(path):
-            self._begin(path, following.content, following.known)
+            self._start(path, following.content, following.known)
         if not self._running and self._leave is not None:
             leave, self._leave = self._leave, None
             leave()

@@ -296,7 +296,7 @@ class InlinePrompt(_MessageRow):
         self._layout.addWidget(self._cancel)
         set_sign(self._sign, "warning", "warning", 4)
 
-    def ask(
+    def prompt(
         self,
         text: str,
         *answers: Answer,

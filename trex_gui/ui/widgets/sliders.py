@@ -96,7 +96,7 @@ class PressSlider(PaintedSlider):
     def grab_handle(self) -> None:
         if not self.held:
             self.held = True
-            self._monitor.begin()
+            self._monitor.start()
             self.grabbed.emit()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:

@@ -84,7 +84,7 @@ class RecordWorker(WorkerThread, Generic[RecordT]):
 class RecordThread(QObject, Generic[RecordT]):
     """Records one device into one file at a time.
 
-    Subclasses define `is_available`, start with `begin` and pass records to `put`.
+    Subclasses define `is_available`, start with `start_recording` and pass records to `put`.
     """
 
     changed = Signal()  # `recording`, `can_record`, `size` or `lost`
@@ -125,7 +125,7 @@ class RecordThread(QObject, Generic[RecordT]):
     def start(self, path: Path) -> bool:
         raise NotImplementedError
 
-    def begin(
+    def start_recording(
         self,
         path: Path,
         fmt: RecordingFormat[HeaderT],

@@ -155,7 +155,7 @@ class SessionThread(QObject):
         if in_time:
             worker.finished.disconnect(self._on_worker_finished)
         else:
-            self._keep(worker)
+            self._save(worker)
         self._handle_reports()
         self._clear_requests()
         if in_time:
@@ -164,7 +164,7 @@ class SessionThread(QObject):
             self.last = self.last or self._fault()
         return in_time
 
-    def _keep(self, worker: LineWorker) -> None:
+    def _save(self, worker: LineWorker) -> None:
         self._ending.append(worker)
         adopt_orphan(worker)
 
@@ -204,7 +204,7 @@ class SessionThread(QObject):
 
     def _end(self, last: Closed) -> None:
         if self._worker is not None:
-            self._keep(self._worker)
+            self._save(self._worker)
             self._worker = None
         self.last = last
         self._clear_requests()

@@ -40,7 +40,7 @@ def sequential(what: list[Record], time: float) -> RobotState:
     moment = RobotState(MOTORS)
     for record in what:
         if record.time <= time:
-            moment.take(record)
+            moment.update(record)
     return moment
 
 

@@ -21,7 +21,7 @@ CONNECTED = Connected(1, 2)
 def known(*reports: object) -> RobotState:
     found = RobotState(2)
     for report in reports:
-        found.take(report)
+        found.update(report)
     return found
 
 

@@ -198,7 +198,7 @@ def test_setpoint_is_what_the_motor_follows(
     now: DriveInputs, motor: int, expected: tuple[SetpointSource, int, bool]
 ) -> None:
     newest = Newest()
-    newest.take(Remapped(0.0, (50, -90, -30, 0, 0)))
+    newest.update(Remapped(0.0, (50, -90, -30, 0, 0)))
     assert motor_setpoint(motor, now, newest, 20) == MotorSetpoint(*expected)
     if expected[0] is SetpointSource.CHANNEL:
         assert motor_setpoint(motor, now, Newest(), 20) == MotorSetpoint(SetpointSource.UNKNOWN)

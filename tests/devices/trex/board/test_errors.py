@@ -52,8 +52,8 @@ def test_each_of_13_bits_has_its_own_entry(log: ErrorCounts) -> None:
 
 def test_bits_from_before_the_connection_are_noted_and_not_counted(log: ErrorCounts) -> None:
     earlier = replace(news(Status.UART_ERROR, UartError.FRAMING), is_earlier=True)
-    log.take(earlier, NOW, TODAY)
-    log.take(news(UartError.FRAMING), NOW, TODAY)
+    log.count(earlier, NOW, TODAY)
+    log.count(news(UartError.FRAMING), NOW, TODAY)
     noted = [(entry.bit, entry.count) for entry in log.entries if entry.is_earlier]
     assert noted == [(Status.UART_ERROR, 0), (UartError.FRAMING, 1)]
     assert uncleared(log) == 1
@@ -61,8 +61,8 @@ def test_bits_from_before_the_connection_are_noted_and_not_counted(log: ErrorCou
 
 @pytest.mark.parametrize("position", range(13), ids=lambda index: BITS[index].name or "")
 def test_each_bit_is_counted_separately(log: ErrorCounts, position: int) -> None:
-    log.take(news(BITS[position]), NOW, TODAY)
-    log.take(news(BITS[position]), NOW, TODAY)
+    log.count(news(BITS[position]), NOW, TODAY)
+    log.count(news(BITS[position]), NOW, TODAY)
     expected = [0] * 13
     expected[position] = 2
     assert counts(log) == expected
@@ -72,7 +72,7 @@ def test_each_bit_is_counted_separately(log: ErrorCounts, position: int) -> None
 def test_each_change_is_told() -> None:
     told: list[int] = []
     board = ErrorCounts(lambda: told.append(sum(counts(board))))
-    board.take(news(*BITS), NOW, TODAY)
+    board.count(news(*BITS), NOW, TODAY)
     board.clear(Status.MOTOR1_FAULT)
     board.reset()
     assert told == [13, 13, 0]
@@ -81,7 +81,7 @@ def test_each_change_is_told() -> None:
 
 def test_clearing_keeps_counts_and_ends_with_the_next_report(log: ErrorCounts) -> None:
     assert uncleared(log) == 0
-    log.take(news(Status.MOTOR1_FAULT, Status.UART_ERROR, UartError.FRAMING), NOW, TODAY)
+    log.count(news(Status.MOTOR1_FAULT, Status.UART_ERROR, UartError.FRAMING), NOW, TODAY)
     assert uncleared(log) == 2, "the bit that announces UART errors is no error of its own"
     log.clear(Status.MOTOR1_FAULT)
     (left,) = (entry.bit for entry in log.occurred if entry.is_uncleared)
@@ -89,12 +89,12 @@ def test_clearing_keeps_counts_and_ends_with_the_next_report(log: ErrorCounts) -
     log.clear(UartError.FRAMING)
     assert uncleared(log) == 0
     assert sum(counts(log)) == 3
-    log.take(news(Status.UART_ERROR), NOW, TODAY)
+    log.count(news(Status.UART_ERROR), NOW, TODAY)
     assert uncleared(log) == 1
 
 
 def test_error_is_active_while_it_is_reported(log: ErrorCounts) -> None:
-    log.take(news(Status.MOTOR1_FAULT), NOW, TODAY)
+    log.count(news(Status.MOTOR1_FAULT), NOW, TODAY)
     assert log.is_active(log.entries[0], NOW + 0.5)
     assert not log.is_active(log.entries[0], NOW + 1.5)
     assert not log.is_active(log.entries[1], NOW + 0.5)
@@ -120,19 +120,19 @@ def test_what_stops_the_motors_depends_on_error_shutdown(
 
 def test_returned_entries_are_not_updated(log: ErrorCounts) -> None:
     before = log.entries
-    log.take(news(*BITS), NOW, TODAY)
+    log.count(news(*BITS), NOW, TODAY)
     assert [entry.count for entry in before] == [0] * 13
 
 
 def test_only_the_last_report_is_marked_as_doubtful(log: ErrorCounts) -> None:
-    log.take(news(Status.MOTOR1_FAULT), NOW, TODAY, is_doubtful=True)
+    log.count(news(Status.MOTOR1_FAULT), NOW, TODAY, is_doubtful=True)
     assert [entry.bit for entry in log.entries if entry.is_doubtful] == [Status.MOTOR1_FAULT]
-    log.take(news(Status.MOTOR1_FAULT), NOW, TODAY)
+    log.count(news(Status.MOTOR1_FAULT), NOW, TODAY)
     assert not any(entry.is_doubtful for entry in log.entries)
 
 
 def test_recent_errors_are_those_of_the_motor_and_of_the_line(log: ErrorCounts) -> None:
-    log.take(news(Status.MOTOR1_FAULT, Status.MOTOR2_OVER_LIMIT, UartError.TIMEOUT), NOW, TODAY)
+    log.count(news(Status.MOTOR1_FAULT, Status.MOTOR2_OVER_LIMIT, UartError.TIMEOUT), NOW, TODAY)
     assert [entry.bit for entry in log.recent(1, NOW + 2)] == [
         Status.MOTOR1_FAULT, UartError.TIMEOUT
     ]  # fmt: skip
@@ -143,7 +143,7 @@ def test_recent_errors_are_those_of_the_motor_and_of_the_line(log: ErrorCounts) 
 
 
 def test_counts_of_another_board_on_the_line_are_kept(log: ErrorCounts) -> None:
-    log.take(news(Status.MOTOR1_FAULT), NOW, TODAY)
+    log.count(news(Status.MOTOR1_FAULT), NOW, TODAY)
     log.select("one", "other")
     assert sum(counts(log)) == 0
     log.select("other", "one")

@@ -68,7 +68,7 @@ class Watched:
         self.events: list[BoardEvent] = []
 
     def take(self, report: Report) -> list[BoardEvent]:
-        found = list(self.board.take(report, self.now, UTC_NOW))
+        found = list(self.board.handle(report, self.now, UTC_NOW))
         self.events += found
         return found
 

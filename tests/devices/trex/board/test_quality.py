@@ -34,7 +34,7 @@ class MeasuredLine:
             for name, share in shares.items():
                 self._exact[name] += share * self._rate / 30
                 setattr(self.counters, name, int(self._exact[name]))
-            if self.quality.take(self.time, replace(self.counters)):
+            if self.quality.update(self.time, replace(self.counters)):
                 judged.append(self.quality.is_noisy)
         return judged
 
@@ -89,7 +89,7 @@ def test_three_failures_before_a_silence_are_no_noise() -> None:
     line = MeasuredLine()
     line.run(3)
     line.counters.missing += 3
-    assert line.quality.take(line.time + 2, line.counters)
+    assert line.quality.update(line.time + 2, line.counters)
     assert line.quality.is_noisy is False
 
 

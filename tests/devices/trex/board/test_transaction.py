@@ -44,7 +44,7 @@ class Kept(Keeper):
 
     def finish(self, results: list[WriteResult]) -> None:
         keys = [(result.key, 0) for result in results]
-        write = self.begin(STATE, LINK, "a test", keys)
+        write = self.prepare(STATE, LINK, "a test", keys)
         write.finish(results, after_writing(STATE, results), utc_now())
 
 
@@ -54,7 +54,7 @@ def record_of(name: str) -> str:
 
 def test_snapshot_says_why_and_where() -> None:
     kept = Kept()
-    kept.begin(STATE, LINK, "a test", [("serial_timeout", 5)])
+    kept.prepare(STATE, LINK, "a test", [("serial_timeout", 5)])
     (snapshot,) = (data_folder() / "snapshots").glob("*.txt")
     assert {"# reason: a test", "# adapter: /dev/ttyUSB0"} <= {*snapshot.read_text().splitlines()}
     assert str(snapshot) in kept.said[0]

@@ -24,7 +24,7 @@ def take(minutes: int = 0, reason: str = "Apply of 1 setting", **values: int) ->
         there.product, there.firmware, {**there.parameters, **values}, there.calibrations
     )
     now = NOON + timedelta(minutes=minutes)
-    return SettingsHistory().take(settings, adapter="FT232R (ttyUSB0)", reason=reason, now=now).path
+    return SettingsHistory().save(settings, adapter="FT232R (ttyUSB0)", reason=reason, now=now).path
 
 
 def test_empty_history_explains_when_snapshots_are_taken(trexcmd: RunCommand) -> None:

@@ -303,7 +303,7 @@ def test_held_controls_and_answers_are_not_handed_to_the_next_board(make: Make) 
     for _ in range(3):
         device.mix_jumper.feed((60, 0), (60, -60))
     stand.wait(lambda: device.mix_jumper.is_on)
-    learning.begin()
+    learning.start()
     stand.wait(lambda: learning.step is LearningStep.NEUTRAL)
     stand.select(7)
     assert device.mix_jumper.is_on is None

@@ -108,7 +108,7 @@ def test_numbers_of_other_devices_outlast_the_choice_of_a_port(setup: ConnectorS
     ):
         port = setup.ports.add_typed(name)
         setup.ports.lead_to(port, "trex", ConnectionSettings("", device_number=number).packed)
-        setup.connector.choose(setup.ports.now(port) or port)
+        setup.connector.select(setup.ports.now(port) or port)
         assert setup.connector.settings == expected
 
 
@@ -338,7 +338,7 @@ def test_failed_write_of_line_settings_keeps_candidates(
 ) -> None:
     setup.connect(setup.ports.add_typed(quick_simulator.url))
     setup.device.connection.expect((ConnectionSettings("", NEW),))
-    PowerCycle(setup.device).begin(failed=[UART])
+    PowerCycle(setup.device).start(failed=[UART])
     quick_simulator.do("power off")
     setup.until_link(ConnectionState.NOT_RESPONDING)
     quick_simulator.do(f"eeprom uart_settings {NEW.to_wire()}")

@@ -47,5 +47,5 @@ def test_mix_result_needs_several_values_and_survives_neutral(qtbot: QtBot) -> N
             jumper.feed(outputs, answered)
         seen.append(jumper.is_on)
     with qtbot.waitSignal(jumper.changed):
-        jumper.forget()
+        jumper.clear()
     assert [*seen, jumper.is_on] == [None, True, True, True, False, None]

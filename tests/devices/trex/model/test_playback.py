@@ -97,7 +97,7 @@ def test_seeking_gives_the_same_state_as_sequential_reading(minute: Playback) ->
     for place in sorted(places):
         minute.set_position(T0 + place)
         while records and records[0].time <= minute.position:
-            straight.take(records.popleft())
+            straight.update(records.popleft())
         expected[place] = deepcopy(straight)
     for place in [*sorted(places, reverse=True), *places]:
         minute.set_position(T0 + place)

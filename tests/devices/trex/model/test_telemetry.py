@@ -29,13 +29,13 @@ def motors(qtbot: QtBot) -> Motors:
 @pytest.fixture
 def telemetry(motors: Motors) -> Telemetry:
     telemetry = Telemetry(motors.drive, Newest())
-    telemetry.begin(0.15)
+    telemetry.start(0.15)
     return telemetry
 
 
 def take(telemetry: Telemetry, *samples: Sample) -> None:
     for sample in samples:
-        telemetry.newest.take(sample)
+        telemetry.newest.update(sample)
         telemetry.add(sample)
     telemetry.finish()
 
@@ -71,7 +71,7 @@ def test_currents_are_kept_in_amperes_with_times(telemetry: Telemetry) -> None:
     assert list(telemetry.currents.times) == [1.0, 1.0125]
     assert list(telemetry.currents.values(0)) == pytest.approx([0.0, 3.0])
     assert list(telemetry.currents.values(1)) == pytest.approx([1.5, 38.25])
-    telemetry.begin(0.04)
+    telemetry.start(0.04)
     assert len(telemetry.currents) == 0
     take(telemetry, Currents(2.0, (100, 0)))
     assert telemetry.motor_currents == pytest.approx((4.0, 0.0))
@@ -96,7 +96,7 @@ def test_text_is_due_less_often_than_a_frame(telemetry: Telemetry) -> None:
 def test_text_is_due_as_soon_as_values_are_forgotten(telemetry: Telemetry, qtbot: QtBot) -> None:
     take(telemetry, Raw(1.0, (1, 2, 3, 4, 5)))
     with qtbot.waitSignal(telemetry.text_due):
-        telemetry.forget()
+        telemetry.clear()
     with qtbot.waitSignal(telemetry.text_due):
         take(telemetry, Raw(1.01, (1, 2, 3, 4, 5)))
 
@@ -108,7 +108,7 @@ def test_views_are_renewed_only_while_a_window_is_seen(telemetry: Telemetry) -> 
     telemetry.text_due.connect(lambda: emitted.append("text"))
     telemetry.set_seen(False)
     take(telemetry, Raw(1.0, (1, 2, 3, 4, 5)))
-    telemetry.forget()
+    telemetry.clear()
     assert emitted == ["updated", "updated"]
     telemetry.set_seen(True)
     assert emitted[2:] == ["frame", "text"]
@@ -120,7 +120,7 @@ def test_forget_clears_values_and_keeps_the_history(telemetry: Telemetry, qtbot:
     take(telemetry, Currents(1.0, (1, 2)), Raw(1.0, (1, 2, 3, 4, 5)), Control(1.0, by_serial=True))
     with qtbot.waitSignal(telemetry.updated):
         telemetry.newest.samples.clear()
-        telemetry.forget()
+        telemetry.clear()
     assert telemetry.raw is None
     assert telemetry.motor_currents is None
     assert len(telemetry.currents) == 1
@@ -152,7 +152,7 @@ def test_inputs_are_kept_with_times_and_gaps(telemetry: Telemetry) -> None:
     assert list(telemetry.inputs.values(0)) == [1, 7]
     assert math.isnan(telemetry.inputs.values(1)[0])
     assert telemetry.inputs.values(1)[1] == 8
-    telemetry.forget()
+    telemetry.clear()
     assert len(telemetry.inputs) == 2
-    telemetry.begin(0.04)
+    telemetry.start(0.04)
     assert len(telemetry.inputs) == 0

@@ -28,10 +28,10 @@ def test_stop_ends_the_setpoints_and_nothing_else() -> None:
         Marker(2.0, "apply", ""),
     )
     for record in records:
-        state.take(record)
+        state.update(record)
     before = copy(state)
     assert (before.setpoints, before.auxiliary) == ({1: FORWARD}, 30)
-    state.take(Marker(3.0, STOP, ""))
+    state.update(Marker(3.0, STOP, ""))
     assert (state.setpoints, state.auxiliary) == ({}, None)
     assert (before.setpoints, before.auxiliary) == ({1: FORWARD}, 30)
     for each in (before, state):

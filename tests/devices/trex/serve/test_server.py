@@ -100,7 +100,7 @@ class ServedDriver:
 
     def send(self, user: str, *requests: Any, age: float = 0.0) -> None:
         for request in requests:
-            self.server.take(self.parties[user], self.message(user, request, age=age))
+            self.server.handle(self.parties[user], self.message(user, request, age=age))
 
     def kinds(self) -> list[type]:
         """Return the types of what reached the session, without what sets its rate."""
@@ -362,7 +362,7 @@ def test_message_counts_once_and_in_order(served: ServedDriver) -> None:
     served.send("alice", AskLease())
     old, new = (served.message("alice", SetAuxiliary(speed)) for speed in (1, 2))
     for data in (new, old, new):
-        served.server.take(served.parties["alice"], data)
+        served.server.handle(served.parties["alice"], data)
     assert served.session[-1] == SetAuxiliary(2)
     assert served.kinds() == [SetAuxiliary]
     assert served.server.refused == {"replayed": 2}
@@ -373,7 +373,7 @@ def test_stop_overtakes_motor_commands_and_nothing_else(served: ServedDriver) ->
     late = [served.message("alice", one) for one in (Arm(), SetAuxiliary(1), Reload(3))]
     stop = served.message("alice", Stop(1))
     for data in (stop, *late, stop):
-        served.server.take(served.parties["alice"], data)
+        served.server.handle(served.parties["alice"], data)
     assert served.kinds() == [Stop, Reload]
     assert served.server.refused == {"overtaken by a stop": 2, "replayed": 1}
     served.send("alice", Arm())
@@ -382,9 +382,9 @@ def test_stop_overtakes_motor_commands_and_nothing_else(served: ServedDriver) ->
 
 def test_strangers_and_large_messages_are_refused(served: ServedDriver) -> None:
     stranger = Party("id-alice", "mallory", Role.OWN)
-    served.server.take(stranger, served.message("alice", Stop(1)))
-    served.server.take(served.parties["alice"], b"\x00" * (LARGEST_REQUEST + 1))
-    served.server.take(served.parties["alice"], b"\xc1")
+    served.server.handle(stranger, served.message("alice", Stop(1)))
+    served.server.handle(served.parties["alice"], b"\x00" * (LARGEST_REQUEST + 1))
+    served.server.handle(served.parties["alice"], b"\xc1")
     assert served.kinds() == []
     assert served.server.refused == {"unknown client": 1, "too large": 1, "malformed": 1}
 
@@ -463,7 +463,7 @@ def test_request_that_would_hold_up_a_stop_is_refused(
 def test_hello_is_not_replayed(served: ServedDriver) -> None:
     hello = served.message("alice", Hello(VERSION, "test"))
     served.send("alice", AskLease())
-    served.server.take(served.parties["alice"], hello)
+    served.server.handle(served.parties["alice"], hello)
     assert served.lease_of("alice").is_mine
     assert served.server.refused == {"replayed": 1}
 
@@ -617,7 +617,7 @@ class SimulatedClient:
     def send(self, request: Any) -> None:
         network = self.network
         data = encode_request(request, next(self._counter), self._seen, network.now)
-        network.carry(lambda: network.server.take(self.party, data))
+        network.carry(lambda: network.server.handle(self.party, data))
 
     def receive(self, message: bytes) -> None:
         (_, time, _), report = decode_report(message, 3)

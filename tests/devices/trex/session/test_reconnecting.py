@@ -474,7 +474,7 @@ def test_third_failure_reports_not_responding_once() -> None:
 
 def test_reading_board_again_ends_not_responding() -> None:
     liveness = silent_at(7.0)
-    liveness.begin()
+    liveness.start()
     assert not liveness.silent
     assert not liveness.record_failure(8.0)
 
@@ -502,7 +502,7 @@ def test_scan_continues_until_board_is_read() -> None:
     assert liveness.look(client) is None
     liveness.expect(())
     assert liveness.is_scanning(client)
-    liveness.begin()
+    liveness.start()
     assert not liveness.is_scanning(client)
 
 

@@ -73,7 +73,7 @@ def test_setpoints_of_same_kind_share_one_packet() -> None:
     slots = SetpointSlots()
     slots.put(SetMotor(2, Drive.brake(5), accelerate=True))
     slots.put(SetMotor(1, Drive.at(-10), accelerate=True))
-    assert packets(slots.take()) == [DriveBoth(Drive.at(-10), Drive.brake(5), accelerate=True)]
+    assert packets(slots.pop()) == [DriveBoth(Drive.at(-10), Drive.brake(5), accelerate=True)]
 
 
 def test_requeued_setpoint_does_not_replace_newer_one() -> None:
@@ -87,7 +87,7 @@ def test_requeued_setpoint_does_not_replace_newer_one() -> None:
     for setpoint in newer:
         slots.put(setpoint)
     slots.put_back(damaged)
-    assert slots.take() == [newer[0], damaged[1], newer[1]]
+    assert slots.pop() == [newer[0], damaged[1], newer[1]]
 
 
 all_setpoints = st.one_of(
@@ -112,7 +112,7 @@ def test_packets_contain_newest_setpoint_of_each_motor(
         slots.put(setpoint)
         newest[setpoint.motor if isinstance(setpoint, SetMotor) else 0] = setpoint
     sent: dict[int, object] = {}
-    for command in packets(slots.take()):
+    for command in packets(slots.pop()):
         match command:
             case DriveBoth(first, second, accelerate):
                 sent[1] = SetMotor(1, first, accelerate)
@@ -130,7 +130,7 @@ def test_packets_contain_newest_setpoint_of_each_motor(
 def test_newest_setpoint_wins_with_two_motor_messages() -> None:
     both = SetMotors((SetMotor(1, Drive.at(9)), SetMotor(2, Drive.at(-9))))
     older, newer = SetMotor(2, Drive.at(50)), SetMotor(1, Drive.at(7))
-    setpoints = collected(older, both, newer).motors.setpoints.take()
+    setpoints = collected(older, both, newer).motors.setpoints.pop()
     assert setpoints == [
         newer,
         SetMotor(2, Drive.at(-9)),
@@ -148,7 +148,7 @@ def test_stop_discards_later_setpoints_until_armed() -> None:
     setpoint = SetMotor(2, Drive.at(5))
     assert not collected(SetMotor(1, Drive.at(9)), Stop(1), setpoint).motors.setpoints
     queue = collected(SetMotor(1, Drive.at(9)), Stop(1), SetAuxiliary(9), Arm(), setpoint)
-    assert queue.motors.setpoints.take() == [SetMotor(2, Drive.at(5))]
+    assert queue.motors.setpoints.pop() == [SetMotor(2, Drive.at(5))]
 
 
 def test_collect_waits_only_for_first_request() -> None:

@@ -43,7 +43,7 @@ def history(tmp_path: Path) -> SettingsHistory:
 def take(history: SettingsHistory, minutes: int = 0, **values: int) -> Path:
     settings = settings_of_a_board(**values)
     now = NOON + timedelta(minutes=minutes)
-    return history.take(settings, adapter="FT232R (ttyUSB0)", reason="Apply", now=now).path
+    return history.save(settings, adapter="FT232R (ttyUSB0)", reason="Apply", now=now).path
 
 
 def test_new_history_is_empty_and_creates_no_folder(history: SettingsHistory) -> None:
@@ -53,7 +53,7 @@ def test_new_history_is_empty_and_creates_no_folder(history: SettingsHistory) ->
 
 def test_saved_snapshot_loads_as_same_settings(history: SettingsHistory) -> None:
     settings = settings_of_a_board(serial_timeout=5)
-    snapshot = history.take(settings, adapter="/dev/ttyUSB0", reason="Apply of 2 settings")
+    snapshot = history.save(settings, adapter="/dev/ttyUSB0", reason="Apply of 2 settings")
     assert history.load(snapshot) == settings
     assert history.snapshots() == (snapshot,)
 
@@ -82,13 +82,13 @@ def test_newest_snapshot_is_first_even_within_one_second(
 
 
 def test_limit_removes_oldest_snapshots(history: SettingsHistory) -> None:
-    history.keep(3)
+    history.set_limit(3)
     paths = [take(history, minutes) for minutes in range(5)]
     assert {snapshot.path for snapshot in history.snapshots()} == set(paths[2:])
 
 
 def test_new_snapshot_is_kept_if_clock_went_back(history: SettingsHistory) -> None:
-    history.keep(2)
+    history.set_limit(2)
     for minutes in (10, 11):
         os.utime(take(history, minutes), (1, 1))  # saved before, by whatever clock
     newest = take(history, -60)
@@ -97,7 +97,7 @@ def test_new_snapshot_is_kept_if_clock_went_back(history: SettingsHistory) -> No
 
 
 def test_snapshot_saved_meanwhile_by_other_program_is_kept(history: SettingsHistory) -> None:
-    history.keep(1)
+    history.set_limit(1)
     other = take(history, 1)
     os.utime(other, (2**32, 2**32))  # after anything saved now
     own = take(history, 2)
@@ -108,7 +108,7 @@ def test_snapshot_saved_meanwhile_by_other_program_is_kept(history: SettingsHist
 def test_dangling_snapshot_link_does_not_block_new_snapshot(
     history: SettingsHistory,
 ) -> None:
-    history.keep(1)
+    history.set_limit(1)
     gone = take(history)
     gone.unlink()
     gone.symlink_to(history.folder / "elsewhere")
@@ -117,16 +117,16 @@ def test_dangling_snapshot_link_does_not_block_new_snapshot(
 
 
 def test_snapshot_with_a_name_is_kept_beyond_the_limit(history: SettingsHistory) -> None:
-    history.keep(1)
+    history.set_limit(1)
     path = take(history, 0)
     (first,) = history.snapshots()
     history.label(first, name="before the\tcontest")
     take(history, 1)
     newest = take(history, 2)
     assert [snapshot.path for snapshot in history.snapshots()] == [newest, path]
-    assert history.keep(1) == ()
+    assert history.set_limit(1) == ()
     history.label(first, name="")
-    assert [snapshot.path for snapshot in history.keep(1)] == [path]
+    assert [snapshot.path for snapshot in history.set_limit(1)] == [path]
 
 
 def test_name_and_note_change_nothing_else(history: SettingsHistory) -> None:
@@ -149,7 +149,7 @@ def test_name_and_note_change_nothing_else(history: SettingsHistory) -> None:
 
 
 def test_history_without_limit_removes_nothing(history: SettingsHistory) -> None:
-    history.keep(None)
+    history.set_limit(None)
     for minutes in range(12):
         take(history, minutes)
     assert len(history.snapshots()) == 12
@@ -158,12 +158,12 @@ def test_history_without_limit_removes_nothing(history: SettingsHistory) -> None
 
 def test_limit_of_zero_is_rejected(history: SettingsHistory) -> None:
     with pytest.raises(ValueError, match="at least one"):
-        history.keep(0)
+        history.set_limit(0)
     assert history.bound() == Bound(KEPT)
 
 
 def test_limit_is_shared_between_programs(history: SettingsHistory) -> None:
-    history.keep(2)
+    history.set_limit(2)
     other = SettingsHistory(history.folder)
     assert other.bound() == Bound(2)
     for minutes in range(4):
@@ -175,9 +175,9 @@ def test_lower_limit_removes_and_returns_oldest_snapshots(history: SettingsHisto
     paths = [take(history, minutes) for minutes in range(5)]
     beyond = history.beyond(2)
     assert [snapshot.path for snapshot in beyond] == paths[2::-1]
-    assert history.keep(2) == beyond
+    assert history.set_limit(2) == beyond
     assert [snapshot.path for snapshot in history.snapshots()] == paths[:2:-1]
-    assert history.keep(500) == ()
+    assert history.set_limit(500) == ()
 
 
 @pytest.mark.parametrize("text", ["kept: 7\n", "# mine\n\n kept:7 # a week\n", "\ufeffkept: 7\r\n"])
@@ -195,14 +195,14 @@ def test_limit_file_may_be_written_by_hand(history: SettingsHistory, text: str) 
     ],
 )
 def test_damaged_limit_removes_nothing_and_is_reported(history: SettingsHistory, text: str) -> None:
-    history.keep(2)
+    history.set_limit(2)
     (history.folder / BOUND_FILE).write_text(text, encoding="utf-8")
     for minutes in range(4):
         take(history, minutes)
     assert len(history.snapshots()) == 4
     assert history.bound().kept is None
     assert "is damaged" in history.bound().problem
-    history.keep(3)
+    history.set_limit(3)
     assert history.bound() == Bound(3)
     assert len(history.snapshots()) == 3
 
@@ -213,7 +213,7 @@ def test_unreadable_limit_is_reported_and_cannot_be_set(history: SettingsHistory
     take(history, 1)
     assert "cannot be read" in history.bound().problem
     with pytest.raises(SettingsError):
-        history.keep(1)
+        history.set_limit(1)
     assert len(history.snapshots()) == 2
 
 
@@ -231,7 +231,7 @@ def test_limit_that_cannot_be_saved_removes_nothing(
         take(history, minutes)
     monkeypatch.setattr("pathlib.Path.replace", no_space)
     with pytest.raises(SettingsError, match="No space left"):
-        history.keep(1)
+        history.set_limit(1)
     assert len(history.snapshots()) == 3
     assert history.bound() == Bound(KEPT)
 
@@ -255,7 +255,7 @@ model = device_table().model("trexjr")
 sys.stdin.readline()
 for number in range(20):
     settings = Settings(model, "1.2", {"serial_timeout": int(sys.argv[2]) + number})
-    history.take(settings, adapter="", reason="", now=datetime(2026, 11, 21, tzinfo=UTC))
+    history.save(settings, adapter="", reason="", now=datetime(2026, 11, 21, tzinfo=UTC))
 """
 
 
@@ -319,7 +319,7 @@ def test_leftover_temporary_file_is_not_listed(history: SettingsHistory) -> None
 
 
 def test_limit_leaves_unrelated_files_alone(history: SettingsHistory) -> None:
-    history.keep(1)
+    history.set_limit(1)
     take(history)
     names = ["notes.txt", "20261121T115900Z.txt", "20261121T115900Z-trex-1.2.txt.bak", "x"]
     for name in names:
@@ -407,7 +407,7 @@ def test_snapshot_accepts_any_adapter_and_reason(
 ) -> None:
     history = SettingsHistory(tmp_path_factory.mktemp("history"))
     settings = settings_of_a_board()
-    snapshot = history.take(settings, adapter=adapter, reason=reason)
+    snapshot = history.save(settings, adapter=adapter, reason=reason)
     assert history.load(snapshot) == settings
     assert [listed.path for listed in history.snapshots()] == [snapshot.path]
 

@@ -144,7 +144,7 @@ def test_what_another_program_did_appears_on_refresh(dialog: HistoryDialog) -> N
     take(dialog.history, MINUTE, serial_timeout=5)
     dialog.open()
     take(dialog.history)
-    dialog.history.keep(77)
+    dialog.history.set_limit(77)
     dialog.refresh()
     assert dialog.count() == 2
     assert dialog.selected_row() == 1  # what was looked at stays

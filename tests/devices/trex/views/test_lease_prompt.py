@@ -42,7 +42,7 @@ class ServedWindow:
         monkeypatch.setattr(self.connection, "submit", record)
 
     def report(self, report: object) -> None:
-        self.connection.take(report)
+        self.connection.handle(report)
 
     @property
     def question(self) -> str:

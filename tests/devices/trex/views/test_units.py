@@ -56,7 +56,7 @@ def parsed(editor: UnitSpinBox, text: str) -> int | None:
 def test_each_count_that_is_shown_is_read_as_that_count(
     source: InputSource, own_first: bool
 ) -> None:
-    units().choose(own_first=own_first)
+    units().set_order(own_first=own_first)
     editor = CountEditor(source)
     for count in (0, 1, 2, 511, 1023, 3092, 3750, HIGHEST_CODED):
         with QSignalBlocker(editor):
@@ -88,7 +88,7 @@ def test_each_count_that_is_shown_is_read_as_that_count(
 def test_count_without_unit_is_in_the_unit_shown(
     own_first: bool, typed: str, count: int | None
 ) -> None:
-    units().choose(own_first=own_first)
+    units().set_order(own_first=own_first)
     assert parsed(CountEditor(InputSource.RC), typed) == count
 
 
@@ -110,7 +110,7 @@ def test_count_without_unit_is_in_the_unit_shown(
 )
 def test_acceleration_is_never_misread(typed: str, physical: int | None, own: int | None) -> None:
     for own_first, wire in ((False, physical), (True, own)):
-        units().choose(own_first=own_first)
+        units().set_order(own_first=own_first)
         editor = editor_for(SPECS[ACCELERATION])
         assert isinstance(editor, UnitSpinBox)
         assert parsed(editor, typed) == wire, own_first
@@ -118,7 +118,7 @@ def test_acceleration_is_never_misread(typed: str, physical: int | None, own: in
 
 @pytest.mark.parametrize("own_first", [False, True])
 def test_each_number_that_is_shown_is_read_as_that_value(own_first: bool) -> None:
-    units().choose(own_first=own_first)
+    units().set_order(own_first=own_first)
     tested = 0
     for spec in SPECS.readable:
         editor = editor_for(spec)
@@ -143,7 +143,7 @@ def test_switch_changes_cells_help_and_open_editor_at_once(qtbot: QtBot) -> None
 
     painted = Painted(parameters.view.viewport())
     parameters.wait(lambda: painted.is_idle)
-    units().choose(own_first=True)
+    units().set_order(own_first=True)
     parameters.wait(lambda: not painted.is_idle)
     assert parameters.cell("serial_timeout").data() == "13"
     assert parameters.cell(ACCELERATION).data() == "10"
@@ -158,7 +158,7 @@ def test_switch_changes_cells_help_and_open_editor_at_once(qtbot: QtBot) -> None
     assert editor.text() == "11"
     editor.selectAll()
     QTest.keyClicks(editor, "2")
-    units().choose(own_first=False)
+    units().set_order(own_first=False)
     assert editor.text() == "6.3 s to full speed", "what was typed is kept, and not 2 s"
     parameters.go_to("serial_timeout")
     parameters.wait_for_value(ACCELERATION, 2)
@@ -173,7 +173,7 @@ def test_switch_changes_channels_at_once(qtbot: QtBot, quick_simulator: Simulate
         neutral = page.find(QSpinBox, "neutralEdit")
         assert neutral.text() == "1500 µs"
 
-        units().choose(own_first=True)
+        units().set_order(own_first=True)
         assert page.input(1).startswith("4500 (1800 µs)")
         assert neutral.text() == "3750"
         page.type_into("neutralEdit", "3800")

@@ -144,7 +144,7 @@ class CommandSession:
             if isinstance(report, Closed):
                 error = report.error or StudioError("The line was closed.")
                 raise CommandFailed(error) from error
-            self._take(report)
+            self._handle(report)
             yield report
 
     def move(self, goals: Sequence[int], speeds: Sequence[int]) -> tuple[int, ...]:
@@ -171,7 +171,7 @@ class CommandSession:
         state = NO_STOP.format(self._expected) if self._is_moving else "Nothing is moving."
         say(f"Nothing more is sent. {state}")
 
-    def _take(self, report: Report) -> None:
+    def _handle(self, report: Report) -> None:
         match report:
             case Moving(expected=expected):
                 self._reported, self._is_moving, self._expected = 0, True, expected

@@ -68,7 +68,7 @@ class AracnaRecorder(RecordThread[Record]):
             return False
         self._motors = self._robot.state.motors
         header = RobotHeader(datetime.now(UTC), now(), self._robot.state.version or 0, self._motors)
-        self.begin(path, FORMAT, header, self._known_at(header.clock))
+        self.start_recording(path, FORMAT, header, self._known_at(header.clock))
         return True
 
     @Slot()
@@ -141,7 +141,7 @@ def _rows(state: RobotState, records: Iterable[Record]) -> list[_Row]:
     rows = list[_Row]()
     motion = list[tuple[int, int]]()  # place of each row of a motion, and how many had answered
     for record in records:
-        state.take(record)
+        state.update(record)
         match record:
             case Moving():
                 motion = [(len(rows), 0)]

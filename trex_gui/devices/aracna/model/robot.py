@@ -137,10 +137,10 @@ class Robot(DeviceConnection[PortSettings]):
 
     # --- Reports ------------------------------------------------------------------------
 
-    def take(self, report: object) -> None:
+    def handle(self, report: object) -> None:
         if isinstance(report, Connected) and report.motors != self.state.motors:
             self._reset(report.motors)
-        self.state.take(report)
+        self.state.update(report)
         match report:
             case Connected():
                 self._send_limits()

@@ -43,7 +43,7 @@ class RobotState:
     def __post_init__(self) -> None:
         self.present = (None,) * self.motors
 
-    def take(self, report: object) -> None:
+    def update(self, report: object) -> None:
         match report:
             case Moving(goals=goals):
                 self.moving, self.goals = report, goals

@@ -156,10 +156,10 @@ class AracnaClient:
         self.received = (self.received + data)[:_KEPT]
         events: list[CommandEvent] = []
         for reply in self._reader.feed(data):
-            events += self._take(reply, now)
+            events += self._handle(reply, now)
         return events + self._check_partial_reply(now) + self._check_timeouts(checked)
 
-    def _take(self, reply: Reply, now: float) -> list[CommandEvent]:
+    def _handle(self, reply: Reply, now: float) -> list[CommandEvent]:
         if isinstance(reply, Hello):
             self._count(restarts=1)
             voided, self.pending = self.pending, None

@@ -51,7 +51,7 @@ class ServoEstimates:
         """A servo may have lost power, or a new speed is unconfirmed."""
         self.speeds = (None,) * len(self.speeds)
 
-    def forget(self) -> None:
+    def clear(self) -> None:
         """All servos may have lost power."""
         self.clear_positions()
         self.clear_speeds()

@@ -344,7 +344,7 @@ class AracnaSession:
         voided = self._player.is_playing or bool(self._jobs)
         voided |= command is not None and command.letter != "q"
         # Servos keep position and speed over a reset but not over a power cut; `.h` reports both.
-        self._servos.forget()
+        self._servos.clear()
         self._report(Restarted(now, voided))
         self._drop(now, Ending.RESTARTED, RobotError(ErrorCode.RESTARTED))
 
@@ -354,6 +354,6 @@ class AracnaSession:
             raise diagnose(self._settings, self._client.received)
         now = self._now()
         self._liveness.set_not_responding(now)
-        self._servos.forget()
+        self._servos.clear()
         self._report(NotResponding(now, error))
         self._drop(now, Ending.LOST, RobotNoReplyError(ErrorCode.NOT_RESPONDING))

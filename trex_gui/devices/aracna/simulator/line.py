@@ -85,16 +85,16 @@ class RobotStation:
         self, byte: int, host: SerialFormat | None, _error: ReceiveError | None, _begun: float
     ) -> None:
         # Assumed: the firmware ignores framing errors and takes the byte as it is.
-        self._take(self._line.faults.garble(byte) if _is_other_parity(host) else byte)
+        self._receive(self._line.faults.garble(byte) if _is_other_parity(host) else byte)
 
     def sample(self, byte: int, host: SerialFormat) -> None:
         self._input.receive(byte, host, host.baud, paced=self._line.paced)
 
     def _receive_sampled(self, byte: int, _error: ReceiveError | None, _begun: float) -> None:
         self._line.faults.counters["garbled"] += 1
-        self._take(byte)
+        self._receive(byte)
 
-    def _take(self, byte: int) -> None:
+    def _receive(self, byte: int) -> None:
         if not self.powered:
             return
         if len(self.held) < HOLDS:

@@ -116,8 +116,8 @@ class AracnaWorkspace(Workspace):
         poses = FileKind({SUFFIX}, tr("a pose file of an Aracna"), pose_files.open_file)
         self.file_kinds = (poses,)
         self.openers = {"poses": pose_files.open_file, "recording": self.recordings.open_file}
-        pose_files.used.connect(partial(frame.files.recent.note, self.key, "poses"))
-        self.recordings.used.connect(partial(frame.files.recent.note, self.key, "recording"))
+        pose_files.used.connect(partial(frame.files.recent.add, self.key, "poses"))
+        self.recordings.used.connect(partial(frame.files.recent.add, self.key, "recording"))
 
         controller.demo_robot.rejected.connect(self.notifier.error)
         for signal in (

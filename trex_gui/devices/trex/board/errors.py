@@ -129,7 +129,7 @@ class ErrorCounts:
             and (isinstance(entry.bit, UartError) or entry.bit & _OF_MOTOR[motor])
         ]
 
-    def take(
+    def count(
         self, latched: LatchedStatus, now: float, utc: datetime, *, is_doubtful: bool = False
     ) -> None:
         """Count the bits of a status. `is_doubtful`: its reply may have been corrupted.

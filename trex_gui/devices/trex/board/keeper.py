@@ -58,7 +58,7 @@ class Keeper:
         if board is not None:
             self.memory.handle_record(board, read_record(board, self._warn))
 
-    def begin(
+    def prepare(
         self,
         state: DeviceState,
         link: ConnectionSettings,
@@ -79,7 +79,7 @@ class Keeper:
         self._say(f"Snapshot of the previous settings: {snapshot.path}.")
         if problem := history.bound().problem:
             self._warn(f"{problem} Set it again with `trexcmd history keep 500`.")
-        transaction.begin()
+        transaction.start()
         return transaction
 
     def write(
@@ -100,7 +100,7 @@ class Keeper:
         number = dict(parameters).get(ParameterKey.DEVICE_NUMBER)
         if number is not None and number != state.parameters.get(ParameterKey.DEVICE_NUMBER):
             require_free_number(client, number)
-        transaction = self.begin(state, client.settings, reason, parameters, calibrations)
+        transaction = self.prepare(state, client.settings, reason, parameters, calibrations)
         results = write_all(
             client.request,
             state.specs,
@@ -125,7 +125,7 @@ class Keeper:
         """
         before, record = settings_of(state), self.memory.record
         assert record is not None  # noqa: S101 - it was loaded
-        self.begin(state, client.settings, reason, ()).finish((), state, utc_now())
+        self.prepare(state, client.settings, reason, ()).finish((), state, utc_now())
         try:
             yield partial(write_parameter, client.request, has_crc=client.has_crc)
         finally:

@@ -117,7 +117,7 @@ class SafeStart:
         is_commanded = bool(_commands(state, newest, joint=joint))
         return is_commanded and Currents in newest.samples and not self._is_over and not joint
 
-    def take(
+    def update(
         self, state: DeviceState, newest: Newest, inputs: BoardInputs | None, *, joint: bool
     ) -> None:
         """Update the estimate from the newest samples."""
@@ -271,7 +271,7 @@ class BoardMirror:
 
     # --- Reports ------------------------------------------------------------------------
 
-    def take(self, report: Report, now: float, utc: datetime) -> Iterator[BoardEvent]:
+    def handle(self, report: Report, now: float, utc: datetime) -> Iterator[BoardEvent]:
         """Handle a report, and yield the events that follow. Consume the iterator completely.
 
         `now` is in seconds of a monotonic clock, `utc` the date and time.
@@ -286,7 +286,7 @@ class BoardMirror:
             case NotResponding(counters=counters, is_network=is_network):
                 self.counters = counters
                 self.is_responding, self.is_network_silent = False, is_network
-                yield from self._forget()
+                yield from self._clear()
                 text = tr("The board stopped responding.")
                 if is_network:
                     text = tr("The network to the robot is silent.")
@@ -319,7 +319,7 @@ class BoardMirror:
         self.lease = self.network_delay = None
         self.other_speeds = SetpointsChanged().speeds
         self.memory.close_board()
-        yield from self._forget()
+        yield from self._clear()
         if was_read:
             text = tr("Disconnected")
             if may_move:
@@ -368,7 +368,7 @@ class BoardMirror:
         if opened or occasion is ReadReason.SELECTED:
             self.newest.samples.clear()
             self._currents = SpikeFilter()
-        self.newest.take(Control(now, state.serial_controls))
+        self.newest.update(Control(now, state.serial_controls))
         yield BoardRead(report, is_changed, is_other, is_new)
         if (event := read_event(report, now)) is not None:
             yield event
@@ -396,7 +396,7 @@ class BoardMirror:
         for sample in batch.samples:
             if isinstance(sample, LatchedStatus):
                 yield from self._events.of(sample, self.errors.entries)
-                self.errors.take(sample, now, utc, is_doubtful=is_doubtful)
+                self.errors.count(sample, now, utc, is_doubtful=is_doubtful)
                 if reason := self._why_stopped(sample):
                     yield MotorsShutDown(reason)
         yield from self._judge(batch)
@@ -405,10 +405,10 @@ class BoardMirror:
             if isinstance(sample, Currents):
                 passed = self._currents.passed(sample, is_doubtful=is_doubtful)
             for one in passed:
-                self.newest.take(one)
+                self.newest.update(one)
                 yield one
         if self.state is not None and not self.state.mode.is_serial:
-            self._safe_start.take(self.state, self.newest, self.inputs(now), joint=self.is_joint)
+            self._safe_start.update(self.state, self.newest, self.inputs(now), joint=self.is_joint)
 
     def _why_stopped(self, latched: LatchedStatus) -> str:
         """Return the reason why these bits mean that the motors have stopped, or an empty text.
@@ -430,7 +430,7 @@ class BoardMirror:
 
     def _judge(self, batch: Batch) -> Iterator[BoardEvent]:
         was_noisy, time = self.quality.is_noisy, batch.samples[-1].time
-        if not self.is_responding or not self.quality.take(time, batch.counters):
+        if not self.is_responding or not self.quality.update(time, batch.counters):
             return
         if self.quality.is_noisy and not was_noisy:
             text = tr("The line is noisy: {0:.1f} % lost").format(Number(100 * self.quality.lost))
@@ -439,7 +439,7 @@ class BoardMirror:
             yield Event(time, EventKind.LINK, tr("The line is good again"))
         yield LineJudged()
 
-    def _forget(self) -> Iterator[BoardEvent]:
+    def _clear(self) -> Iterator[BoardEvent]:
         self.newest.samples.clear()
         self._safe_start, self._currents = SafeStart(), SpikeFilter()
         if self.quality.reset():

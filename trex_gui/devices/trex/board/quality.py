@@ -56,7 +56,7 @@ class ConnectionQuality:
         self._marks.clear()
         return changed
 
-    def take(self, time: float, counters: Counters) -> bool:
+    def update(self, time: float, counters: Counters) -> bool:
         """Take what was counted since the line was opened. Return whether the judgement changed.
 
         `time` is on the session's clock, in seconds.

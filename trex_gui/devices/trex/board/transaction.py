@@ -50,11 +50,11 @@ class WriteTransaction:
         Raises:
             SettingsError: that failed; nothing must be written.
         """
-        return history.take(
+        return history.save(
             self._stored, adapter=self._adapter, reason=self._reason, remarks=self._remarks
         )
 
-    def begin(self) -> None:
+    def start(self) -> None:
         """Call it before the first byte."""
         parameters, calibrations = self.values
         self._memory.start_writing({key for key, _ in (*parameters, *calibrations)})

@@ -169,7 +169,7 @@ def keep(count: str | None, yes: bool) -> None:
         which = "the oldest one" if gone == 1 else f"the oldest {gone}"
         click.confirm(f"Remove {which} of {total} permanently?", abort=True, err=True)
     with refusals():
-        removed = len(history.keep(kept))
+        removed = len(history.set_limit(kept))
     if removed:
         say(f"{counted(removed, 'snapshot')} removed.")
     say("All snapshots are kept." if kept is None else f"The newest {kept} are kept.")

@@ -123,7 +123,7 @@ def run_motors(
         run = _Run(orders, end, interrupted, clock, wait, settings.group or (None,))
         for board in run.boards.values():
             board.adapter = adapter_key(settings.url)
-        session_at(settings, run, run.take, open_port, clock).run()
+        session_at(settings, run, run.handle, open_port, clock).run()
     run.conclude()
 
 
@@ -312,20 +312,20 @@ class _Run:
 
     # --- Reports ------------------------------------------------------------------------
 
-    def take(self, report: Report) -> None:
+    def handle(self, report: Report) -> None:
         number, inner = self._numbers[0], report
         if isinstance(report, OfBoard):
             number, inner = report.number, report.report
         if number in self.boards:  # a server may have more
-            self._take(number, inner)
+            self._handle(number, inner)
 
-    def _take(self, number: int | None, report: Report) -> None:
+    def _handle(self, number: int | None, report: Report) -> None:
         if isinstance(report, Connected) and report.occasion is not ReadReason.OPENED:
             is_changed = report.occasion is ReadReason.SETTING_CHANGED
             cause = "A setting of the board changed" if is_changed else "The board was restarted"
             self._finish(self._named(number, f"{cause}, so the motors were stopped."))
             return  # no file is saved while motors may move
-        for event in self.boards[number].take(report, self._now, utc_now()):
+        for event in self.boards[number].handle(report, self._now, utc_now()):
             match event:
                 case LatchedStatus():
                     self._handle_status(number, event)

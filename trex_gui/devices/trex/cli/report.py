@@ -60,7 +60,7 @@ def _parts(options: dict[str, Any]) -> dict[str, Callable[[], str]]:
     writer = TranscriptWriter(None, TrexDecoder(), time.time() - present.clock())
     try:
         client = TrexClient(
-            *open_port(settings, lambda plain: logged(writer.note, plain, present.clock))
+            *open_port(settings, lambda plain: logged(writer.record, plain, present.clock))
         )
         try:
             client.detect_echo()

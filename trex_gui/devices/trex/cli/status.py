@@ -176,7 +176,7 @@ def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
     happened = [
         event
         for report in (connected, Batch(samples, client.counters))
-        for event in board.take(report, now, utc_now())
+        for event in board.handle(report, now, utc_now())
     ]
     inputs = board.inputs(now)
     assert inputs is not None  # noqa: S101 - it was just read

@@ -173,6 +173,6 @@ def _rows(
             if failures == _FAILURES:
                 raise
             continue
-        if sample and table.take(sample) and sample.time >= due:
+        if sample and table.add(sample) and sample.time >= due:
             due = sample.time + interval
             yield table.finish(sample.time - begun)

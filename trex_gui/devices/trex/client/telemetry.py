@@ -138,7 +138,7 @@ class Newest:
     def get(self, kind: type[SampleT]) -> SampleT | None:
         return self.samples.get(kind)
 
-    def take(self, sample: Sample) -> None:
+    def update(self, sample: Sample) -> None:
         self.samples[type(sample)] = sample
 
 
@@ -294,9 +294,9 @@ class StatusReader:
 
     def __init__(self, clock: Callable[[], float]) -> None:
         self._clock = clock
-        self.begin()
+        self.reset()
 
-    def begin(self) -> None:
+    def reset(self) -> None:
         """Count what is read next as older: the board was searched for, or selected only now."""
         self._is_first = self.uart_due = True  # bits may be latched that no status announces
 

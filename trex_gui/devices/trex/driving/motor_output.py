@@ -228,10 +228,10 @@ class MotorOutput:
     def pop_setpoints(self, now: float) -> list[Setpoint]:
         """Return the setpoints to send now: queued ones, or retries. Record them as sent."""
         self._sent_at = now
-        if setpoints := self.setpoints.take():
-            self.retry.begin(setpoints, now)
+        if setpoints := self.setpoints.pop():
+            self.retry.start(setpoints, now)
         elif self.retry.due <= now:
-            setpoints = self.retry.take(now)
+            setpoints = self.retry.pop_due(now)
         if setpoints:
             self.handle(OutputEvent.SETPOINT_SENT, now)
             self.refresh.record_setpoints(setpoints, now)

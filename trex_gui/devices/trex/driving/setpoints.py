@@ -53,7 +53,7 @@ class SetpointSlots:
     def __bool__(self) -> bool:
         return bool(self._by_motor)
 
-    def take(self) -> list[Setpoint]:
+    def pop(self) -> list[Setpoint]:
         """Return the queued setpoints ordered by motor, and clear the queue."""
         setpoints = [self._by_motor[motor] for motor in sorted(self._by_motor)]
         self.clear()
@@ -61,7 +61,7 @@ class SetpointSlots:
 
     def put_back(self, setpoints: Sequence[Setpoint]) -> None:
         """Requeue setpoints whose packets were corrupted, unless newer setpoints are queued."""
-        self.put(*setpoints, *self.take())
+        self.put(*setpoints, *self.pop())
 
 
 class SetpointRetry:
@@ -78,15 +78,15 @@ class SetpointRetry:
         self._clean = 0
         self._sent_since_status = False
 
-    def begin(self, setpoints: Sequence[Setpoint], now: float) -> None:
+    def start(self, setpoints: Sequence[Setpoint], now: float) -> None:
         """Start the retry sequence for setpoints that have just been sent."""
         slots = SetpointSlots()
         slots.put(*self._unconfirmed, *setpoints)
         self._set_at = now
         self._repeated = self._clean = 0
-        self._schedule(slots.take(), now)
+        self._schedule(slots.pop(), now)
 
-    def take(self, now: float) -> list[Setpoint]:
+    def pop_due(self, now: float) -> list[Setpoint]:
         """Return the unconfirmed setpoints, and schedule the next retry."""
         setpoints = self._unconfirmed
         self._repeated += 1

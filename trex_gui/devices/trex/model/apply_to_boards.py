@@ -83,7 +83,7 @@ class ApplyToBoards(QObject):
         if self.is_running:
             return
         self._wanted = settings.without(REACH)
-        self._begin([BoardPlan(number) for number in sorted(numbers)], is_writing=False)
+        self._start([BoardPlan(number) for number in sorted(numbers)], is_writing=False)
 
     def write(self, numbers: Collection[int]) -> None:
         """Write what was reviewed to those of the boards that have these numbers."""
@@ -94,7 +94,7 @@ class ApplyToBoards(QObject):
                 else plan
                 for plan in self.plans
             ]
-            self._begin(plans, is_writing=True)
+            self._start(plans, is_writing=True)
 
     def cancel(self) -> None:
         """End the work after the board that is being read or written. No other one is written."""
@@ -102,9 +102,9 @@ class ApplyToBoards(QObject):
         if self._device.writer.is_saving_snapshot and self._current is not None:
             self._device.writer.cancel()
             number, self._current = self._current, None
-            self._leave(number, BoardStep.SKIPPED)
+            self._finish_board(number, BoardStep.SKIPPED)
 
-    def _begin(self, plans: list[BoardPlan], *, is_writing: bool) -> None:
+    def _start(self, plans: list[BoardPlan], *, is_writing: bool) -> None:
         self.plans = tuple(plans)
         self.is_running, self.was_stopped = True, False
         self.is_writing, self._is_cancelled = is_writing, False
@@ -117,7 +117,7 @@ class ApplyToBoards(QObject):
     def _set(self, number: int, step: BoardStep, problem: str = "") -> None:
         self._replace(replace(self._plan(number), step=step, problem=problem))
 
-    def _leave(self, number: int, step: BoardStep, problem: str = "") -> None:
+    def _finish_board(self, number: int, step: BoardStep, problem: str = "") -> None:
         """Set how a board was left, and go on with the next one."""
         self._set(number, step, problem)
         self._go_on()
@@ -155,18 +155,18 @@ class ApplyToBoards(QObject):
                 problem = tr("It does not respond. Check that it has power.")
             else:
                 self._is_cancelled = True
-            self._leave(number, BoardStep.FAILED, problem)
+            self._finish_board(number, BoardStep.FAILED, problem)
             return
         if self.is_writing and self._is_cancelled:
-            self._leave(number, BoardStep.SKIPPED)
+            self._finish_board(number, BoardStep.SKIPPED)
             return
         if (blocker := self._device.writer.blocker) or self._wanted is None:
-            self._leave(number, BoardStep.FAILED, blocker)
+            self._finish_board(number, BoardStep.FAILED, blocker)
             return
         try:
             changes = diff_against_draft(self._device.draft, self._wanted, is_stored=True)
         except BadRequest as unfit:
-            self._leave(number, BoardStep.FAILED, error_text(unfit))
+            self._finish_board(number, BoardStep.FAILED, error_text(unfit))
             return
         if self.is_writing:
             self._write(number, changes)
@@ -188,7 +188,7 @@ class ApplyToBoards(QObject):
     def _write(self, number: int, changes: Comparison) -> None:
         if changes != self._plan(number).changes:
             problem = tr("Not written: the board stores other settings than when it was reviewed.")
-            self._leave(number, BoardStep.FAILED, problem)
+            self._finish_board(number, BoardStep.FAILED, problem)
             return
         values = values_to_write(row for row in changes.rows if row.changed)
         self._current = number
@@ -215,7 +215,7 @@ class ApplyToBoards(QObject):
     def _on_request_failed(self, reason: str) -> None:
         if (number := self._current) is not None:
             self._current, self._is_cancelled = None, True
-            self._leave(number, BoardStep.FAILED, reason)
+            self._finish_board(number, BoardStep.FAILED, reason)
 
     @Slot()
     def _on_stop_requested(self) -> None:

@@ -157,10 +157,10 @@ class BoardList(QObject):
             return
         settings = self._device.settings
         if settings is not None and number == settings.device_number:
-            self._note(number, self._signature, Presence.SELECTED)
+            self._record(number, self._signature, Presence.SELECTED)
             self._go_on_after(number)
         else:
-            self._ask(number)
+            self._prompt(number)
 
     def _go_on_after(self, number: int) -> None:
         """Continue the scan. Before it, or before it began again, another number was asked."""
@@ -189,16 +189,16 @@ class BoardList(QObject):
             selected = self.selected
             self._select(selected if selected in readable else readable[0])
 
-    def _ask(self, number: int) -> None:
+    def _prompt(self, number: int) -> None:
         def take(outcome: Outcome) -> None:
             self.is_asking = False
             match outcome.value, outcome.error:
                 case Signature() as signature, _:
-                    self._note(number, signature, Presence.RESPONDING)
+                    self._record(number, signature, Presence.RESPONDING)
                 case _, BadReply():
-                    self._note(number, None, Presence.UNREADABLE)
+                    self._record(number, None, Presence.UNREADABLE)
                 case None, None if self._board(number) is not None:
-                    self._note(number, None, Presence.SILENT)
+                    self._record(number, None, Presence.SILENT)
             self._go_on_after(number)
 
         self.is_asking = self._device.connection.request(
@@ -208,7 +208,7 @@ class BoardList(QObject):
     def _board(self, number: int) -> LineBoard | None:
         return next((one for one in self.boards if one.number == number), None)
 
-    def _note(self, number: int, signature: Signature | None, presence: Presence) -> None:
+    def _record(self, number: int, signature: Signature | None, presence: Presence) -> None:
         before = self._board(number)
         if number == self.selected and self.is_addressed:
             presence = Presence.SELECTED
@@ -258,7 +258,7 @@ class BoardList(QObject):
             if isinstance(error, TrexError) and error.code is ErrorCode.NOT_SELECTED_MOVING:
                 device.driving.record_unconfirmed()
             elif isinstance(error, TrexError) and error.code is ErrorCode.NOT_SELECTED_SILENT:
-                self._note(number, None, Presence.SILENT)
+                self._record(number, None, Presence.SILENT)
             if error is not None:
                 device.notifier.delayed_error.emit(error_text(error))
             self._on_state_changed()
@@ -346,4 +346,4 @@ class BoardList(QObject):
         others = [one for one in self.boards if one.presence is not Presence.SELECTED]
         if others and self._may_ask and self.scanned is None and not self.is_asking:
             self._next = (self._next + 1) % len(others)
-            self._ask(others[self._next].number)
+            self._prompt(others[self._next].number)

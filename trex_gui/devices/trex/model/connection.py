@@ -143,7 +143,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
         stop = Stop(NO_HANDLER)
         self.submit_now(*((stop, Close()) if ending else (stop,)))
 
-    def take(self, report: object) -> None:
+    def handle(self, report: object) -> None:
         match report:
             case Batch():
                 self.sampled.emit(report)
@@ -190,7 +190,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
         """Take what only the server of a board reports."""
         if isinstance(report, Traffic):
             for event in report.events:
-                self.log.note(event)
+                self.log.record(event)
         else:
             self.served.emit(report)
 
@@ -238,7 +238,7 @@ class MemberConnection(Connection):
     @Slot(int, object)
     def _on_report(self, number: int, report: object) -> None:
         if number == self._number:
-            self.take(report)
+            self.handle(report)
             self.reported.emit(report)
 
     @Slot(object)

@@ -99,10 +99,10 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.device.motors.adapter = "" if port.adapter is None else port.adapter.key
         super().connect_to(port)
 
-    def choose(self, port: Port) -> None:
+    def select(self, port: Port) -> None:
         if self._chosen is not None and not self._chosen.is_same(port) and not self.may_move:
             self._clear_group()
-        super().choose(port)
+        super().select(port)
 
     def _clear_group(self) -> None:
         """Connect to one board from now on."""
@@ -114,7 +114,7 @@ class TrexController(DeviceController[ConnectionSettings]):
             self._clear_group()  # else nothing can be connected without the board that is missing
 
     def connect_with(self, port: Port, settings: PortSettings) -> None:
-        self.choose(port)
+        self.select(port)
         found = ConnectionSettings.on(settings)
         if port.kind is PortKind.DEMO:
             self._demo_settings = found

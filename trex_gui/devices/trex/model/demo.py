@@ -260,9 +260,9 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
         for line in self._after_off:
             self._send(line)
 
-    def _take(self, snapshot: DemoSnapshot) -> None:
+    def _show(self, snapshot: DemoSnapshot) -> None:
         before = self.snapshot
-        super()._take(snapshot)
+        super()._show(snapshot)
         if before is not None and before.source is not snapshot.source:
             # The sticks now give voltages instead of pulses, or the reverse; they stay in place.
             for channel in self._held:

@@ -96,8 +96,8 @@ class Device(QObject):
         self._replaced: list[Path] = []  # files of other boards, renamed since the last reading
 
         self.connection.changed.connect(self.link_changed)
-        self.connection.device_read.connect(self._take)
-        self.connection.commands_repeated.connect(self._take)
+        self.connection.device_read.connect(self._handle)
+        self.connection.commands_repeated.connect(self._handle)
         self.connection.ready.connect(self._on_ready)
         self.connection.not_responding.connect(self._on_not_responding)
         self.connection.line_closed.connect(self._on_closed)
@@ -275,9 +275,9 @@ class Device(QObject):
     # --- Reports from the line ----------------------------------------------------------
 
     @Slot(object)
-    def _take(self, report: Report) -> None:
+    def _handle(self, report: Report) -> None:
         self.board.adapter = self.motors.adapter
-        for event in self.board.take(report, now(), utc_now()):
+        for event in self.board.handle(report, now(), utc_now()):
             match event:
                 case Sample():
                     self.telemetry.add(event)
@@ -323,7 +323,7 @@ class Device(QObject):
             self.events.clear()
         unit = state.signature.model.current_unit
         if opened or unit != self.telemetry.ampere:  # another model may be at the same line
-            self.telemetry.begin(unit)
+            self.telemetry.start(unit)
         self.edit_backup.close_board()
         self.draft.set_state(
             state, read.report.settings, power_cycled=occasion.power_cycled, opened=opened
@@ -346,7 +346,7 @@ class Device(QObject):
                 pending,
             )
             self.notifier.delayed_info.emit(text)
-        self.telemetry.begin(report.state.signature.model.current_unit)
+        self.telemetry.start(report.state.signature.model.current_unit)
         self.edit_backup.close_board(is_deselected=True)
         self.draft.select_state(report.state, report.settings)
         self._handle_files(report, opened=True)
@@ -363,8 +363,8 @@ class Device(QObject):
 
     @Slot(object)
     def _on_not_responding(self, report: NotResponding) -> None:
-        self._take(report)
-        self.telemetry.forget()
+        self._handle(report)
+        self.telemetry.clear()
         self.writer.give_up(tr("Nothing was written: the board does not respond."))
         if self.may_move and report.is_network:
             self.warn(tr("The network is silent; the server of the robot stops the motors."))
@@ -390,14 +390,14 @@ class Device(QObject):
 
     @Slot(object)
     def _on_sampled(self, batch: Batch) -> None:
-        self._take(batch)
+        self._handle(batch)
         self.telemetry.finish()
         self.driving.follow_control()
         self.sampled.emit(batch)
 
     @Slot(object)
     def _on_served(self, report: LeaseChanged | SetpointsChanged | NetworkDelay) -> None:
-        self._take(report)
+        self._handle(report)
         if isinstance(report, LeaseChanged):
             self.lease_changed.emit()
         if not isinstance(report, SetpointsChanged):  # a view shows them with the next samples
@@ -413,7 +413,7 @@ class Device(QObject):
 
     @Slot(object)
     def _on_closed(self, last: Closed | None) -> None:
-        self._take(last or Closed(None, may_move=False))
+        self._handle(last or Closed(None, may_move=False))
         self.writer.end()
-        self.telemetry.forget()
+        self.telemetry.clear()
         self.state_changed.emit()

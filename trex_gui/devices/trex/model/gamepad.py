@@ -93,16 +93,16 @@ class Gamepad(QObject):
             self._timer.stop()
             self._drive_with.abort(tr("Driving with a gamepad was switched off."))
             self.pads = ()
-            self._take(None)
+            self._update(None)
             self._source.close()
         self._refresh()
 
-    def choose(self, pad: Pad) -> None:
+    def select(self, pad: Pad) -> None:
         """Read this one from now on. Motors that another drives stop."""
         if pad in self.pads and pad != self.pad:
             self._store.set("gamepad/last", pad.guid)
             self._drive_with.abort(tr("Another gamepad was chosen."))
-            self._take(pad)
+            self._update(pad)
             self._refresh()
 
     def set_profile(self, profile: GamepadProfile) -> None:
@@ -126,7 +126,7 @@ class Gamepad(QObject):
             self._unattended = reason
             if reason:
                 self._drive_with.abort(reason)
-            self._begin()
+            self._start()
             self._refresh()
 
     # --- Reading ------------------------------------------------------------------------
@@ -143,7 +143,7 @@ class Gamepad(QObject):
             self._on_pad_lost(pad)
             self._refresh()
             return
-        self.request = self._pilot.take(state)
+        self.request = self._pilot.update(state)
         self._has_read = True
         if self.request.stop:
             self._motors.press_stop()
@@ -164,13 +164,13 @@ class Gamepad(QObject):
         if self.pad is None and pads:
             last = self._store.text("gamepad/last")
             self.gone = ""
-            self._take(next((pad for pad in pads if pad.guid == last), pads[0]))
+            self._update(next((pad for pad in pads if pad.guid == last), pads[0]))
         self.changed.emit()
 
     def _on_pad_lost(self, pad: Pad) -> None:
         """Stop what this one drives, and read it no more. The next look may find another."""
         self.gone = pad.name
-        self._take(None)
+        self._update(None)
         self._drive_with.abort(tr("The gamepad “{0}” was disconnected.").format(pad.name))
 
     def _drive(self) -> None:
@@ -180,19 +180,19 @@ class Gamepad(QObject):
         if not self.request.drives:
             self._drive_with.release()
         elif not self._drive_with.steer(self.request.forward, self.request.turn):
-            self._begin()  # another control drives: the button has to be pressed again after that
+            self._start()  # another control drives: the button has to be pressed again after that
 
     @Slot()
     def _on_arming_changed(self) -> None:
-        self._begin()
+        self._start()
         self._report()
 
-    def _begin(self) -> None:
+    def _start(self) -> None:
         """Require sticks at rest and the button released again."""
-        self._pilot.begin()
+        self._pilot.reset()
         self._has_read = False
 
-    def _take(self, pad: Pad | None) -> None:
+    def _update(self, pad: Pad | None) -> None:
         self.pad = pad
         self.state, self.request = None, _NOTHING
         if pad is not None:

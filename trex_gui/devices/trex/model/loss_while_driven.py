@@ -63,16 +63,16 @@ class LossWhileDriven(QObject):
         seconds = now() - lost_at
         if not here.name and seconds > (device.serial_timeout_s or 0) + _MARGIN_S:
             self._silent_for = seconds
-            self._ask()
+            self._prompt()
 
     @Slot(object)
     def _on_sampled(self, batch: Batch) -> None:
         statuses = (one for one in batch.samples if isinstance(one, LatchedStatus))
         if any(one.uart & UartError.TIMEOUT for one in statuses):
             self._has_timed_out = True
-            self._ask()
+            self._prompt()
 
-    def _ask(self) -> None:
+    def _prompt(self) -> None:
         if self._silent_for is None or not self._has_timed_out:
             return
         text = tr(
@@ -82,7 +82,7 @@ class LossWhileDriven(QObject):
         self._silent_for = None
         save, shutdown = self._device.board.memory.record_trial, self._has_shutdown
         worked, failed = TimeoutTrial(True, shutdown), TimeoutTrial(False, shutdown)
-        self._device.notifier.ask(
+        self._device.notifier.prompt(
             text,
             Answer("timeoutWorked", tr("It stopped"), partial(save, worked)),
             Answer("timeoutFailed", tr("It kept turning"), partial(save, failed)),

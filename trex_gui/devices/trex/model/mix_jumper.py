@@ -40,7 +40,7 @@ class MixJumper(QObject):
         if self._count >= _ENOUGH:
             self._set(seen)
 
-    def forget(self) -> None:
+    def clear(self) -> None:
         self._candidate = None
         self._set(None)
 
@@ -52,14 +52,14 @@ class MixJumper(QObject):
     @Slot()
     def _on_updated(self) -> None:
         if self._telemetry.raw is None:
-            self.forget()
+            self.clear()
 
     @Slot()
     def _on_text_due(self) -> None:
         telemetry, draft = self._telemetry, self._draft
         reported = telemetry.remapped
         if draft.parameters.values.active_of(ParameterKey.MOTOR_MODE) == 1:  # nothing is mixed
-            self.forget()
+            self.clear()
             return
         one, two, flip = (draft.stored_curve(channel) for channel in (1, 2, 4))
         if one and two and flip and reported and not flip.is_switched(4, telemetry.raw_of(4)):

@@ -40,7 +40,7 @@ def _rows(state: BoardSnapshot, records: Iterable[Record], unit: float) -> list[
     """Return a row, with the columns of `Series`, for each sample of the currents."""
     rows = []
     for record in records:
-        state.take(record)
+        state.update(record)
         if isinstance(record, Currents):
             values = values_of_series(state, state.setpoints.get, unit)
             rows.append((record.time, *values))

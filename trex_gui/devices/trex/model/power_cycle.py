@@ -46,7 +46,7 @@ class PowerCycle(QObject):
         """Names of the settings that are stored and not active."""
         return self._device.parameters.values.waiting_for_power
 
-    def begin(self, failed: Collection[str] = ()) -> None:
+    def start(self, failed: Collection[str] = ()) -> None:
         """Wait until the board is switched off, and on again.
 
         `failed` are the settings whose write failed. If they decide how the board is reached, it is

@@ -87,7 +87,7 @@ class Provision(QObject):
     def finish_motors(self, *, turned: bool) -> None:
         """Record that the user saw both motors turn, or not."""
         if self.step is ProvisionStep.MOTORS and self.board is not None:
-            self.pulses.leave("")
+            self.pulses.stop("")
             self._finish(self.board if turned else replace(self.board, result=NOT_TRIED))
 
     def retry(self) -> None:

@@ -71,7 +71,7 @@ class Recorder(RecordThread[Record]):
         state = self._device.state
         if state is None or not self.can_record:
             return False
-        self.begin(path, FORMAT, self._header_of(state))
+        self.start_recording(path, FORMAT, self._header_of(state))
         return True
 
     def _header_of(self, state: DeviceState) -> Header:
@@ -184,13 +184,13 @@ class EventRecorder(Recorder):
         while self._recent and self._recent[0].time < oldest:
             record = self._recent.popleft()
             if self._before is not None:
-                self._before.take(record)
+                self._before.update(record)
 
     @Slot(object)
     def put_event(self, event: Event) -> None:
         super().put_event(event)
         if self.is_on and self._template is not None and self._is_worth(event):
-            self._keep(event)
+            self._save(event)
         if event.kind is EventKind.STOP:
             self._driven.clear()
 
@@ -200,7 +200,7 @@ class EventRecorder(Recorder):
         is_end = event.kind is EventKind.STOP or (event.kind is EventKind.LINK and event.is_problem)
         return is_end and any(self._driven.values())
 
-    def _keep(self, event: Event) -> None:
+    def _save(self, event: Event) -> None:
         if self._user.recording:
             return
         if self.recording:
@@ -214,11 +214,11 @@ class EventRecorder(Recorder):
     @Slot()
     def _start_soon(self) -> None:
         if self._worker is None:
-            self._begin()
+            self._start()
         elif self._end_timer.isActive():  # a slow disk still has the one before
             self._begin_timer.start()
 
-    def _begin(self) -> None:
+    def _start(self) -> None:
         self._begin_timer.stop()
         header, before, event = self._template, self._before, self._event
         if header is None or before is None or event is None:
@@ -241,7 +241,7 @@ class EventRecorder(Recorder):
             first.append(AuxiliarySetpointRecord(start, before.auxiliary))
         when = datetime.now().astimezone() - timedelta(seconds=now() - event.time)
         path = kept_path(when, event.kind.value)
-        self.begin(path, FORMAT, header, (*first, *self._recent), prepare=free_space)
+        self.start_recording(path, FORMAT, header, (*first, *self._recent), prepare=free_space)
 
     @Slot()
     def stop(self) -> None:
@@ -280,7 +280,7 @@ class EventRecorder(Recorder):
     def _finish(self) -> None:
         """Forget the board. What just happened to it is still written."""
         if self._begin_timer.isActive() and self._worker is None:
-            self._begin()
+            self._start()
         self.stop()
         self._recent.clear()
         self._driven.clear()

@@ -117,14 +117,14 @@ class Telemetry(QObject):
     def inputs(self) -> "SampleHistory":
         return _new_history(["float64"] * len(CHANNELS), _INPUT_HISTORY)
 
-    def begin(self, ampere_per_count: float) -> None:
+    def start(self, ampere_per_count: float) -> None:
         """Start with an empty history for a board with this current unit (A a count)."""
         self.currents.clear()
         self.inputs.clear()
         self.ampere = ampere_per_count
-        self.forget()
+        self.clear()
 
-    def forget(self) -> None:
+    def clear(self) -> None:
         """Show that nothing is known any more."""
         self.updated.emit()
         self._renew_views()

@@ -48,7 +48,7 @@ class Lease:
     waiting: list[Party] = field(default_factory=list)  # those that asked, the first one first
     _alive_at: float = 0.0
 
-    def ask(self, party: Party, now: float) -> bool:
+    def request(self, party: Party, now: float) -> bool:
         """Give a free lease to a party, or let it wait. Return whether it holds the lease."""
         if party.role < Role.DRIVE:
             return False
@@ -66,14 +66,14 @@ class Lease:
         self._grant(heir, now)
         return True
 
-    def take(self, by: Party, now: float) -> bool:
+    def claim(self, by: Party, now: float) -> bool:
         """Take the lease from its holder, which only an owner may. Return whether it did."""
         if by.role < Role.OWN:
             return False
         self._grant(by, now)
         return True
 
-    def leave(self, party: Party) -> bool:
+    def remove(self, party: Party) -> bool:
         """Forget a party. Return whether it held the lease, which is free now."""
         self.waiting = [one for one in self.waiting if one != party]
         if party != self.holder:

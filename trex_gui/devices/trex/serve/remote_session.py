@@ -130,7 +130,7 @@ class RemoteSession:
         error = run_until_closed(
             self._open, self._step, lambda detail: TrexInternalError(ErrorCode.INTERNAL, detail)
         )
-        self._leave()
+        self._close()
         for number in self._unanswered - {_LAST_STOP}:
             self._emit(Outcome(number, error=error or NoReply(self._lost_text)))
         last = self._closed or Closed(error, self._may_move)
@@ -157,7 +157,7 @@ class RemoteSession:
             self._handle_reports()
         self._heard_at = self._clock()
 
-    def _leave(self) -> None:
+    def _close(self) -> None:
         """Stop the motors if this client drove them, and leave."""
         if self._link is None:
             return
@@ -207,10 +207,10 @@ class RemoteSession:
     def _handle_requests(self, seconds: float) -> None:
         request = self._inbox.get(seconds)
         while request is not None:
-            self._take(request)
+            self._handle(request)
             request = self._inbox.get(0.0)
 
-    def _take(self, request: Request) -> None:
+    def _handle(self, request: Request) -> None:
         match _inner(request):
             case Close():
                 raise Closing

@@ -201,11 +201,11 @@ class ServedBoard:
             if report.number not in self._others:
                 self._others[report.number] = BoardMirror(Keeper(log.info, log.warning).memory)
             other = self._others[report.number]
-            for _ in other.take(report.report, self._computer.clock(), utc_now()):
+            for _ in other.handle(report.report, self._computer.clock(), utc_now()):
                 pass
             self.server.report(report)
             return
-        for event in self._board.take(report, self._computer.clock(), utc_now()):
+        for event in self._board.handle(report, self._computer.clock(), utc_now()):
             if isinstance(event, Sample):
                 self._publish(event)
         if isinstance(report, Connected):
@@ -230,7 +230,7 @@ class ServedBoard:
 
     def _publish(self, sample: Sample) -> None:
         """Publish measurements as JSON while a program subscribes to them."""
-        if self._is_subscribed and self._table is not None and self._table.take(sample):
+        if self._is_subscribed and self._table is not None and self._table.add(sample):
             row = self._table.finish(sample.time)
             self._measurements.put(json.dumps(row), encoding="application/json")
 
@@ -245,7 +245,7 @@ class ServedBoard:
     def _on_request(self, sample: "zenoh.Sample") -> None:
         party = self._party(sample.key_expr)
         if party in self._present:
-            self.server.take(party, bytes(sample.payload))
+            self.server.handle(party, bytes(sample.payload))
 
     def _on_client(self, sample: "zenoh.Sample") -> None:
         """Take that a client has come, or that its connection ended."""
@@ -256,20 +256,20 @@ class ServedBoard:
             return
         if sample.kind is zenoh.SampleKind.DELETE:
             self.server.remove(party)
-            self._forget(party)
+            self._remove(party)
             return
         own = {one for one in self._present if one.user == party.user}
         if len(own) >= _MOST_CLIENTS:  # the engine may not have told that some have gone
             gone = own - self.server.parties
             for one in gone:
-                self._forget(one)
+                self._remove(one)
             own -= gone
         if len(own) < _MOST_CLIENTS:
             self._present.add(party)
         else:
             log.warning("%s has too many clients", party.user)
 
-    def _forget(self, party: Party) -> None:
+    def _remove(self, party: Party) -> None:
         self._present.discard(party)
         if outbox := self._outboxes.pop(party, None):
             outbox.put(None)

@@ -162,7 +162,7 @@ class BoardServer:
 
     # --- Clients ------------------------------------------------------------------------
 
-    def take(self, party: Party, data: bytes) -> None:
+    def handle(self, party: Party, data: bytes) -> None:
         """Take a message of a client."""
         if len(data) > LARGEST_REQUEST:
             self._refuse("too large")
@@ -290,13 +290,13 @@ class BoardServer:
                 self._update_watched()
             case AskLease():
                 before = self._lease_state
-                lease.ask(party, now)
+                lease.request(party, now)
                 if self._lease_state != before or lease.holder != party:
                     self._report_lease(() if self._lease_state != before else (client,))
             case HandOver(user=user):
                 self._change(lambda: lease.hand_over(party, user, now))
             case TakeLease():
-                self._change(lambda: lease.take(party, now))
+                self._change(lambda: lease.claim(party, now))
             case ReturnLease():
                 self._end_lease(party)
             case Leave():
@@ -388,7 +388,7 @@ class BoardServer:
 
     def _end_lease(self, party: Party) -> None:
         waiting = list(self.lease.waiting)
-        if self.lease.leave(party):
+        if self.lease.remove(party):
             self._drop_jobs(party)
             self._stop()
             self._report_lease()

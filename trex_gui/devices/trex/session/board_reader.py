@@ -65,7 +65,7 @@ class BoardReader:
                 line.motors.handle(OutputEvent.STOP, line.now())
             line.stop_if_moving()
         self.polling.start(self.state.source, line.now())
-        line.liveness.begin()
+        line.liveness.start()
         line.motors.handle(OutputEvent.BOARD_READ, line.now())
         line.transport.wait_for_guardian()
         line.report_guardian()
@@ -169,7 +169,7 @@ class BoardReader:
                 self._request_mode(line.client)
             elif (found := line.liveness.look(line.client)) is not None:
                 line.client = line.driver.client = found
-                line.status.begin()
+                line.status.reset()
             else:
                 return
             line.stop_if_moving()

@@ -111,7 +111,7 @@ class JobServer:
             raise TrexNoReplyError(ErrorCode.NOT_SELECTED_SILENT, job.number)
         client.settings = replace(client.settings, device_number=job.number)
         self._line.queue.selection = job.id
-        self._line.status.begin()
+        self._line.status.reset()
         self._reader.read_everything(ReadReason.SELECTED)
 
     def _stop_each(self, job: SelectBoard) -> None:

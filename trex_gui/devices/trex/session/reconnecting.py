@@ -40,14 +40,14 @@ class LivenessMonitor:
         self._retry = timeouts.retry
         self._failures_of = Counter[Topic]()
         self._places = deque[ConnectionSettings]()
-        self.begin()
+        self.start()
 
     def expect(self, candidates: tuple[ConnectionSettings, ...]) -> None:
         if candidates != self.candidates:
             self.candidates = candidates
             self._places.clear()
 
-    def begin(self) -> None:
+    def start(self) -> None:
         self.silent = False  # whether the board has stopped responding
         self._failures = 0
         self._failures_of.clear()

@@ -33,7 +33,7 @@ class BoardQueue:
     # Id of the `SelectBoard` that chose the present board; 0 before the first
     selection: int = 0
 
-    def take(self, request: BoardRequest, *, is_closing: bool) -> None:
+    def add(self, request: BoardRequest, *, is_closing: bool) -> None:
         """Sort a request. `is_closing`: motor commands come too late.
 
         A stop drops setpoints that came before it, and those that come until an `Arm`: they may
@@ -105,14 +105,14 @@ class TrexRequestQueue:
                     if isinstance(request, Stop):
                         self._awaited[request.id] += len(boards)
                     for board in boards:
-                        board.take(request, is_closing=self.is_closing)
+                        board.add(request, is_closing=self.is_closing)
                 case _:
-                    boards[0].take(request, is_closing=self.is_closing)
+                    boards[0].add(request, is_closing=self.is_closing)
             request = self._inbox.get(0.0)
 
     def _dispatch(self, number: int, request: BoardRequest) -> None:
         if number in self._boards:
-            self._boards[number].take(request, is_closing=self.is_closing)
+            self._boards[number].add(request, is_closing=self.is_closing)
         elif isinstance(request, Job):
             first, *_ = self._boards.values()
             error = TrexRequestError(ErrorCode.NO_SUCH_BOARD, number)

@@ -159,10 +159,10 @@ class TrexSession:
         self._boards[0].reader.port_rates = transport.rates(baud_rates())
         try:
             try:
-                self._begin(client)
+                self._start(client)
             except BadReply:
                 # A line that was just opened may have swallowed the echo that was waited for.
-                self._begin(client)
+                self._start(client)
         except (NoReply, BadReply) as error:
             raise self._why_not_found(client, error) from error
         for board in self._boards[1:]:
@@ -210,7 +210,7 @@ class TrexSession:
     def _report_probe(self, step: ScanProgress) -> None:
         self._emit(ProbeProgress(step.done, step.total, step.line.text()))
 
-    def _begin(self, client: TrexClient) -> None:
+    def _start(self, client: TrexClient) -> None:
         client.detect_echo(self._stop_early)
         first = self._boards[0]
         first.line.stop_if_moving()

@@ -93,7 +93,7 @@ class SettingsHistory:
     def __init__(self, folder: Path | None = None) -> None:
         self.folder = folder or data_folder() / "snapshots"
 
-    def take(
+    def save(
         self,
         settings: Settings,
         *,
@@ -217,7 +217,7 @@ class SettingsHistory:
         older = () if kept is None else map(self.look_at, self.files()[kept:])
         return tuple(found for found in older if not found.name)
 
-    def keep(self, kept: int | None) -> tuple[Snapshot, ...]:
+    def set_limit(self, kept: int | None) -> tuple[Snapshot, ...]:
         """Set how many are kept, for all programs. Remove the oldest beyond, and return them.
 
         Raises:

@@ -122,7 +122,7 @@ class LearningMode:
         self._time += seconds
         match self._step:
             case _Step.READY if not self._board.mix:
-                self._begin(_Step.WAITING)
+                self._start(_Step.WAITING)
             case _Step.WAITING:
                 self._wait(raw)
             case _Step.NEUTRALS:
@@ -132,7 +132,7 @@ class LearningMode:
                     self._learn_neutrals()
             case _Step.NEUTRALS_SHOWN:
                 if self._time >= _FLASH * len(CHANNELS):
-                    self._begin(_Step.EXTREMES if self._learned else _Step.DONE)
+                    self._start(_Step.EXTREMES if self._learned else _Step.DONE)
             case _Step.EXTREMES:
                 self._watch(raw)
                 if self._time >= _EXTREMES:
@@ -141,7 +141,7 @@ class LearningMode:
     def reply(self, byte: int) -> bytes:  # noqa: ARG002 - inferred: there is none
         return b""
 
-    def _begin(self, step: _Step) -> None:
+    def _start(self, step: _Step) -> None:
         self._step = step
         self._time = 0.0
 
@@ -149,18 +149,18 @@ class LearningMode:
         if not self._board.so_ground:
             self.is_over = True
         elif self._board.mode is Mode.ANALOG or any(value is not None for value in raw):
-            self._begin(_Step.NEUTRALS)
+            self._start(_Step.NEUTRALS)
 
     def _watch(self, raw: Sequence[int | None]) -> None:
         for channel, value in zip(CHANNELS, raw, strict=True):
-            self._watched[channel].take(value)
+            self._watched[channel].update(value)
 
     def _learn_neutrals(self) -> None:
         limit = _UNSTEADY[self._board.mode.source]
         for channel, watched in self._watched.items():
             if watched.settle(limit):
                 self._learned.add(channel)
-        self._begin(_Step.NEUTRALS_SHOWN)
+        self._start(_Step.NEUTRALS_SHOWN)
 
     def _learn_extremes(self) -> None:
         source = self._board.mode.source
@@ -170,7 +170,7 @@ class LearningMode:
                 self._learned.discard(channel)
             else:
                 self._board.memory.store_calibration(source, channel, calibration)
-        self._begin(_Step.DONE)
+        self._start(_Step.DONE)
 
 
 class _Watched:
@@ -183,7 +183,7 @@ class _Watched:
         self._lows: list[int] = []  # only held positions count
         self._highs: list[int] = []
 
-    def take(self, value: int | None) -> None:
+    def update(self, value: int | None) -> None:
         if value is None:
             self._is_bad = True
             return

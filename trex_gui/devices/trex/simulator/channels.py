@@ -152,13 +152,13 @@ class Channels:
     def __init__(self, source: InputSource, seed: int = 0) -> None:
         self._random = Random(seed)  # noqa: S311 - noise, not secrets
         self.disconnect()
-        self.begin(source)
+        self.start(source)
 
     def disconnect(self) -> None:
         """Return every input to its rest signal."""
         self.signals = dict.fromkeys(CHANNELS, Signal(SignalKind.REST))
 
-    def begin(self, source: InputSource) -> None:
+    def start(self, source: InputSource) -> None:
         self.source = source
         unknown = 0 if source is InputSource.ANALOG else None
         self._raw: dict[int, int | None] = dict.fromkeys(CHANNELS, unknown)

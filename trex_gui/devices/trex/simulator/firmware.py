@@ -108,8 +108,8 @@ class Board:
         self.memory.load()
         jumpers = {"rc": Mode.RC, "analog": Mode.ANALOG}
         self.mode = jumpers.get(self.mode_jumper, self.memory.serial_mode)
-        self.channels.begin(self.mode.source)
-        self._forget()
+        self.channels.start(self.mode.source)
+        self._clear()
         self.boot_mode: BootMode | None = boot_mode(self)  # `None` in normal operation
 
     def power_off(self) -> None:
@@ -121,8 +121,8 @@ class Board:
         self.powered = False
         self.boot_mode = None
         self.memory.lose_write()
-        self.channels.begin(self.mode.source)
-        self._forget()
+        self.channels.start(self.mode.source)
+        self._clear()
         for physics in self.physics:
             physics.clear_reading()
 
@@ -140,7 +140,7 @@ class Board:
         self.machine.factory_reset()
         self.power_on()
 
-    def _forget(self) -> None:
+    def _clear(self) -> None:
         self.motors = (Motor(), Motor())
         self.aux = AuxiliaryMotor()
         self.serial = SerialControl(

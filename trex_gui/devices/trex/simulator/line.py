@@ -70,7 +70,7 @@ class BoardStation:
             error = None  # not detected
         if host is not None:
             error = self._format_error(host) or error
-        self._take(byte, error, begun)
+        self._receive(byte, error, begun)
 
     def sample(self, byte: int, host: SerialFormat) -> None:
         self._check_boot()
@@ -83,9 +83,9 @@ class BoardStation:
         self, boot: int, byte: int, error: ReceiveError | None, begun: float
     ) -> None:
         if boot == self.board.boots:
-            self._take(byte, error, begun)
+            self._receive(byte, error, begun)
 
-    def _take(self, byte: int, error: ReceiveError | None, begun: float) -> None:
+    def _receive(self, byte: int, error: ReceiveError | None, begun: float) -> None:
         """Take a byte that has ended, unless the board was transmitting or off when it began."""
         self._check_boot()
         if self._is_transmitting or begun < self._receives_since - EPSILON:

@@ -65,7 +65,7 @@ class SerialPort:
             return
         self.board.record_byte()
         if not self.pause:
-            self._take(byte)
+            self._receive(byte)
         elif len(self._buffer) - self._buffer.count(_GAP) < RECEIVE_BUFFER:
             self._buffer.append(byte)
         else:
@@ -79,7 +79,7 @@ class SerialPort:
             if self.pause:
                 self._add_gap()
             else:
-                self._begin()
+                self._start()
             self.board.report_error(_UART_ERRORS[error])
 
     def _add_gap(self) -> None:
@@ -95,7 +95,7 @@ class SerialPort:
         self._send(self._reply)
         self._reply = b""
         while self._buffer and not self.pause:
-            self._take(self._buffer.popleft())
+            self._receive(self._buffer.popleft())
 
     def _listens(self) -> bool:
         """True if packets are accepted. A power-up since the last byte clears all state."""
@@ -109,16 +109,16 @@ class SerialPort:
         self.outgoing: deque[int] = deque()
         self.pause = 0.0
         self._reply = b""
-        self._begin()
+        self._start()
 
-    def _begin(self) -> None:
+    def _start(self) -> None:
         self._packet = bytearray()
         self._is_skipping = False
         self.board.receiving = False
 
-    def _take(self, byte: int) -> None:
+    def _receive(self, byte: int) -> None:
         if byte == _GAP:
-            self._begin()
+            self._start()
         elif byte & _COMMAND_BIT:
             self._handle_command_byte(byte)
         elif self._is_skipping:
@@ -133,7 +133,7 @@ class SerialPort:
         if self._packet:
             # Inferred: the byte that interrupts a packet begins the next one.
             self._reject()
-        self._begin()
+        self._start()
         if byte == _NULL:
             return  # inferred: it carries no CRC either
         self._packet.append(byte)
@@ -148,14 +148,14 @@ class SerialPort:
             number = self.board.memory.active[ParameterKey.DEVICE_NUMBER]
             if len(self._packet) >= 2 and self._packet[1] != number:
                 self.board.counters["packets_for_others"] += 1
-                self._begin()
+                self._start()
                 self._is_skipping = True
                 return
             if len(self._packet) < head:
                 return
             command = self._packet[2] | _COMMAND_BIT
             if command == _NULL:
-                self._begin()
+                self._start()
                 return
         if command not in _COMMANDS:
             self._reject()
@@ -165,7 +165,7 @@ class SerialPort:
         if len(self._packet) < head + size + (polynomial is not None):
             return
         packet = bytes(self._packet)
-        self._begin()
+        self._start()
         if polynomial is not None and remainder(packet[:-1], polynomial) != packet[-1]:
             self.board.report_error(UartError.CRC)
         else:
@@ -199,7 +199,7 @@ class SerialPort:
             self.board.report_error(UartError.SEND_OVERRUN)
 
     def _reject(self) -> None:
-        self._begin()
+        self._start()
         self.board.report_error(UartError.FORMAT)
 
 

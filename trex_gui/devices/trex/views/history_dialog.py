@@ -151,7 +151,7 @@ class HistoryDialog(ReusedDialog):
         rows = sorted(index.row() for index in self._view.selectionModel().selectedRows())
         return tuple(self._table.snapshots[row] for row in rows)
 
-    def _choose(self, path: Path | None, otherwise: int = 0) -> None:
+    def _select(self, path: Path | None, otherwise: int = 0) -> None:
         """Select a snapshot, or if it is not listed the row `otherwise`."""
         found = None if path is None else self._table.row_of(path)
         row = min(otherwise, self._table.rowCount() - 1) if found is None else found
@@ -170,7 +170,7 @@ class HistoryDialog(ReusedDialog):
         count = self._table.rowCount()
         if count and not self._chosen:
             row, path = self._place
-            self._choose(path, row)
+            self._select(path, row)
         self._none.setVisible(bool(listing.snapshots) and count == 0)
         self._fit_columns()
         self._bound.show_bound(listing)
@@ -235,7 +235,7 @@ class HistoryDialog(ReusedDialog):
     def _on_present_chosen(self) -> None:
         """Compare the older of two selected snapshots with the user's choice."""
         if len(self._chosen) == 2:
-            self._choose(self._chosen[-1].path)
+            self._select(self._chosen[-1].path)
         self._renew()
 
     @Slot()
@@ -265,7 +265,7 @@ class HistoryDialog(ReusedDialog):
         if not chosen:
             return
         text = tr("Permanently delete %n snapshot(s), the newest of {0}?", "", len(chosen))
-        self._question.ask(
+        self._question.prompt(
             text.format(self._table.time_text(chosen[0])),
             Answer("historyQuestionYes", title_of(tr("&Delete…")), lambda: self._remove(chosen)),
         )
@@ -347,7 +347,7 @@ class _BoundField(QWidget):
         wanted, total = self._wanted, len(snapshots)
         removed = 0 if wanted is None else sum(not each.name for each in snapshots[wanted:])
         if not removed:
-            self._keep(wanted)
+            self._save(wanted)
             return
 
         def on_cancelled() -> None:
@@ -356,15 +356,15 @@ class _BoundField(QWidget):
 
         text = tr("Permanently remove the oldest %n of {0} snapshots?", "", removed)
         remove = tr("Remove {0}").format(removed)
-        answer = Answer("historyQuestionYes", remove, lambda: self._keep(wanted))
-        self._question.ask(text.format(total), answer, otherwise=on_cancelled)
+        answer = Answer("historyQuestionYes", remove, lambda: self._save(wanted))
+        self._question.prompt(text.format(total), answer, otherwise=on_cancelled)
         self._count.setValue(wanted or 0)
         self._set.setEnabled(False)
 
-    def _keep(self, kept: int | None) -> None:
+    def _save(self, kept: int | None) -> None:
         def on_failed(error: StudioError) -> None:
             self._notifier.error.emit(str(error))
             self._on_edited()
 
-        keep = partial(self._history.keep, kept)
+        keep = partial(self._history.set_limit, kept)
         in_background(self, keep, lambda _: self.changed.emit(), on_failed)

@@ -48,7 +48,7 @@ class LeasePrompt(QObject):
 
         text = tr("{0} asks to drive. Handing over stops the motors.").format(user)
         submit = partial(self._device.connection.submit, HandOver(user))
-        self._question.ask(text, Answer("handOver", tr("Hand over"), submit), still=still)
+        self._question.prompt(text, Answer("handOver", tr("Hand over"), submit), still=still)
 
     @Slot(object)
     def _on_motors_stopped(self, report: MotorsStopped) -> None:
@@ -66,7 +66,7 @@ class LeasePrompt(QObject):
 
         text = tr("{0} drives. Taking over stops the motors.").format(lease.driver)
         submit = partial(self._device.connection.submit, TakeLease())
-        self._question.ask(text, Answer("takeOver", tr("Take over"), submit), still=still)
+        self._question.prompt(text, Answer("takeOver", tr("Take over"), submit), still=still)
 
     @Slot()
     def _on_line_closed(self) -> None:

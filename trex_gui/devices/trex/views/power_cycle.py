@@ -134,5 +134,5 @@ class PowerCycleFlow(Flow):
     def guide(self) -> None:
         """Begin a power cycle and show its steps, if a board is connected."""
         if self._device.is_connected:  # not while the window closes
-            self._cycle.begin()
+            self._cycle.start()
             self.opened.emit(True)

@@ -61,10 +61,10 @@ class ClosePrompt(QObject):
                 "offered when the board is connected again."
             )
             answer = Answer("closeYes", tr("Close anyway"), keep)
-            question.ask(text, answer, still=lambda: device.writer.running)
+            question.prompt(text, answer, still=lambda: device.writer.running)
         else:
             apply = Answer("applyFirst", tr("Review and apply…"), self._review)
-            question.ask(
+            question.prompt(
                 tr("There are unapplied changes."),
                 *([apply] if device.writer.can_apply else []),
                 Answer("saveAndClose", tr("Save as a settings file…"), save_and_leave),
@@ -114,7 +114,7 @@ class RestorePrompt(QObject):
             len(offer.rows),
         )
         saved = local_time(offer.saved.saved)
-        self._question.ask(
+        self._question.prompt(
             text.format(offer.saved.settings.product.name, saved),
             Answer("restoreEdits", tr("Restore edits"), backup.restore),
             Answer("discardEdits", tr("Discard edits"), backup.discard_offer),
@@ -139,7 +139,7 @@ class RestorePrompt(QObject):
                 len(differing.rows),
             )
             keep = tr("Keep the values of the board")
-            self._question.ask(
+            self._question.prompt(
                 text.format(record.settings.product.name, local_time(record.applied)),
                 Answer("showDiffering", tr("Show…"), self._show_differing),
                 Answer("keepDiffering", keep, lambda: memory.accept(utc_now())),

@@ -222,7 +222,7 @@ class ProvisionFlow(Flow):
         if closed:
             self.work.stop()
         elif self.work.step is ProvisionStep.MOTORS:
-            self.work.pulses.leave(tr("The assistant was closed."))
+            self.work.pulses.stop(tr("The assistant was closed."))
 
     def skip(self) -> None:
         if self.work.step is ProvisionStep.MOTORS:

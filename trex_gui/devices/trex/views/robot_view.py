@@ -79,14 +79,14 @@ class RobotView(Painted):
             self._amounts[side], self._colors[side] = amount, color
             self.update()
 
-    def choose(self, movement: Movement | None) -> None:
+    def select(self, movement: Movement | None) -> None:
         """Fill the half of a wheel that moved, or none."""
         for each, part in self._parts.items():
             part.setChecked(each is movement)
         self.update()
 
     def _on_part_clicked(self, movement: Movement) -> None:
-        self.choose(movement)
+        self.select(movement)
         self.wheel_clicked.emit(movement)
 
     def spoken_state(self) -> str:

@@ -107,7 +107,7 @@ class SettingsCommands(QObject):
         if not device.draft.pending:
             device.reload()
             return
-        self._question.ask(
+        self._question.prompt(
             tr("Read the settings from the board and discard the edits made here?"),
             Answer("reloadYes", tr("Discard and reload"), discard_and_reload),
             still=lambda: device.draft.pending > 0 and device.is_writable,

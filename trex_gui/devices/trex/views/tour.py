@@ -44,7 +44,7 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
     yield from tour.look_at_pages()
     yield partial(sticks.set_automatic, False)
     yield sticks.centre_sticks
-    yield partial(tour.choose, "learnAction")
+    yield partial(tour.trigger_action, "learnAction")
     yield partial(is_reached, "learnRestPage")
     yield from tour.look_at("learnDialog", "learn-rest")
     yield partial(tour.press, "learnNextButton")
@@ -57,12 +57,12 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
     yield partial(tour.is_visible, "learnReviewPage")
     yield from tour.look_at("learnDialog", "learn-review")
     yield partial(tour.press, "learnCloseButton")
-    yield partial(tour.choose, "test_sticksAction")
+    yield partial(tour.trigger_action, "test_sticksAction")
     yield partial(is_reached, "learnTestPage")
     yield from hold(1850)
     yield from tour.look_at("learnDialog", "learn-test")
     yield partial(tour.press, "learnCloseButton")
-    yield partial(tour.choose, "setupAction")
+    yield partial(tour.trigger_action, "setupAction")
     for step in SETUP_STEPS:
         yield from tour.look_at("setupDialog", f"setup-{step}")
         if step != SETUP_STEPS[-1]:
@@ -70,7 +70,7 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
     yield partial(tour.press, "setupCloseButton")
     yield controller.leave
     yield lambda: controller.link is ConnectionState.DISCONNECTED
-    yield partial(tour.choose, "check_boardAction")
+    yield partial(tour.trigger_action, "check_boardAction")
     yield from tour.look_at("checkDialog", "check-leds")
     for _ in range(2):
         yield partial(tour.press, "checkNextButton")

@@ -115,8 +115,8 @@ class TrexWorkspace(Workspace):
         self.files.staged.connect(lambda: self.show_page("parameters"))
         self.recordings.accept_drops(frame, self)
         self.openers = {"settings": files.open_file, "recording": self.recordings.open_file}
-        files.used.connect(partial(frame.files.recent.note, self.key, "settings"))
-        self.recordings.used.connect(partial(frame.files.recent.note, self.key, "recording"))
+        files.used.connect(partial(frame.files.recent.add, self.key, "settings"))
+        self.recordings.used.connect(partial(frame.files.recent.add, self.key, "recording"))
         self.recordings.settings_wanted.connect(self.files.open_editor)
         settings.parameter_wanted.connect(self._show_parameter)
         bar.apply_requested.connect(settings.review)

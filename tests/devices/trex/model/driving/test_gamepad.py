@@ -213,7 +213,7 @@ def test_profile_is_saved_per_gamepad_model(setup: GamepadSetup) -> None:
     later.switch_off()
     later.switch_on()
     assert later.profile.first == Axis(Y, inverted=True)
-    later.choose(OTHER)
+    later.select(OTHER)
     assert later.profile != profile
     later.switch_off()
 
@@ -221,7 +221,7 @@ def test_profile_is_saved_per_gamepad_model(setup: GamepadSetup) -> None:
 def test_last_chosen_gamepad_model_is_reselected(setup: GamepadSetup) -> None:
     setup.pads.plug_in(OTHER)
     setup.qtbot.waitUntil(lambda: OTHER in setup.gamepad.pads)
-    setup.gamepad.choose(OTHER)
+    setup.gamepad.select(OTHER)
     setup.gamepad.switch_off()
     setup.gamepad.switch_on()
     assert setup.gamepad.pad == OTHER

@@ -70,7 +70,7 @@ class LearningSetup:
         self.until(lambda: self.device.state is not None and not self.device.state.mode.is_serial)
 
     def go_to_travel(self, *channels: int) -> None:
-        self.learning.begin(channels or (1, 2))
+        self.learning.start(channels or (1, 2))
         self.until_step(LearningStep.NEUTRAL)
         self.learning.next()
         self.until_step(LearningStep.TRAVEL)
@@ -146,7 +146,7 @@ def test_running_motors_are_stopped_first(setup: LearningSetup) -> None:
     setup.device.motors.arm()
     setup.device.motors.set_speed(1, 60)
     setup.until(lambda: setup.simulator.show()["motors"][0]["speed"] == 60)
-    setup.learning.begin((1,))
+    setup.learning.start((1,))
     assert setup.learning.step is LearningStep.STOPPING
     setup.until_step(LearningStep.NEUTRAL)
     assert not setup.device.motors.armed
@@ -156,7 +156,7 @@ def test_running_motors_are_stopped_first(setup: LearningSetup) -> None:
 
 def test_unconfirmed_stop_fails_learning(setup: LearningSetup) -> None:
     setup.simulator.do("line mute on")
-    setup.learning.begin((1,))
+    setup.learning.start((1,))
     setup.until_step(LearningStep.FAILED)
     assert setup.learning.trouble
 
@@ -168,7 +168,7 @@ def test_mode_in_which_sticks_drive_is_refused(
     setup: LearningSetup, mode: str, remedy: str
 ) -> None:
     setup.restart_in_mode(mode)
-    setup.learning.begin((1,))
+    setup.learning.start((1,))
     assert setup.learning.step is LearningStep.FAILED
     assert "sticks drive the motors" in setup.learning.trouble
     assert remedy in setup.learning.trouble
@@ -176,10 +176,10 @@ def test_mode_in_which_sticks_drive_is_refused(
 
 def test_channels_in_control_fail_learning_for_good(setup: LearningSetup) -> None:
     """After a short power break the mode may still be the old one when control is read."""
-    setup.device.telemetry.newest.take(Control(now(), by_serial=False))
+    setup.device.telemetry.newest.update(Control(now(), by_serial=False))
     steps: list[LearningStep] = []
     setup.learning.changed.connect(lambda: steps.append(setup.learning.step))
-    setup.learning.begin((1,))
+    setup.learning.start((1,))
     assert setup.learning.step is LearningStep.FAILED
     assert "the channels are in control" in setup.learning.trouble
     until = now() + 2
@@ -220,7 +220,7 @@ def test_joint_mode_motor_stays_stopped_while_sticks_move(setup: LearningSetup) 
 
 def test_current_after_the_stop_requires_a_user_check(setup: LearningSetup) -> None:
     setup.simulator.do("current 2 3.0")
-    setup.learning.begin((1,))
+    setup.learning.start((1,))
     setup.until_step(LearningStep.DOUBT)
     assert "motor 2 draws 3.0 A" in setup.learning.trouble
     assert "cut its power" in setup.learning.trouble
@@ -263,7 +263,7 @@ def test_review_curves_follow_stick_and_chosen_values(setup: LearningSetup) -> N
     setup.until(lambda: first.raw == 5000)
     assert second.choice is not None
     bad = type(second.choice.calibration)(4000, 3750, 5000, 10)
-    setup.learning.choose(2, calibration=bad, reversed_=False)
+    setup.learning.set_choice(2, calibration=bad, reversed_=False)
     assert second.curve_after is None
     assert second.curve_before == before
 
@@ -278,7 +278,7 @@ def test_restart_in_another_mode_fails_learning(setup: LearningSetup) -> None:
 
 def test_channel_without_signal_is_skipped(setup: LearningSetup) -> None:
     setup.simulator.do("channel 2 silent")
-    setup.learning.begin((1, 2))
+    setup.learning.start((1, 2))
     setup.until_step(LearningStep.NEUTRAL)
     first, second = setup.learning.channels
     setup.until(lambda: [p.kind for p in second.rest_problems] == [ProblemKind.NO_SIGNAL])
@@ -307,10 +307,10 @@ def test_invalid_values_cannot_be_accepted(setup: LearningSetup) -> None:
     (first, _) = setup.learning.channels
     assert first.choice is not None
     good = first.choice.calibration
-    setup.learning.choose(1, calibration=replace(good, minimum=good.maximum + 1, deadband=10))
+    setup.learning.set_choice(1, calibration=replace(good, minimum=good.maximum + 1, deadband=10))
     assert not setup.learning.can_use_values
     assert [problem.kind for problem in first.result_problems] == [ProblemKind.REFUSED]
-    setup.learning.choose(1, included=False)
+    setup.learning.set_choice(1, included=False)
     setup.until(lambda: setup.learning.can_use_values)
     setup.learning.use_values()
     assert setup.device.calibrations.shown(1) == setup.device.calibrations.stored(1)
@@ -334,7 +334,7 @@ def test_written_values_request_a_test(setup: LearningSetup) -> None:
 
 
 def test_gap_in_telemetry_stalls_the_neutral_step(setup: LearningSetup) -> None:
-    setup.learning.begin((1,))
+    setup.learning.start((1,))
     setup.until_step(LearningStep.NEUTRAL)
     setup.device.telemetry.blockSignals(True)
     setup.learning.next()
@@ -474,7 +474,7 @@ def test_restart_after_power_loss_stops_the_motors_again(
     elif step is LearningStep.TRAVEL:
         setup.go_to_travel(1)
     else:
-        setup.learning.begin((1,))
+        setup.learning.start((1,))
     setup.until_step(step)
     setup.simulator.do("power off")
     setup.until_step(LearningStep.FAILED)

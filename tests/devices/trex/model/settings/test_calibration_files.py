@@ -36,7 +36,7 @@ def factory() -> Settings:
 @pytest.fixture
 def draft(qapp: object, factory: Settings) -> SettingsDraft:
     draft = SettingsDraft()
-    draft._begin(factory.product, factory.firmware)
+    draft._start(factory.product, factory.firmware)
     draft.parameters.load(factory.specs, factory.parameters, {}, power_cycled=True)
     draft.calibrations.load("trex", RC, factory.calibrations)
     return draft

@@ -217,7 +217,7 @@ def test_stop_says_why_it_was_made(robot: Robot) -> None:
     motors.stop_requested.connect(lambda: reasons.append(motors.stop_reason))
     for act in (
         robot.setup.next,
-        robot.setup.leave,
+        robot.setup.stop,
         lambda: robot.setup.pulses.confirm_wheels(False),
     ):
         robot.go_to(SetupStep.MOTORS)

@@ -98,7 +98,7 @@ class MotionBox(ui.Card):
         self.table.selectionModel().currentChanged.connect(self._update_buttons)
         self.table.shown.connect(self._update_buttons)
         self.table.shown.connect(self.shown)
-        self._list.choose(ItemKey(GAITS[0].name, built_in=True))  # something that can be played
+        self._list.select(ItemKey(GAITS[0].name, built_in=True))  # something that can be played
         self._update_buttons()
 
     @property
@@ -143,7 +143,7 @@ class MotionBox(ui.Card):
         after = row if row >= 0 else len(steps) - 1
         time = steps[after].milliseconds if steps else DEFAULT_MS
         self.table.add(after + 1, SequenceStep(self._pose_for_step(), time))
-        self.table.choose(after + 1)
+        self.table.select(after + 1)
 
 
 class _Delegate(QStyledItemDelegate):
@@ -251,7 +251,7 @@ class StepTable(QTableWidget):
             self._running = step
             self._fill()
 
-    def choose(self, row: int) -> None:
+    def select(self, row: int) -> None:
         """Make a row current. One beyond the end is the last."""
         column = max(self.currentColumn(), int(StepColumn.POSE))
         self.setCurrentCell(min(row, self.rowCount() - 1), column)
@@ -276,12 +276,12 @@ class StepTable(QTableWidget):
         row, steps = self.currentRow(), list(self.steps)
         steps.insert(row + by, steps.pop(row))
         self._set_steps(steps)
-        self.choose(row + by)
+        self.select(row + by)
 
     def _on_remove(self) -> None:
         row = self.currentRow()
         self._set_steps(self.steps[:row] + self.steps[row + 1 :])
-        self.choose(row)
+        self.select(row)
 
     def _set_steps(self, steps: Many[SequenceStep]) -> None:
         if self.editable and self._key is not None:

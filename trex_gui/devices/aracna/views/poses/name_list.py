@@ -76,12 +76,12 @@ class NameList(QListWidget):
         row = self.currentRow()
         return self._keys[row] if 0 <= row < len(self._keys) else None
 
-    def choose(self, key: ItemKey | None) -> None:
+    def select(self, key: ItemKey | None) -> None:
         """Make an item current. None if it is not in the list."""
         self.setCurrentRow(self._keys.index(key) if key in self._keys else -1)
 
     def select_and_edit(self, name: str) -> None:
-        self.choose(ItemKey(name))
+        self.select(ItemKey(name))
         self.edit_name()
 
     @Slot()
@@ -124,7 +124,7 @@ class NameList(QListWidget):
             name = self._library.add_gait(gait)
         else:
             name = self._library.duplicate(self._kind, key.name)
-        self.choose(ItemKey(name))
+        self.select(ItemKey(name))
 
     @Slot()
     def _on_delete(self) -> None:
@@ -168,7 +168,7 @@ class NameList(QListWidget):
             for row, key in enumerate(keys):
                 self._show_item(self.item(row), key)
             if not is_renamed:
-                self.choose(chosen)
+                self.select(chosen)
         if self.current != chosen:
             self._on_current_changed()
 

@@ -47,7 +47,7 @@ class MeasuredInputs(QObject):
 
         telemetry.updated.connect(self._on_updated)
 
-    def begin(self) -> None:
+    def start(self) -> None:
         times = self._telemetry.inputs.times
         self._last_time = float(times[-1]) if len(times) else -math.inf
         self._heard_at = self._ticked_at = now()

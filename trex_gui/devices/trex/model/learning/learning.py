@@ -144,7 +144,7 @@ class Learning(QObject):
 
     # --- User actions -------------------------------------------------------------------
 
-    def begin(self, channels: Sequence[int] = CHANNELS) -> None:
+    def start(self, channels: Sequence[int] = CHANNELS) -> None:
         """Learn these channels at once. The motors are stopped first."""
         self.news = self._next_news = ""
         self.begun.emit()
@@ -195,7 +195,7 @@ class Learning(QObject):
             case LearningStep.FAILED | LearningStep.DOUBT:
                 self._start(self.numbers, self._after_stopping)
 
-    def choose(self, number: int, **changes: Any) -> None:
+    def set_choice(self, number: int, **changes: Any) -> None:
         """Change fields of the `Choice` of a channel."""
         channel = next(channel for channel in self.channels if channel.number == number)
         if channel.choice is not None:
@@ -230,15 +230,15 @@ class Learning(QObject):
         self.numbers = tuple(channels)
         self.channels = ()
         self.tests = None
-        self.pending.forget()
+        self.pending.clear()
         self._after_stopping = after_stopping
         if trouble := self.preconditions.blocker:
             self._fail(trouble)
             return
-        self.preconditions.begin()
+        self.preconditions.start()
         self._go(LearningStep.STOPPING)
         if self.step is LearningStep.STOPPING:  # else a precondition is violated already
-            self._standstill.begin()
+            self._standstill.start()
 
     @Slot()
     def _on_standstill(self) -> None:
@@ -295,7 +295,7 @@ class Learning(QObject):
         is_measuring = step in _MEASURING
         self._device.connection.watch("learning", is_measuring)
         if is_measuring:
-            self.inputs.begin()
+            self.inputs.start()
         else:
             self.inputs.end()
         if step in {LearningStep.ENDED, LearningStep.FAILED}:

@@ -46,7 +46,7 @@ class PendingLearnedValues(QObject):
         self._waiting = dict(choices) if is_pending else {}
         return is_pending
 
-    def forget(self) -> None:
+    def clear(self) -> None:
         self._waiting = {}
 
     def has_edit(self, number: int) -> bool:
@@ -89,7 +89,7 @@ class PendingLearnedValues(QObject):
     @Slot()
     def _on_link_changed(self) -> None:
         if not self._device.is_connected:
-            self.forget()
+            self.clear()
 
     @Slot()
     def _on_pending_changed(self) -> None:

@@ -62,7 +62,7 @@ class CalibrationPreconditions(QObject):
     def source(self) -> InputSource:
         return self._source or self._device.calibrations.source
 
-    def begin(self) -> None:
+    def start(self) -> None:
         self._watching = True
         self._source = self._device.calibrations.source
 
@@ -135,7 +135,7 @@ class StandstillCheck(QObject):
         self._timer = new_timer(self, 0, self._on_timeout, single_shot=True)
         device.telemetry.updated.connect(self._on_updated)
 
-    def begin(self) -> None:
+    def start(self) -> None:
         """Stop the motors. A check that is running is cancelled."""
         self.cancel()
         run = self._run

@@ -50,7 +50,7 @@ class BoardFiles(QObject):
         self._wanted: BoardIdentity | None = None  # whose file is to be read
         self._is_failing = False
         self._task = FileTask(self)
-        self._timer = new_timer(self, _DELAY_MS, self._begin, single_shot=True)
+        self._timer = new_timer(self, _DELAY_MS, self._start, single_shot=True)
         self._task.done.connect(self._on_done)
 
     @property
@@ -85,19 +85,19 @@ class BoardFiles(QObject):
 
     def read(self, board: BoardIdentity) -> None:
         self._wanted = board
-        self._begin()
+        self._start()
 
     def shut_down(self) -> bool:
         """Save what is due. Return whether that ended in time."""
         self._timer.stop()
         in_time = self._task.close(0, finish_ms=_CLOSING_MS)
         if in_time and self._due:
-            self._begin()
+            self._start()
             in_time = self._task.close(0, finish_ms=_CLOSING_MS)
         return in_time
 
     @Slot()
-    def _begin(self) -> None:
+    def _start(self) -> None:
         if self._task.is_running:
             return  # continues when it has ended
         due, self._due = self._due, {}

@@ -76,7 +76,7 @@ class SettingsDraft(QObject):
         board = BoardIdentity.of(settings_of(state))
         stored, active, reset_pending = self._set_aside.pop(board, ({}, {}, False))
         self.undo.clear()
-        self._take(state, connection, active, keep_edits=False)
+        self._update(state, connection, active, keep_edits=False)
         self.reset_pending = reset_pending and stored == values.all_stored
         self.loaded.emit()
 
@@ -97,10 +97,10 @@ class SettingsDraft(QObject):
             self._set_aside.clear()
         if power_cycled or self.parameters.values.all_stored != state.parameters:
             self.reset_pending = False
-        self._take(state, connection, {}, power_cycled=power_cycled)
+        self._update(state, connection, {}, power_cycled=power_cycled)
         self.loaded.emit()
 
-    def _take(
+    def _update(
         self,
         state: DeviceState,
         connection: ConnectionSettings | None,
@@ -110,7 +110,7 @@ class SettingsDraft(QObject):
         keep_edits: bool = True,
     ) -> None:
         model = state.signature.model
-        self._begin(model, state.signature.firmware)
+        self._start(model, state.signature.firmware)
         self.parameters.load(
             state.specs,
             state.parameters,
@@ -127,7 +127,7 @@ class SettingsDraft(QObject):
 
     def take_settings(self, settings: Settings) -> None:
         """Take the settings of a file, to which any setting may be added."""
-        self._begin(settings.product, settings.firmware)
+        self._start(settings.product, settings.firmware)
         specs = specs_for(settings.product, settings.firmware)
         is_analog = settings.parameters.get(ParameterKey.CHANNEL_INPUT_SOURCE) == 1
         source = InputSource.ANALOG if is_analog else InputSource.RC
@@ -136,7 +136,7 @@ class SettingsDraft(QObject):
         self.notes.load(settings.notes)
         self.loaded.emit()
 
-    def _begin(self, product: Model, firmware: str | None) -> None:
+    def _start(self, product: Model, firmware: str | None) -> None:
         if self._product is None or self._product.key != product.key:
             self.undo.clear()  # the edits belong to another kind of board
         self._product = product

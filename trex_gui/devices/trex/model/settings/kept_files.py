@@ -65,7 +65,7 @@ class KeptFiles(QObject):
 
     def show_notes(self, notes: Mapping[str, str] | None, board: BoardIdentity) -> None:
         if notes is None:
-            self._notes.forget()
+            self._notes.clear()
         else:
             self._notes.load(notes, board)
 

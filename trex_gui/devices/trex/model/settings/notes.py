@@ -38,7 +38,7 @@ class Notes(QObject):
         self._notes, self._owner, self.are_known = dict(notes), owner, True
         self.changed.emit()
 
-    def forget(self) -> None:
+    def clear(self) -> None:
         """Show none until those of another board are known."""
         self._notes, self._owner, self.are_known = {}, None, False
         self.changed.emit()

@@ -219,7 +219,7 @@ class SettingsWriter(QObject):
         self._cancel_snapshot = None
 
         def make(number: int) -> Write:
-            transaction.begin()
+            transaction.start()
             return Write(number, *transaction.values, before=transaction.state)
 
         if not self._connection.request(make, partial(self._on_written, transaction)):

@@ -77,9 +77,9 @@ class MotorPulses(QObject):
             self.wheels_are_free = True
             self.changed.emit()
         else:
-            self.leave(tr("The wheels may touch the ground."))
+            self.stop(tr("The wheels may touch the ground."))
 
-    def leave(self, reason: str) -> None:
+    def stop(self, reason: str) -> None:
         """Stop and disarm all motors if any may move. The wheels may be on the ground then."""
         self.wheels_are_free = False
         if self._motors.armed or self._device.may_move:

@@ -230,13 +230,13 @@ class RobotSetup(QObject):
     def back(self) -> None:
         self._move(-1)
 
-    def leave(self) -> None:
+    def stop(self) -> None:
         """Stop the motors. The pending edits stay."""
-        self.pulses.leave(tr("The assistant was closed."))
+        self.pulses.stop(tr("The assistant was closed."))
 
     def go_to(self, step: SetupStep) -> None:
         if self.step is SetupStep.MOTORS and step is not self.step:
-            self.pulses.leave(tr("Another step of the assistant was opened."))
+            self.pulses.stop(tr("Another step of the assistant was opened."))
         self.step = step
         self.changed.emit()
 
@@ -262,13 +262,13 @@ class RobotSetup(QObject):
         match self._device.link:
             case ConnectionState.DISCONNECTED:
                 self._former = None
-                self._forget()
+                self._clear()
             case ConnectionState.NOT_RESPONDING | ConnectionState.CONNECTING:
                 self._former = self._former or state
             case ConnectionState.CONNECTED:
                 before, self._former = self._former, None
                 if before and state and not may_be_same_board(before, state):
-                    self._forget()
+                    self._clear()
         self.changed.emit()
 
     @Slot()
@@ -277,10 +277,10 @@ class RobotSetup(QObject):
         model = self._device.parameters.model_key
         if model != self._model:
             self._model = model
-            self._forget()
+            self._clear()
         self.changed.emit()
 
-    def _forget(self) -> None:
+    def _clear(self) -> None:
         """Forget the answers: a current limit, too, means something else to another model."""
         self.movements.clear()
         self.rises.clear()

@@ -73,7 +73,7 @@ class Question(InlinePrompt):
             "reject the value, or store another one."
         )
         answer = Answer("writeAnyway", tr("Write an&yway"), write)
-        self.ask(text.format(", ".join(named)), answer, still=lambda: doubts() == named)
+        self.prompt(text.format(", ".join(named)), answer, still=lambda: doubts() == named)
 
 
 class ChangesDialog(ReusedDialog):

@@ -193,7 +193,7 @@ class Review(QObject):
         def still() -> bool:
             return self._device.is_writable and is_taken == (number in self._boards.others)
 
-        self.dialog.question.ask(text, answer, still=still)
+        self.dialog.question.prompt(text, answer, still=still)
 
     def _reset_board(self) -> None:
         self.dialog.close()
@@ -257,7 +257,7 @@ class Review(QObject):
                 "one, the new one or, after a power cut, the default. It will be read again."
             )
         if self._device.parameters.values.waiting_for_power:
-            self._cycle.begin([result.key for result in results if result.error is not None])
+            self._cycle.start([result.key for result in results if result.error is not None])
         self._enter(_Phase.DONE)
 
     @Slot(str)

@@ -48,7 +48,7 @@ class LearnFlow(Flow):
 
     def learn(self, channels: Sequence[int] = CHANNELS) -> None:
         """Learn these channels unless it is learning already. The motors are stopped first."""
-        self._open(partial(self.learning.begin, channels))
+        self._open(partial(self.learning.start, channels))
 
     def test(self, channels: Sequence[int] = CHANNELS) -> None:
         """Test the sticks with the stored values. The motors are stopped first."""
@@ -83,7 +83,7 @@ class LearnFlow(Flow):
     def _on_learn_again(self) -> None:
         tests = self.learning.tests
         if tests is not None and tests.to_learn_again:
-            self.learning.begin(tests.to_learn_again)
+            self.learning.start(tests.to_learn_again)
 
     def back(self) -> None:
         self.learning.back()

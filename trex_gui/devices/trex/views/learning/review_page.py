@@ -51,7 +51,7 @@ class ChannelForm(QWidget):
             self,
             f"learnInclude{number}",
             tr("Use &channel {0}: {1}").format(number, tr(CHANNEL_ROLES[number])),
-            on_click=lambda included: self._choose(included=included),
+            on_click=lambda included: self._select(included=included),
         )
         ui.set_bold(self._include)
         self._values = QWidget(self)
@@ -80,7 +80,7 @@ class ChannelForm(QWidget):
             self,
             f"learnReversed{number}",
             tr("&Reversed"),
-            on_click=lambda reversed_: self._choose(reversed_=reversed_),
+            on_click=lambda reversed_: self._select(reversed_=reversed_),
         )
         grid.addWidget(self._reversed, len(names), 1)
         grid.addWidget(was_reversed, len(names), 2)
@@ -91,8 +91,8 @@ class ChannelForm(QWidget):
         ui.column(*items, 1, into=self, margins=0, spacing=4)
         units().changed.connect(self.refresh)
 
-    def _choose(self, **changes: Any) -> None:
-        self._learning.choose(self.channel.number, **changes)
+    def _select(self, **changes: Any) -> None:
+        self._learning.set_choice(self.channel.number, **changes)
 
     @Slot()
     def _on_rest_clicked(self) -> None:
@@ -100,7 +100,7 @@ class ChannelForm(QWidget):
 
     def _on_value_changed(self, field: str, value: int) -> None:
         values = {name: editor.value() for name, editor in self._editors.items()}
-        self._choose(calibration=Calibration(**{**values, field: value}))
+        self._select(calibration=Calibration(**{**values, field: value}))
 
     @Slot()
     def refresh(self) -> None:
@@ -176,7 +176,9 @@ class ReviewPage(Page):
         self._tabs.currentChanged.connect(self._on_changed)
         self._tabs.setVisible(len(self._forms) > 1)
         self._plot.edited.connect(
-            lambda calibration: learning.choose(self._form.channel.number, calibration=calibration)
+            lambda calibration: learning.set_choice(
+                self._form.channel.number, calibration=calibration
+            )
         )
         learning.changed.connect(self._on_changed)
         learning.measured.connect(self._on_measured)

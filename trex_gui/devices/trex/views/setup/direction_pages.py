@@ -40,15 +40,15 @@ class SticksPage(Page):
             "setupLearnButton",
             tr("&Learn channels…"),
             icon="calibrate",
-            on_click=lambda: learning.begin(CHANNELS),
+            on_click=lambda: learning.start(CHANNELS),
         )
         self._blocker = ui.named(Note(1, side), "setupLearnBlocker")
         pushed = ui.label(side, text=tr("Already learned? Push, hold and click:"), wrap=True)
         self._forward = button(
-            "setupForwardButton", on_click=lambda: self._note((2,) if self._is_one else (1, 2))
+            "setupForwardButton", on_click=lambda: self._record((2,) if self._is_one else (1, 2))
         )
         text_right = tr("The stick is fully &right now")
-        self._right = button("setupRightButton", text_right, on_click=lambda: self._note((1,)))
+        self._right = button("setupRightButton", text_right, on_click=lambda: self._record((1,)))
         self._wiring = Muted(tr("Each is connected to an output of your receiver."), self)
         self._strips = {channel: InputStrip("setup", channel, self) for channel in (1, 2)}
         self._known: dict[int, Note] = {}
@@ -66,7 +66,7 @@ class SticksPage(Page):
     def _is_one(self) -> bool:
         return self._setup.driver is Driver.ONE_STICK
 
-    def _note(self, channels: tuple[int, ...]) -> None:
+    def _record(self, channels: tuple[int, ...]) -> None:
         self._unclear = self._setup.record_pushed(channels)
         self.refresh()
 
@@ -130,7 +130,7 @@ class WiringPage(Page):
         side = self.side
         self._question = ui.label(self, "setupQuestion", bold=True)
         self._robot = RobotView(self, asks=True)
-        self._robot.wheel_clicked.connect(self._note)
+        self._robot.wheel_clicked.connect(self._record)
         text = tr("Nothing &moved")
         self._nothing = ui.button(
             self,
@@ -138,7 +138,7 @@ class WiringPage(Page):
             text,
             checkable=True,
             default=False,
-            on_click=lambda: self._note(Movement.NOTHING),
+            on_click=lambda: self._record(Movement.NOTHING),
         )
         middle = Qt.AlignmentFlag.AlignHCenter
         text = tr("Wir&es swapped – test again")
@@ -158,7 +158,7 @@ class WiringPage(Page):
         ui.column(self._controls, self._result, notice, into=side, margins=0, spacing=6)
 
         self._again.clicked.connect(setup.clear_movements)
-        self._again.clicked.connect(partial(self._ask, 1))
+        self._again.clicked.connect(partial(self._prompt, 1))
         for changed in (setup.changed, setup.pulses.changed, device.telemetry.text_due):
             changed.connect(self.refresh)
 
@@ -166,10 +166,10 @@ class WiringPage(Page):
         name, tip = f"setupAnswer{motor}", tr("Click what this motor moved")
         answer = ui.button(self.side, name, tip=tip, default=False)
         set_look(answer, "link")
-        answer.clicked.connect(partial(self._ask, motor))
+        answer.clicked.connect(partial(self._prompt, motor))
         return answer
 
-    def _ask(self, motor: int) -> None:
+    def _prompt(self, motor: int) -> None:
         self._motor = motor
         self.refresh()
 
@@ -180,7 +180,7 @@ class WiringPage(Page):
         self._setup.pulses.start(motor, stronger=stronger)
 
     @Slot(object)
-    def _note(self, seen: Movement) -> None:
+    def _record(self, seen: Movement) -> None:
         motor = self._motor
         if 3 - motor not in self._setup.movements and seen is not Movement.NOTHING:
             self._motor = 3 - motor
@@ -201,7 +201,7 @@ class WiringPage(Page):
         for side, color in colors.items():
             self._robot.show_wheel(side, 0, color)
         seen = movements.get(self._motor)
-        self._robot.choose(seen)
+        self._robot.select(seen)
         self._nothing.setChecked(seen is Movement.NOTHING)
 
     def showEvent(self, event: QShowEvent) -> None:

@@ -98,7 +98,7 @@ class SetupFlow(Flow):
         if closed:
             self._is_open = False
             self._close_learning()
-        self.setup.leave()
+        self.setup.stop()
 
     def _close_learning(self) -> None:
         if self._learns:

@@ -119,7 +119,7 @@ class DrivePad(RobotView):
     def _grab(self, place: QPointF) -> None:
         self.setFocus(Qt.FocusReason.MouseFocusReason)
         self.held = True
-        self._watch.begin()
+        self._watch.start()
         self._follow(place)
 
     def _follow(self, place: QPointF) -> None:

@@ -39,7 +39,7 @@ class GamepadPanel(QWidget):
             "gamepadCombo",
             title,
             tip=title,
-            on_activate=lambda index: self.gamepad.choose(self.gamepad.pads[index]),
+            on_activate=lambda index: self.gamepad.select(self.gamepad.pads[index]),
         )
         adjust = ComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         self._pads.setSizeAdjustPolicy(adjust)

@@ -87,7 +87,7 @@ class KeyDriver(QObject):
 
     @Slot()
     def release(self) -> None:
-        self._forget()
+        self._clear()
         self._drive.release()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
@@ -157,11 +157,11 @@ class KeyDriver(QObject):
     def _steer(self) -> None:
         forward, turn = keys_setpoint(self._keys.values())
         if self._drive.steer(forward, turn):
-            self._watch.begin()
+            self._watch.start()
         else:
-            self._forget()
+            self._clear()
 
-    def _forget(self) -> None:
+    def _clear(self) -> None:
         self._keys.clear()
         self._repeat.stop()
         self._watch.end()
@@ -169,7 +169,7 @@ class KeyDriver(QObject):
     @Slot()
     def _on_holder_changed(self) -> None:
         if self._keys and not self._drive.held:
-            self._forget()
+            self._clear()
 
     @Slot(QWindow)
     def _on_focus_window_changed(self, window: QWindow | None) -> None:
