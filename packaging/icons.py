@@ -1,6 +1,6 @@
-"""Draw the program's icon as a file for Windows (.ico), macOS (.icns) or Linux (.png).
+"""Draw the program's icon as a file for Windows (.ico) or macOS (.icns).
 
-.venv/bin/python packaging/icons.py FILE [SIZE]
+.venv/bin/python packaging/icons.py FILE
 """
 
 import os
@@ -55,17 +55,13 @@ def make_icns() -> bytes:
     return b"icns" + struct.pack(">I", 8 + len(body)) + body
 
 
-def write_icon(path: Path, size: int = 256) -> None:
-    """Write the icon in the format that the name says; `size` is that of a PNG."""
+def write_icon(path: Path) -> None:
+    """Write the icon in the format that the suffix names."""
     app = QGuiApplication.instance() or QGuiApplication([])
-    makers: dict[str, Callable[[], bytes]] = {
-        ".ico": make_ico,
-        ".icns": make_icns,
-        ".png": lambda: draw_png(size),
-    }
+    makers: dict[str, Callable[[], bytes]] = {".ico": make_ico, ".icns": make_icns}
     path.write_bytes(makers[path.suffix]())
     del app
 
 
 if __name__ == "__main__":
-    write_icon(Path(sys.argv[1]), *map(int, sys.argv[2:3]))
+    write_icon(Path(sys.argv[1]))

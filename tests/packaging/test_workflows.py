@@ -17,7 +17,6 @@ ROOT = Path(__file__).resolve().parents[2]
 pytestmark = pytest.mark.usefixtures("qapp")  # what draws icons would make another application
 PACKAGING = ROOT / "packaging"
 WORKFLOWS = sorted((ROOT / ".github" / "workflows").glob("*.yml"))
-MANIFEST = PACKAGING / "flatpak" / "local.trexstudio.TReXStudio.yml"
 
 
 def load(name: str) -> ModuleType:
@@ -118,42 +117,11 @@ def test_present_version_has_a_section() -> None:
 # --- Recipes
 
 
-def test_flatpak_may_use_serial_ports_and_installs_files_that_exist() -> None:
-    manifest = read(MANIFEST)
-    assert manifest["id"] == MANIFEST.stem
-    assert {"--device=all", "--share=network", "--socket=wayland"} <= {*manifest["finish-args"]}
-    (module,) = manifest["modules"]
-    paths = [(MANIFEST.parent / source["path"]).resolve() for source in module["sources"]]
-    made = ROOT / "build"
-    assert [path for path in paths if not (path.exists() or path.is_relative_to(made))] == []
-
-
 def test_bundle_for_macos_is_a_program_with_a_window() -> None:
     with (PACKAGING / "macos" / "Info.plist").open("rb") as file:
         information = plistlib.load(file)
     assert information["LSBackgroundOnly"] is False
     assert information["NSHighResolutionCapable"] is True
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="shell scripts and links")
-def test_app_dir_starts_the_program_that_it_is_called_as(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    frozen = tmp_path / "frozen"
-    frozen.mkdir()
-    for name in ("trex-gui", "trexcmd"):
-        (frozen / name).write_text(f'#!/bin/sh\necho {name} "$@"\n', encoding="ascii")
-        (frozen / name).chmod(0o755)
-    monkeypatch.syspath_prepend(str(PACKAGING / "appimage"))
-    load("make_appimage").make_app_dir(frozen, folder := tmp_path / "AppDir")
-    assert {"trex-studio.desktop", "trex-studio.png", ".DirIcon"} <= {
-        path.name for path in folder.iterdir()
-    }
-    calls = {"": "trex-gui", "/home/me/TReX.AppImage": "trex-gui", "/bin/trexcmd": "trexcmd"}
-    run = load("packages").run
-    for called, started in calls.items():
-        environment = {"ARGV0": called} if called else {}
-        assert run([folder / "AppRun", "--version"], environment) == f"{started} --version\n"
 
 
 @pytest.mark.parametrize(("suffix", "start"), [(".ico", b"\0\0\1\0"), (".icns", b"icns")])
