@@ -162,12 +162,12 @@ class AracnaSession:
             if isinstance(request, Close):
                 raise Closing
             try:
-                self._take(request)
+                self._handle_request(request)
             except (BadRequest, NoReply) as error:
                 self._jobs.reject(request, error)
             request = self._inbox.get(0.0)
 
-    def _take(self, request: Request) -> None:
+    def _handle_request(self, request: Request) -> None:
         match request:
             case Halt():
                 self._drop(self._now(), Ending.HALTED, RobotError(ErrorCode.HALTED))
