@@ -22,7 +22,7 @@ log = logging.getLogger(__name__)
 HEARTBEAT_INTERVAL = 0.1
 """Longest time in seconds between two heartbeats while motors may be moving."""
 
-_ENDING_S, _BREAKING_OFF_S = 0.5, 6.0  # seconds to end, and to end while a stop blocks for 5
+_ENDING_S, _BREAKING_OFF_S = 2.0, 6.0  # seconds to end, and to end while a stop blocks for 5
 _MOST_UNREAD, _UNREAD_S = 3, 0.25
 """Messages that a suspended process leaves unread, for so many seconds; it counts as lost."""
 
