@@ -17,6 +17,7 @@ from typing import Any
 import pytest
 import zenoh
 
+from tests.support.patient import PATIENT
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui import Trex, TrexLine
 from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable, StudioError
@@ -69,6 +70,7 @@ class ServerDriver:
         self.simulator = simulator
         words = [sys.executable, "-m", "trex_gui.cli", "serve", "--port", simulator.url]
         words += ["--name", "arm", "--listen", "127.0.0.1:0", *options]
+        words += ["--timeout", str(PATIENT.extra)]  # a late reply meets the next request
         port = _free_port()
         words[words.index("127.0.0.1:0")] = f"127.0.0.1:{port}"
         self.address = Address("127.0.0.1", "arm", port=port)
