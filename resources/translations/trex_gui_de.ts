@@ -4619,14 +4619,6 @@ bisher {1}</translation></message>
         <translation>&amp;Zurück</translation></message>
     <message><source>S&amp;kip</source>
         <translation>Übers&amp;pringen</translation></message>
-    <message><source>First difference, line {0}: {1}. The simulated board: {2} ({3}).</source>
-        <translation>Erster Unterschied, Zeile {0}: {1}. Das simulierte Board: {2} ({3}).</translation></message>
-    <message><source>Compare a traffic log</source>
-        <translation>Datenverkehrsprotokoll vergleichen</translation></message>
-    <message><source>Text (*.txt *.tsv)</source>
-        <translation>Text (*.txt *.tsv)</translation></message>
-    <message numerus="yes"><source>%n transaction(s): the simulated board replies the same.</source>
-        <translation><numerusform>%n Transaktion: Das simulierte Board antwortet gleich.</numerusform><numerusform>%n Transaktionen: Das simulierte Board antwortet gleich.</numerusform></translation></message>
     <message><source>Plot of currents in its o&amp;wn window</source>
         <translation>Stromkurven in eigenem &amp;Fenster</translation></message>
     <message><source>Demo TReX</source>
@@ -4649,8 +4641,6 @@ bisher {1}</translation></message>
         <translation>&amp;Parameter</translation></message>
     <message><source>Prin&amp;t settings…</source>
         <translation>&amp;Einstellungen drucken…</translation></message>
-    <message><source>Compare traffic &amp;log with simulator…</source>
-        <translation>&amp;Datenverkehrsprotokoll mit Simulator vergleichen…</translation></message>
     <message><source>&amp;Discard all edits</source>
         <translation>Alle Änderungen &amp;verwerfen</translation></message>
     <message><source>R&amp;eload settings from device</source>
@@ -5237,6 +5227,8 @@ bisher {1}</translation></message>
         <translation>Bisher keine Fehler.</translation></message>
     <message><source>Save the traffic log</source>
         <translation>Datenverkehrsprotokoll speichern</translation></message>
+    <message><source>Text (*.txt *.tsv)</source>
+        <translation>Text (*.txt *.tsv)</translation></message>
     <message numerus="yes"><source>{0} row(s) written to {1}.</source>
         <translation><numerusform>{0} Zeile in {1} geschrieben.</numerusform><numerusform>{0} Zeilen in {1} geschrieben.</numerusform></translation></message>
     <message><source>Also show the requests that the program repeats many times a second</source>

@@ -79,8 +79,6 @@
         <translation><numerusform>Next adds %n change. Nothing is written before you apply them.</numerusform><numerusform>Next adds %n changes. Nothing is written before you apply them.</numerusform></translation></message>
     <message numerus="yes"><source>&amp;Restore %n setting(s)…</source>
         <translation><numerusform>&amp;Restore %n setting…</numerusform><numerusform>&amp;Restore %n settings…</numerusform></translation></message>
-    <message numerus="yes"><source>%n transaction(s): the simulated board replies the same.</source>
-        <translation><numerusform>%n transaction: the simulated board replies the same.</numerusform><numerusform>%n transactions: the simulated board replies the same.</numerusform></translation></message>
     <message numerus="yes"><source>%n board(s) found.</source>
         <translation><numerusform>%n board found.</numerusform><numerusform>%n boards found.</numerusform></translation></message>
     <message numerus="yes"><source>%n port(s) could not be searched (internal error).</source>

@@ -4619,14 +4619,6 @@ avant {1}</translation></message>
         <translation>Précéden&amp;t</translation></message>
     <message><source>S&amp;kip</source>
         <translation>&amp;Passer</translation></message>
-    <message><source>First difference, line {0}: {1}. The simulated board: {2} ({3}).</source>
-        <translation>Première différence, ligne {0} : {1}. La carte simulée : {2} ({3}).</translation></message>
-    <message><source>Compare a traffic log</source>
-        <translation>Comparer un journal de trafic</translation></message>
-    <message><source>Text (*.txt *.tsv)</source>
-        <translation>Texte (*.txt *.tsv)</translation></message>
-    <message numerus="yes"><source>%n transaction(s): the simulated board replies the same.</source>
-        <translation><numerusform>%n transaction : la carte simulée répond la même chose.</numerusform><numerusform>%n transactions : la carte simulée répond la même chose.</numerusform></translation></message>
     <message><source>Plot of currents in its o&amp;wn window</source>
         <translation>Courbes des courants dans une &amp;fenêtre séparée</translation></message>
     <message><source>Demo TReX</source>
@@ -4649,8 +4641,6 @@ avant {1}</translation></message>
         <translation>&amp;Paramètres</translation></message>
     <message><source>Prin&amp;t settings…</source>
         <translation>&amp;Imprimer les réglages…</translation></message>
-    <message><source>Compare traffic &amp;log with simulator…</source>
-        <translation>&amp;Comparer un journal de trafic au simulateur…</translation></message>
     <message><source>&amp;Discard all edits</source>
         <translation>Abandonner toutes les &amp;modifications</translation></message>
     <message><source>R&amp;eload settings from device</source>
@@ -5237,6 +5227,8 @@ avant {1}</translation></message>
         <translation>Aucun défaut jusqu'ici.</translation></message>
     <message><source>Save the traffic log</source>
         <translation>Enregistrer le journal de trafic</translation></message>
+    <message><source>Text (*.txt *.tsv)</source>
+        <translation>Texte (*.txt *.tsv)</translation></message>
     <message numerus="yes"><source>{0} row(s) written to {1}.</source>
         <translation><numerusform>{0} ligne écrite dans {1}.</numerusform><numerusform>{0} lignes écrites dans {1}.</numerusform></translation></message>
     <message><source>Also show the requests that the program repeats many times a second</source>

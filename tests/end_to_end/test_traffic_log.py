@@ -216,13 +216,6 @@ def test_rows_are_shown_in_detail_copied_and_saved(
     assert "get Device Number → 7" in text
     assert "get currents" not in text
 
-    saved = path.with_suffix(".txt")
-    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(saved), ""))
-    with window.qtbot.waitSignal(window.device.notifier.info) as same:
-        window.trigger("replay")
-    assert same.args is not None
-    assert same.args[0].endswith("the simulated board replies the same.")
-
 
 def test_typed_bytes_are_explained_and_sent(
     window: WindowDriver, page: TrafficDriver, simulator: SimulatedDevice

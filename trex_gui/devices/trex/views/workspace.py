@@ -32,7 +32,6 @@ from trex_gui.devices.trex.views.recordings import Recordings
 from trex_gui.devices.trex.views.settings_commands import SettingsCommands
 from trex_gui.devices.trex.views.settings_files import SettingsFiles
 from trex_gui.devices.trex.views.start_texts import start_texts
-from trex_gui.devices.trex.views.traffic_comparison import compare_traffic
 from trex_gui.ui.devices.demo_panel import DemoDock
 from trex_gui.ui.devices.undo import undo_titles
 from trex_gui.ui.diagnostics.place import Diagnostics
@@ -255,7 +254,7 @@ class TrexWorkspace(Workspace):
     def menus(self) -> Menus:
         device, files, shown = self._device, self.files, self.files.shown
         keys = QKeySequence.StandardKey
-        settings, compare = self._settings, partial(compare_traffic, self.notifier, self)
+        settings = self._settings
         reload, review, activate = settings.reload, settings.review, settings.guide
         factory = partial(settings.review_defaults, serial_only=False)
         serial = partial(settings.review_defaults, serial_only=True)
@@ -272,8 +271,6 @@ class TrexWorkspace(Workspace):
                 Entry("history", tr("&History…"), self._open_history, "Ctrl+H", "history"),
                 SEPARATOR,
                 *self.recordings.entries(),
-                SEPARATOR,
-                Entry("replay", tr("Compare traffic &log with simulator…"), compare),
             ),
             Menu.EDIT: (
                 Entry("undo", tr("&Undo"), device.draft.undo.undo, keys.Undo, "undo"),
