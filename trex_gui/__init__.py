@@ -1,6 +1,6 @@
 """TReX Studio: set up, calibrate, drive and understand a Pololu TReX motor controller.
 
-What a program needs to use a board is imported from here, without Qt:
+Programs that use a board import its interface from here, without Qt:
 
     from trex_gui import Trex
 
@@ -63,7 +63,7 @@ _MODULES = (
 if not TYPE_CHECKING:  # a misspelled name is an error to type checkers
 
     def __getattr__(name: str) -> Any:
-        """Import the library when it is first used: the window and `trexcmd --help` do without."""
+        """Import the library on first use. The window and `trexcmd --help` do not need it."""
         for module in _MODULES if name in __all__ else ():
             if (found := getattr(import_module(module), name, None)) is not None:
                 return found

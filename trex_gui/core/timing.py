@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 FRAME = 1 / 30
-"""Seconds between two pictures of what moves, and between two batches of samples for them."""
+"""Seconds between two frames of moving displays, and between two batches of their samples."""
 
 FRAME_MS = round(1000 * FRAME)
 
@@ -12,8 +12,8 @@ UNWATCHED_INTERVAL = 0.25
 """Seconds between two batches of samples while nothing shows or records them."""
 
 TEXT_INTERVAL = 0.2
-"""Seconds between two renewals of a measured value as text: nobody reads faster, and a text that
-changes may lay out the whole page again."""
+"""Seconds between two updates of a measured value as text. Nobody reads faster, and each changed
+text may lay out the whole page again."""
 
 
 _LEAST_STEPS = 3
@@ -21,9 +21,9 @@ _ROUND = 5  # seconds
 
 
 def seconds_left(elapsed: float, done: int, total: int) -> int | None:
-    """Estimate what the rest of some steps takes, in steps of 5 s. `None` while too few are done.
+    """Estimate the seconds left, rounded up to 5 s. `None` while too few steps are done.
 
-    `elapsed`: seconds that the steps that are done have taken.
+    `elapsed`: seconds that the completed steps have taken.
     """
     if not _LEAST_STEPS <= done < total:
         return None
@@ -36,19 +36,19 @@ class Timeouts:
 
     Attributes:
         extra: added to the deadline of every reply, for slow adapters, hosts and networks.
-        heartbeat: without a heartbeat of the window for so long, armed motors are stopped. A
-            window that paints slowly is late by tenths of a second; a motor at full speed moves a
-            robot by a metre in that time, so it is not more.
-        guardian: without a heartbeat of the session for so long, the guardian process stops motors
-            that may be moving.
-        stop_confirmation: how long a stop waits for a line that corrupts bytes to become quiet
-            before it is reported as unconfirmed. At 19200 baud and above that takes 1.6 s from the
-            last error on.
+        heartbeat: armed motors are stopped after this time without a heartbeat of the window. A
+            window that paints slowly is late by tenths of a second. The timeout is not longer
+            because a motor at full speed moves a robot by a metre in this time.
+        guardian: the guardian process stops motors that may be moving after this time without a
+            heartbeat of the session.
+        stop_confirmation: time for a line that corrupts bytes to become quiet. After it, the stop
+            is reported as unconfirmed. At 19200 baud and above, the line becomes quiet 1.6 s after
+            the last error.
         retry: pause between two attempts to reach a board that does not respond.
-        current_gap: a bench test is aborted when no current was read for so long.
+        current_gap: a bench test is aborted after this time without a current reading.
         standstill: how long a motor may draw a current after a confirmed stop. Brakes take 1.3 s at
             most, and a reading on a slow line 0.4 s.
-        sleep_delay: how long the computer is kept from sleeping until a stop is confirmed.
+        sleep_delay: longest delay of the computer's sleep, to wait until a stop is confirmed.
     """
 
     extra: float = 0.0

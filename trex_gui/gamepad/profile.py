@@ -14,7 +14,7 @@ REST = 0.05
 Inferred: sticks settle within a few hundredths of where they were.
 """
 
-FAR = 0.5  # how far an axis must move, of its way to an end, to be the one that the user means
+FAR = 0.5  # share of its way to an end that an axis must move to be detected
 
 
 def shape(value: float, dead_zone: float, expo: float) -> float:
@@ -33,7 +33,7 @@ def shape(value: float, dead_zone: float, expo: float) -> float:
 class Style(Enum):
     MIXED = "mixed"  # one axis is forward, the other turns
     TANK = "tank"
-    """Each axis drives one motor, as the levers of a tank: the first the left one, motor 1."""
+    """Each axis drives one motor, like the levers of a tank. `first` is the left motor, motor 1."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,14 +52,14 @@ class GamepadProfile:
         first: forward, or the left motor.
         second: turn (positive to the right), or the right motor.
         dead_zone: 0 to `WIDEST_DEAD_ZONE`. The default is inferred: worn sticks come to rest up to
-            a tenth beside their middle.
+            a tenth off their centre.
         expo: 0 (linear) to 1 (cubic).
         hold: the button that must be held to drive; `None`: a stick off its middle drives.
         stop: the button that stops everything.
     """
 
     style: Style = Style.MIXED
-    first: Axis = Axis(1, inverted=True)  # the left stick, up: that on every pad SDL lists
+    first: Axis = Axis(1, inverted=True)  # the left stick, up, on every pad that SDL lists
     second: Axis = Axis(0)
     dead_zone: float = 0.15
     expo: float = 0.3
@@ -77,10 +77,10 @@ class GamepadProfile:
 
 
 def default_profile(pad: Pad) -> GamepadProfile:
-    """The left stick drives while the left shoulder button is held. The right of four stops.
+    """Drive by the left stick while the left shoulder is held, stop by the right face button.
 
-    Where SDL does not know the kind, buttons have numbers only: the usual ones are taken, and
-    with too few buttons the last one is held.
+    If SDL does not know the pad, its buttons only have numbers. Then the default numbers apply,
+    or with too few buttons the last button is held.
     """
     usual = GamepadProfile()
     forward, turn = (pad.part_number("a", part) for part in ("lefty", "leftx"))
@@ -217,7 +217,7 @@ class InputDetector:
         self._start = start
 
     def axis(self, state: PadState) -> Axis | None:
-        """The axis that has moved farthest, if far enough. Inverted if that was downwards."""
+        """Return the axis that moved farthest, if far enough. Inverted if its value fell."""
         moves = [
             (now - before, number)
             for number, (before, now) in enumerate(zip(self._start.axes, state.axes, strict=False))

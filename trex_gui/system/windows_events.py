@@ -19,7 +19,7 @@ _LEAVES = {WTS_CONSOLE_DISCONNECT, WTS_REMOTE_DISCONNECT, WTS_SESSION_LOGOFF, WT
 
 
 def why_to_stop(message: int, parameter: int) -> str | None:
-    """Return the reason to stop that a window message gives. `None`: it gives none."""
+    """Return why a window message should stop the motors, or `None` if it should not."""
     if message == WM_POWERBROADCAST and parameter == PBT_APMSUSPEND:
         return tr("The computer goes to sleep")
     if message == WM_WTSSESSION_CHANGE and parameter in _LEAVES:
@@ -46,7 +46,7 @@ class _Filter(QAbstractNativeEventFilter):
 class WindowsEvents(QObject):
     """Sees the messages of every window of the program."""
 
-    # The user cannot see the window any more, or soon. The reason is a clause without a period.
+    # The window is hidden from the user, or soon will be. The reason is a clause without a period.
     leaving = Signal(str)
 
     def __init__(self, parent: QObject | None = None) -> None:
@@ -56,7 +56,7 @@ class WindowsEvents(QObject):
             app.installNativeEventFilter(self._filter)
 
     def watch_session_of(self, window: int) -> None:
-        """Request the messages of a locked screen. `window` is a native handle."""
+        """Request messages about a locked screen. `window` is a native handle."""
         if sys.platform == "win32":
             ctypes.windll.wtsapi32.WTSRegisterSessionNotification(window, 0)
 

@@ -1,4 +1,4 @@
-"""A message at the start: the last run did not end properly, or the guardian stopped motors."""
+"""Message at the start about a crash, a guardian's stop, or boards left running."""
 
 from functools import partial
 
@@ -29,11 +29,11 @@ _STOPS = {
 def report_last_run(
     notifier: Notifier, errors: str = "", *, has_crashed: bool = False, until: str = ""
 ) -> None:
-    """Report boards that were left running, stops in the guardian's log, or else a crash.
+    """Report boards left running and the guardian's stops, or else a crash.
 
-    Stops, perhaps of `trexcmd`, are said once, or with each board. What has happened since this
-    program drives motors is told where it happens, so that it is left out, unless `until` is later.
-    `errors` say why boards still run.
+    Stops, also those during `trexcmd`, are reported once, and again while a board is left running.
+    Only events before `until` count, by default the moment when this program could first move
+    motors: later events are reported where they happen. `errors` say why boards still run.
     """
     until = until or watching_since()
     store = Preferences()
@@ -46,7 +46,7 @@ def report_last_run(
         stops = [stop for stop in stops if stop[0] < until]
         boards = {file: one for file, one in boards.items() if one is None or one.since < until}
         if store.integer(_SEEN, 0, 0, 2**31 - 1) != seen and not (boards or errors):
-            return  # another call has reported them
+            return  # another call has reported these stops
         if size != seen and not boards:
             store.set(_SEEN, size)
         texts = [*(left_text(*each) for each in boards.items()), *errors.splitlines()]

@@ -9,7 +9,7 @@ from typing import Protocol
 from trex_gui.core.errors import StudioError
 from trex_gui.core.transport.settings import Parity
 
-CHUNK = 256  # bytes read at a time, so that a changed baud rate of the host is noticed soon
+CHUNK = 256  # bytes per read: few, to notice soon when the host changes its baud rate
 
 
 class EndpointError(StudioError):
@@ -26,11 +26,11 @@ class HostSettings:
 
 
 Arrival = tuple[HostSettings | None, bytes]
-"""Bytes from the host, and how its port was set, where that can be seen."""
+"""Settings of the host's port (`None` if they cannot be seen), and bytes from the host."""
 
 
 class Endpoint(Protocol):
-    """A connection that a host can open and reopen. `hosts_left` counts those that left.
+    """A connection that a host can open and reopen. `hosts_left` counts lost hosts.
 
     `url` is what pyserial opens; `waiting_for` returns the file descriptors to wait for.
     """
@@ -127,7 +127,7 @@ class TcpEndpoint:
             self.hosts_left += 1
 
     def _accept(self, listener: socket.socket) -> None:
-        with contextlib.suppress(OSError):  # it may have gone again
+        with contextlib.suppress(OSError):  # the client may have gone again
             self._client, _ = listener.accept()
             self._client.setblocking(False)
             self._client.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)

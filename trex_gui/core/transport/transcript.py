@@ -1,6 +1,6 @@
 """Traffic as a text file: written by the traffic page and by commands, read to replay it.
 
-Tab-separated, one transaction a line, below comments and a line of column names.
+Comments and a line of column names come first, then one transaction a line, tab-separated.
 """
 
 from collections.abc import Iterator
@@ -26,14 +26,14 @@ LARGEST = 16 * 1024 * 1024  # bytes; a hundred thousand transactions
 
 
 def head() -> str:
-    """Return what is above the first row."""
+    """Return the comments and the line of column names."""
     written = datetime.now(UTC).astimezone().isoformat(sep=" ", timespec="seconds")
     columns = "\t".join(COLUMNS)
     return f"# TReX Studio {__version__}: traffic on the line\n# written {written}\n{columns}\n"
 
 
 def line_of(row: Transaction, decoder: Decoder, epoch: float) -> str:
-    """Return a row as a line without its end. `epoch` is when its clock began, since 1970."""
+    """Return a row as text without a line end. `epoch`: Unix time in s when its clock began."""
     words, shown = decoder.decoded(row), decoder.shown
     moment = datetime.fromtimestamp(epoch + row.time).astimezone()
     values = (
@@ -50,8 +50,8 @@ def line_of(row: Transaction, decoder: Decoder, epoch: float) -> str:
 class TranscriptWriter:
     """Writes the traffic of a line to a file as it happens.
 
-    The file is opened with the first line, and holds what it held until bytes are sent. A disk that
-    fails later does not disturb the line; `error` says why the file is not complete.
+    The file is opened with the first line, and keeps its old content until bytes are transferred.
+    A disk that fails later does not disturb the line. `error` says why the file is not complete.
     """
 
     def __init__(
@@ -115,7 +115,7 @@ class TranscriptWriter:
 
 @dataclass(frozen=True, slots=True)
 class TranscriptRow:
-    """One transaction of a file: `line` in the file (from 1), and when it was, since 1970 (s)."""
+    """One transaction of a file. `line` counts from 1, `time` is Unix time in s."""
 
     line: int
     time: float
@@ -125,12 +125,12 @@ class TranscriptRow:
 
     @property
     def is_search(self) -> bool:
-        """True if a search for devices sent it, perhaps at other settings than theirs."""
+        """True if a device search sent this, perhaps at settings that no device uses."""
         return self.meaning.startswith(SEARCH)
 
 
 def read_transcript(text: str, name: str, decoder: Decoder) -> Iterator[TranscriptRow]:
-    """Yield the rows that have bytes. SettingsError at what is no row, or no transcript at all."""
+    """Yield the rows that have bytes. SettingsError for an invalid row or no transcript."""
     lines = text.removesuffix("\n").replace("\r\n", "\n").split("\n")
     first = next((index for index, line in enumerate(lines) if not line.startswith("#")), 0)
     if tuple(lines[first].split("\t"))[: len(COLUMNS)] != COLUMNS:

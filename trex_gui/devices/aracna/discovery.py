@@ -1,11 +1,11 @@
-r"""Finding an Aracna on a port where any device may be, without moving anything.
+r"""Search a port for an Aracna without moving the motors of any device.
 
-The probe is `\n.q\n` at 38400 8N1: to an Aracna an empty line and the one query without side
-effects, to a TReX at 38400 baud no command. A TReX at another rate may take it for the beginning of
-one, which FF at 1200 baud ends before and after, as in the TReX's own probe. The tests check this
-for every TReX. At a fixed rate, as behind a plain network port, FF has no effect, and the probe is
-a command to some boards: there it is sent only if the user has said that the port leads to an
-Aracna.
+The probe is `\n.q\n` at 38400 8N1. An Aracna reads an empty line and its only query without side
+effects. A TReX at 38400 baud reads no command, but at another rate it may read the start of one. As
+in the TReX's own probe, FF at 1200 baud, before and after, ends any packet that has begun. The
+tests check this for every TReX. At a fixed rate, as behind a plain network port, FF has no effect,
+and some boards would read the probe as a command. There the probe is sent only if the user has said
+that the port leads to an Aracna.
 
 Opening a port may reset the board, which reports `.h` and does not listen for a second. So the
 probe is sent several times.
@@ -36,7 +36,7 @@ from trex_gui.devices.aracna.session.errors import ErrorCode, diagnose
 
 PROBE = commands.EMPTY + commands.QUERY
 
-PROBES = 5  # how often the probe is sent; with the listening, 3.2 s on a local port
+PROBES = 5  # number of attempts; with listening they take 3.2 s on a local port
 _PROBE_INTERVAL = 0.45
 _SLICE = 0.02
 _KEPT = 48
@@ -69,18 +69,18 @@ class FoundRobot:
 
 
 class AracnaProber:
-    """Probes one line for a robot. `found` is empty until it has answered."""
+    """Probes one line for a robot. `found` is empty until the robot replies."""
 
     parts = (PROBES,)
 
     def __init__(self, settings: PortSettings, *, full: bool = False, known: bool = False) -> None:
-        """Probe this port. With only one line setting `full` has no effect."""
+        """Probe this port. `full` has no effect, since there is only one line setting."""
         del full
         self.found: list[FoundRobot] = []
         self._settings = settings.at(LINE)
         self._known = known
         self._not_sent = ""  # why no probe was sent
-        self._received = b""  # the first bytes
+        self._received = b""  # the first `_KEPT` bytes
         self._reader = Reader()
 
     @property
@@ -88,7 +88,7 @@ class AracnaProber:
         return bool(self.found)
 
     def record_unsolicited(self, line: SerialFormat, data: bytes) -> None:
-        """Take bytes that arrived before a probe, such as `.h` after a reset."""
+        """Handle bytes that arrived before a probe, such as `.h` after a reset."""
         if line == LINE:
             self._handle(data)
 
@@ -100,7 +100,7 @@ class AracnaProber:
         cancelled: Callable[[], bool],
     ) -> None:
         """Send the probe until the robot answers, `PROBES` times at most."""
-        del part  # there is one
+        del part  # there is only one part
         extra = self._settings.timeouts.extra
         if not wire.is_configurable and not self._known:
             self._not_sent = tr(
@@ -156,7 +156,7 @@ class AracnaProber:
 
 
 def recall(wire: Transport, settings: PortSettings, packed: str) -> FoundRobot | None:
-    """Probe for a robot where one was found before. There is only one setting."""
+    """Probe a port where a robot was found before. `packed` is unused: there is one setting."""
     del packed
     prober = AracnaProber(settings, known=True)
     prober.probe(wire, 0, ignore_step, never_cancelled)

@@ -53,7 +53,7 @@ class Menu(Enum):
 
 
 Menus = Mapping[Menu | str, Entries]
-"""Entries of a workspace by shared menu, or by the title of one of its own."""
+"""Entries of a workspace by shared menu, or by the title of a menu of its own."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,8 +62,8 @@ class FileKind:
 
     suffixes: Collection[str]  # how their names end, in lower case
     name: str  # with its article: "a settings file of a TReX"
-    open: Callable[[Path], object]  # opens one, in the workspace that is shown
-    # Opens one that was named at the start while no device is being connected; `None`: `open` does.
+    open: Callable[[Path], object]  # opens a file in the visible workspace
+    # Opens a file named at the start, unless a device is being connected. `None`: use `open`.
     open_offline: Callable[[Path], object] | None = None
 
 
@@ -73,9 +73,9 @@ class PageInfo:
 
     key: str  # names it in code and in the key of its action, `workspace_key`
     title: str  # of its tab, with the mnemonic of its menu entry
-    make: Callable[[QWidget], QWidget]  # in this parent: when first shown, or soon after the start
+    make: Callable[[QWidget], QWidget]  # creates it in a parent, when first shown or after startup
     icon: str = "info"  # beside the title
-    place: Place | None = None  # shared with the pages next to it, if it is
+    place: Place | None = None  # place shared with the pages next to it, if any
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,10 +89,10 @@ class LineChoice:
 class Workspace(QWidget):
     """The pages of a device, the bar at the bottom of the window, and its menu entries.
 
-    A device sets and overrides what it needs.
+    Subclasses set and override what their device needs.
     """
 
-    actions_changed = Signal()  # `enabled_actions`
+    actions_changed = Signal()  # result of `enabled_actions`
     page_changed = Signal(str)  # the key of the page that is shown now
 
     bar: QWidget  # with the stop button
@@ -101,28 +101,28 @@ class Workspace(QWidget):
         super().__init__(parent)
         self.notifier = notifier
         self.key = key
-        self.log = Log(self)  # of messages in the window while this workspace is shown, and more
+        self.log = Log(self)  # messages while this workspace is shown, and events
         self.stop_text = tr("&Stop motors")  # menu entry of Esc
         # Topics of the help by the object names of pages, docks and dialogs; see `HelpDialog`.
         self.help_topics: Mapping[str, str] = {}
         self.message_help = MessageHelp({})
         # Files that are opened here when they are dropped or named at the start.
         self.file_kinds: Sequence[FileKind] = ()
-        # What opens its recent files again, by the key of their kind.
+        # Functions that open its recent files, by the key of the file kind.
         self.openers: Mapping[str, Callable[[Path], object]] = {}
         # At the right of the window; the workspace shows and hides them.
         self.docks: Sequence[QDockWidget] = ()
-        self.former_pages: Sequence[str] = ()  # keys by the numbers that were saved before keys
+        self.former_pages: Sequence[str] = ()  # page keys by number, as saved by old versions
         # Keys of entries that move motors: the search shows them in their menu only.
         self.moving: Collection[str] = ()
         self.pages = Places(self)
         self._actions: Mapping[str, QAction] = {}  # by key, once the menus are built
         self._infos: tuple[PageInfo, ...] = ()
-        self._holders: list[tuple[QTabWidget, int]] = []  # of each page: where, and the index
-        self._missing: set[int] = set()  # pages that are not made yet
+        self._holders: list[tuple[QTabWidget, int]] = []  # tabs and index of each page
+        self._missing: set[int] = set()  # pages that are not created yet
 
     def add_pages(self, infos: Sequence[PageInfo]) -> None:
-        """Add a place for each page, or for several that share one and have tabs in it.
+        """Add a place for each page. Pages that share a place get tabs in it.
 
         A page is found by its object name.
         """
@@ -159,7 +159,7 @@ class Workspace(QWidget):
         return len(self._infos)
 
     def page_at(self, number: int) -> QWidget | None:
-        """Return a page, in the area that scrolls it, or an empty one if it is not made yet."""
+        """Return a page in its scroll area, or a placeholder if it is not created yet."""
         holder, index = self._holders[number]
         return holder.widget(index)
 
@@ -169,7 +169,7 @@ class Workspace(QWidget):
         self.page_changed.emit(self._infos[self.current].key)
 
     def create_pages(self) -> None:
-        """Make the pages that were not shown yet."""
+        """Create the pages that were not shown yet."""
         for number in sorted(self._missing):
             self._create_page(number)
 
@@ -179,7 +179,7 @@ class Workspace(QWidget):
         self._missing.remove(number)
         holder, index = self._holders[number]
         current, placeholder = holder.currentIndex(), holder.widget(index)
-        where = holder.findChild(QStackedWidget) or self  # where it stays
+        where = holder.findChild(QStackedWidget) or self  # final parent
         box = ScrollBox(self._infos[number].make, where)
         page = box.content
         follow_theme(page, "messages", partial(_reserve_space, page))
@@ -187,7 +187,7 @@ class Workspace(QWidget):
             holder.insertTab(index, box, holder.tabText(index))
             holder.removeTab(index + 1)
             holder.setCurrentIndex(current)
-        # It was made after what is below the pages, and a plot is made later still.
+        # The page is newer than the widgets below the pages, and a plot is added later still.
         order = partial(ui.tab_order, holder.tabBar(), box)
         order()
         if isinstance(page, PlotPage):
@@ -213,7 +213,7 @@ class Workspace(QWidget):
             self.pages.setCurrentWidget(place)
 
     def set_page_count(self, key: str, count: int) -> None:
-        """Show a number on the tab of a page and on that of its place, or none for 0."""
+        """Show a count on the tabs of a page and its place. 0 shows none."""
         number = self._number_of(key)
         (holder, index), info = self._holders[number], self._infos[number]
         if info.place is not None:
@@ -236,13 +236,13 @@ class Workspace(QWidget):
         ]
 
     def findables(self) -> Iterable[Findable]:
-        """Return what the search finds of the device beside its menus and messages."""
+        """Return search entries of the device, apart from its menus and messages."""
         return ()
 
     def report_parts(self) -> dict[str, Callable[[], str]]:
-        """Return what makes the files of a report for support, called in another thread.
+        """Return functions that create the files of a support report, by file name.
 
-        What they use is taken now.
+        They are called in another thread, but use data collected now.
         """
         lines = "".join(f"{entry.line}\n" for entry in self.log.entries)
         return {"log.txt": lambda: lines}
@@ -254,25 +254,25 @@ class Workspace(QWidget):
         self._actions = actions
 
     def trigger(self, key: str) -> None:
-        """Do what an entry of the menus does, if it is enabled."""
+        """Trigger a menu entry, if it is enabled."""
         self._actions[key].trigger()
 
     @property
     def device_name(self) -> str:
-        """The connected device in the title of the window, or none."""
+        """Name of the connected device, for the window title. Empty if none."""
         return ""
 
     @property
     def has_edits(self) -> bool:
-        """Return whether there are edits that the device, or a file, does not have."""
+        """True if there are edits that are not saved in the device or a file."""
         return False
 
     def enabled_actions(self) -> Mapping[str, bool]:
-        """Return whether each of its actions is enabled. Missing ones are."""
+        """Return whether each action is enabled, by key. Missing actions are enabled."""
         return {}
 
     def may_close(self, leave: Callable[[], object]) -> bool:
-        """Return whether nothing would be lost, else ask, and call `leave` on consent."""
+        """Return True if nothing would be lost. Otherwise ask, and call `leave` on consent."""
         del leave
         return True
 
@@ -280,14 +280,14 @@ class Workspace(QWidget):
         """Close dialogs and windows and save their state."""
 
     def finish(self) -> None:
-        """End what continues after the line is closed: a disk may be slow."""
+        """End work that outlasts the connection, such as writing to a slow disk."""
 
     def shut_down(self) -> bool:
         """End every thread and return whether all ended in time."""
         return True
 
     def line_choices(self, line: object) -> Sequence[LineChoice]:
-        """Return other line settings to offer for a device that was found with these."""
+        """Return alternatives to `line`, the settings with which a device was found."""
         del line
         return ()
 
@@ -339,7 +339,7 @@ def fill_menu_bar(
 
 
 def _add_icons(actions: Mapping[str, QAction], entries: Entries) -> None:
-    """Add the icons of a menu that opens: a tenth of the time that a window takes to make."""
+    """Add icons when a menu opens. They would take a tenth of the time to create a window."""
     for entry in entries:
         if isinstance(entry, Entry) and entry.icon:
             set_icon(actions[entry.key], entry.icon)
@@ -348,9 +348,9 @@ def _add_icons(actions: Mapping[str, QAction], entries: Entries) -> None:
 def menu_findables(
     window: QMainWindow, pages: Collection[str], moving: Collection[str]
 ) -> Iterator[Findable]:
-    """Yield the entries of the menus, those of `pages` as pages. Each does what it does there.
+    """Yield the menu entries for the search. Entries in `pages` are of kind "page".
 
-    Where it is `moving`, or disabled, its menu is opened at it instead.
+    A result triggers its entry. If the entry is disabled or `moving`, its menu opens at it.
     """
     bar = window.menuBar()
 

@@ -21,16 +21,16 @@ from trex_gui.ui.plotting.history import SampleHistory
 from trex_gui.ui.plotting.traces import Traces
 from trex_gui.ui.workers.file_worker import Done, FileTask, ProgressCallback
 
-_LONGEST_EVENT = 500  # characters that are shown of an event
-_CLOSE_TIMEOUT_MS = 500  # a window that hangs for twice as long stops armed motors
+_LONGEST_EVENT = 500  # characters of an event that are shown
+_CLOSE_TIMEOUT_MS = 500  # less than `Timeouts.heartbeat`, after which armed motors are stopped
 
 
 @dataclass(frozen=True, slots=True)
 class Curves(Generic[RecordT, StateT]):
     columns: int  # number of curves
-    # Takes records into a state; returns rows (time in s, a value for each curve).
+    # Updates the state from records. Returns rows: time in s, then a value for each curve.
     rows_of: Callable[[StateT, Iterable[RecordT]], list[tuple[float, ...]]]
-    max_rows: int  # rows kept, the last ones
+    max_rows: int  # older rows are dropped
     max_gap: float  # seconds without a row that interrupt a curve
 
 
@@ -49,7 +49,7 @@ def load_recording(
     curves: Curves[RecordT, StateT],
     progress: ProgressCallback,
 ) -> LoadedRecording[HeaderT, RecordT, StateT]:
-    """Read a recording, some seconds for an hour.
+    """Read a recording. One hour of it takes some seconds.
 
     `progress` gets the share done, 0 to 1; an exception from it ends the work.
 
@@ -88,7 +88,7 @@ def _export(
     header: dict[str, Value],
     progress: ProgressCallback,
 ) -> Path:
-    # The first one still shows values, in another thread.
+    # Another thread still reads `recording` to show values.
     own: Recording[Any, Any] = Recording(recording.path, recording.format)
     with closing(own):
         export_span(own, path, span, header, progress)
@@ -101,8 +101,8 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
     Before it is loaded only the header is known.
     """
 
-    loaded = Signal()  # all of it was read
-    exported = Signal(object)  # a span was written; its `Path`
+    loaded = Signal()  # the whole recording was read
+    exported = Signal(object)  # the `Path` to which a span was written
     failed = Signal(str)  # why loading or an export ended early, for the user
 
     def __init__(
@@ -112,7 +112,7 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
         curves: Curves[RecordT, StateT],
         parent: QObject | None = None,
     ) -> None:
-        """Take an open recording. `start_loading` reads it. `initial` is the state before it."""
+        """Set an open recording. `start_loading` reads it. `initial`: state before its start."""
         super().__init__(recording.header.clock, parent)
         self.path = recording.path
         self.header = recording.header
@@ -124,7 +124,7 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
         self._rows = 0
         self._history = SampleHistory(curves.columns, capacity=4096)
         self._traces: Traces | None = None
-        self.share = 0.0  # of loading or exporting that is done, 0 to 1
+        self.share = 0.0  # completed share of loading or exporting, 0 to 1
         self._task = FileTask(self)
         self._task.progressed.connect(self._on_progressed)
         self._task.done.connect(self._on_done)
@@ -156,7 +156,7 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
 
     @property
     def drawn(self) -> tuple[int, int]:
-        """Number of rows drawn, and of all rows."""
+        """Number of drawn rows, and number of all rows."""
         return len(self._history), self._rows
 
     def state(self) -> StateT:
@@ -171,14 +171,14 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
         return self._initial
 
     def loader(self) -> Callable[[ProgressCallback], LoadedRecording[HeaderT, RecordT, StateT]]:
-        """Return the function that loads it, independent of this object."""
+        """Return a function that loads the recording without this object."""
         return partial(load_recording, self._recording, self._initial, self._curves)
 
     def start_loading(self) -> None:
         self._start(self.loader())
 
     def export_header(self, start: float) -> dict[str, Value]:
-        del start  # a device adds its settings at that time
+        del start  # subclasses add the settings of the device at that time
         return {"device": self._recording.format.device, **self.header.values()}
 
     def export(self, path: Path, start: float, end: float) -> None:

@@ -3,7 +3,7 @@
 import tomllib
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
-from reprlib import repr as shortened  # a table may be nested, too
+from reprlib import repr as shortened  # limits nested tables, too
 from typing import Any
 
 from trex_gui.core.files import Finding, SettingsError, decode
@@ -11,7 +11,7 @@ from trex_gui.core.translation import tr, tr_noop
 from trex_gui.ui.plotting.axes import MAX_SPAN, MIN_SPAN
 
 VERSION = 1
-LARGEST_FILE = 64 * 1024  # bytes; one has some 600
+LARGEST_FILE = 64 * 1024  # bytes; a typical layout has about 600
 LARGEST_TOP = 1e6
 
 COLORS = {
@@ -26,22 +26,22 @@ COLORS = {
     "grey": ("muted", tr_noop("Grey")),
     "foreground": ("plot_text", tr_noop("As text")),
 }
-"""Colours of curves by their names in files: the name in the theme, and the one for the user."""
+"""Curve colours by name in files: the name in the theme, and the name that the user sees."""
 
 _RANGES = {"seconds": (MIN_SPAN, MAX_SPAN), "top": (0, LARGEST_TOP)}
 _KEYS = dict.fromkeys(("version", *_RANGES, "curves")).keys()
 
 
 def color_name(color: str) -> str:
-    """Return the name in files of a colour of the theme."""
+    """Return the name that files use for a theme colour."""
     return next((name for name, (own, _) in COLORS.items() if own == color), "foreground")
 
 
 @dataclass(frozen=True, slots=True)
 class PlotLayout:
     seconds: float  # how much time is shown
-    top: float  # where the left axis ends, in its unit; 0 if it fits what is shown
-    curves: Mapping[str, str]  # those that are drawn, and the colour of each, as in `COLORS`
+    top: float  # end of the left axis, in its unit; 0 fits the axis to the curves
+    curves: Mapping[str, str]  # colour of each drawn curve, a key of `COLORS`
 
 
 def write_layout(layout: PlotLayout) -> str:
@@ -61,7 +61,7 @@ def read_layout(data: bytes, name: str, known: Collection[str]) -> PlotLayout:
     """Read the bytes of a file called `name` for a plot with the `known` curves.
 
     Raises:
-        SettingsError: it is no layout, or not for this plot; with everything that is wrong.
+        SettingsError: this is not a layout, or not for this plot. Lists every problem.
     """
     try:
         found: dict[str, Any] = tomllib.loads(decode(data, name))

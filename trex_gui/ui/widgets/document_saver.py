@@ -1,4 +1,4 @@
-"""Saving a document that the user edits, while its window goes on."""
+"""Background saving of a document that the user goes on editing."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -22,16 +22,16 @@ class Document(Protocol):
 
     @property
     def on_disk(self) -> bytes | None:
-        """Content of its file when it was opened or saved."""
+        """Content of the file when the document was last opened or saved."""
 
     @property
     def modified(self) -> bool:
-        """Return whether it has changes that are not in the file."""
+        """Return whether the document has changes that are not in the file."""
 
 
 @dataclass(slots=True)
 class _Following:
-    """A save that waits for another one in the same file. What `known` means is in `_start`."""
+    """A save that waits for an earlier save of the same file. `_start` explains `known`."""
 
     content: Content
     known: bytes | None
@@ -40,19 +40,19 @@ class _Following:
 class DocumentSaver(QObject):
     """Saves a document in the background, and asks before changes are lost.
 
-    What is edited meanwhile stays unsaved. A second save in the same file follows the first; one in
+    Edits made meanwhile stay unsaved. A second save of the same file waits for the first. A save to
     another file does not wait, since the first may be on a disk that hangs.
     """
 
     saved = Signal(object)  # the `Path`
-    failed = Signal(object)  # the `StudioError` that prevented it
+    failed = Signal(object)  # the `StudioError` that prevented a save
 
     def __init__(self, document: Document, window: QWidget) -> None:
         super().__init__(window)
         self._document = document
         self._window = window
         self._running: dict[Path, list[_Following]] = {}
-        self._begun = self._noted = 0  # numbers of saves
+        self._begun = self._noted = 0  # numbers of the last save started, and recorded
         self._leave: Callable[[], object] | None = None
 
     @property
@@ -60,7 +60,7 @@ class DocumentSaver(QObject):
         return bool(self._running)
 
     def save(self, path: Path, make: Callable[[], Content], *, ask: bool = False) -> bool:
-        """Begin to save what `make` returns now and return whether that has begun.
+        """Save the content that `make` returns now. Return whether the save was requested.
 
         If `make` raises a StudioError, `failed` reports it. With `ask`, the user decides about
         changes that another program made in the file.
@@ -75,7 +75,7 @@ class DocumentSaver(QObject):
         return True
 
     def _start(self, path: Path, content: Content, known: bytes | None) -> None:
-        """Save in a file that should hold what is `known`. `None`: whatever it holds."""
+        """Save to a file that should still contain `known`. With `None`, overwrite any content."""
         if path in self._running:
             self._running[path].append(_Following(content, known))
             return
@@ -93,7 +93,7 @@ class DocumentSaver(QObject):
             written = content.text.encode("utf-8")
             for following in self._running[path]:
                 following.known = None if following.known is None else written
-            if number > self._noted:  # else it was overtaken
+            if number > self._noted:  # else a later save finished first
                 self._noted = number
                 content.record_saved(path)
             self.saved.emit(path)
@@ -124,7 +124,7 @@ class DocumentSaver(QObject):
         return answer is SaveAnswer.DISCARD
 
     def answer(self) -> SaveAnswer:
-        """Ask what to do with changes that are not saved. Without any, they are discarded."""
+        """Ask what to do with unsaved changes. Return `DISCARD` if there are none."""
         if self.is_saving:
             may = file_questions.may_leave_unfinished(self._window, self._document.name)
             return SaveAnswer.DISCARD if may else SaveAnswer.CANCEL
@@ -133,6 +133,6 @@ class DocumentSaver(QObject):
         return file_questions.before_closing(self._window, self._document.name)
 
     def save_and_leave(self, save: Callable[[], bool], leave: Callable[[], object]) -> None:
-        """Call `leave` once `save` has begun a save and that has ended well."""
+        """Call `save`, then call `leave` once every running save has succeeded."""
         if save():
             self._leave = leave

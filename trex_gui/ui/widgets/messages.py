@@ -43,7 +43,7 @@ _BUTTONS: dict[Remedy | type[ConnectWith | CopyCommand], tuple[str, str]] = {
 }
 """Object names and texts of the buttons for remedies."""
 
-_NEWS_MS = 20_000  # for which news are shown; the log has them
+_NEWS_MS = 20_000  # display time of news, which stays in the log
 
 
 class ActionBar(QFrame):
@@ -97,11 +97,11 @@ class _MessageRow(QFrame):
             self._layout.removeWidget(button)
             button.hide()
             button.setParent(None)
-            button.deleteLater()  # later: this may be called by its click
+            button.deleteLater()  # not at once: its click may have called this method
 
 
 class Banner(_MessageRow):
-    """Shows the newest message of a notifier, or of its owner. Hidden while there is none."""
+    """Shows the newest message of a notifier or the owner. Hidden without a message."""
 
     chosen = Signal(object)  # the `Remedy` or `ConnectWith` whose button was pressed
     help_wanted = Signal(str)  # the topic of the message
@@ -117,7 +117,7 @@ class Banner(_MessageRow):
         self._help_topic = help_topic
         self._notifier = notifier
         self._offered: Remedies = ()
-        self._is_left_out = False  # the newest message, because a danger lasts
+        self._is_left_out = False  # true if a lasting danger hides the newest message
         self._old = new_timer(self, _NEWS_MS, self._on_old, single_shot=True)
         self._help = ui.button(
             self, "bannerHelp", tr("Help"), default=False, on_click=self._on_help_clicked
@@ -150,7 +150,7 @@ class Banner(_MessageRow):
             self._show(text, "info")
 
     def _keeps_danger(self) -> bool:
-        """Return whether another message is only logged, and its buttons are left out."""
+        """Return whether a danger lasts. A new message is then only logged, without its buttons."""
         self._is_left_out = self._notifier is not None and self._notifier.danger_lasts()
         return self._is_left_out
 
@@ -173,7 +173,7 @@ class Banner(_MessageRow):
 
     @Slot()
     def _on_old(self) -> None:
-        """Remove news, which may be true no longer, unless they ask something or are in use."""
+        """Remove news that may be outdated. It stays while it is in use or offers buttons."""
         focused = self.window().focusWidget()
         is_used = self.underMouse() or (focused is not None and self.isAncestorOf(focused))
         if is_used:
@@ -191,7 +191,7 @@ class Banner(_MessageRow):
                 name, text = remedy.name, remedy.text
             else:
                 name, source = _BUTTONS[remedy if isinstance(remedy, Remedy) else type(remedy)]
-                text = tr(source).replace("&", "")  # the page below may have the letter
+                text = tr(source).replace("&", "")  # the page below may use the same mnemonic
             button = self._add_button(name, text, self._help)
             button.clicked.connect(partial(self._on_chosen, button, remedy))
 
@@ -213,7 +213,7 @@ class Banner(_MessageRow):
         self._remove_buttons()
         self._offered = ()
         if self._notifier is not None:
-            # A danger is no reason to connect to nothing: what connects stops the motors.
+            # A danger must not prevent an automatic connection, which stops the motors.
             self._notifier.shown = text
             self._notifier.shows_problem = sign == "warning" and not is_danger
             self._notifier.shown_changed.emit()
@@ -240,11 +240,11 @@ def message_height(widget: QWidget) -> int:
 class MessageRoom(QWidget):
     """Space for messages in a layout, with the height of one line.
 
-    Messages that need more cover what is above, or below at the top of a window: nothing moves.
+    A taller message covers the widget above, or below at the top of a window. Nothing moves.
     """
 
     def __init__(self, parent: QWidget, *messages: QWidget, floats: bool = False) -> None:
-        """`floats`: what is above leaves the space at its bottom."""
+        """`floats`: has no height, as the widget above has space at its bottom."""
         super().__init__(parent)
         self._cover = QWidget(parent)  # not in the layout
         self._cover.setAutoFillBackground(True)
@@ -282,8 +282,8 @@ class MessageRoom(QWidget):
 class InlinePrompt(_MessageRow):
     """A question with a button for each answer, which leaves the stop button visible.
 
-    Cancel is beside every answer and does nothing. A new question replaces the present one,
-    which counts as cancelled.
+    Cancel is always offered and selects no answer. A new question cancels and replaces the
+    present question.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -305,8 +305,8 @@ class InlinePrompt(_MessageRow):
     ) -> None:
         """Ask, and return before the answer.
 
-        `still` tells whether the question makes sense, see `reconsider`; `otherwise` is called
-        when it is cancelled or no longer does.
+        `still` returns whether the question makes sense, see `reconsider`. `otherwise` is called
+        when the question is cancelled or no longer makes sense.
         """
         self.withdraw()
         self._still, self._otherwise = still, otherwise

@@ -1,4 +1,4 @@
-"""Playing a sequence: which step is due when, its speeds, its goals, and waiting for arrival.
+"""Player of a sequence: when each step is due, its speeds, goals and arrival.
 
 Steps run on a clock that does not drift. A step is due when the ones before it should have ended,
 not when they did: the time for `.v`, `.c` and their replies counts towards a step's seconds. If the
@@ -114,8 +114,8 @@ class SequencePlayer:
     def next_speeds(self, now: float) -> tuple[int, ...] | None:
         """Start the due step. Return the speeds it needs if they are to be set.
 
-        At the end these are the speeds from before: otherwise the next move could take minutes,
-        because a motor hardly had to move in the last step.
+        After the last step, return the speeds from before the sequence. Otherwise the next move
+        could take minutes, because a motor hardly had to move in the last step.
         """
         if self._play is None or self._goals is not None:
             return None
@@ -136,7 +136,7 @@ class SequencePlayer:
         self._due += seconds
         self._goals = self.servos.crop(step.goals)
         self._report(StepBegun(now, self._part, index, number, late))
-        # A `.c` takes time by itself; what a `.v` takes is known to `speeds_to`.
+        # Leave time for the `.c`. `speeds_to` itself leaves time for the `.v`.
         left = max(self._due - now - REPLY_TIME, seconds * _SHORTEST)
         return self.servos.speeds_to(self._goals, left)
 

@@ -11,12 +11,12 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey
 
 _SWITCHES = (4, 5)
 
-_NEAR = 10  # how far values of two moments may differ while a stick moves
+_NEAR = 10  # largest difference between two readings while a stick moves
 
 
 @dataclass(frozen=True, slots=True)
 class ChannelCurve:
-    """A calibration with the channel's bits of the masks. The arithmetic is the protocol's."""
+    """A channel's calibration and its bits in the masks. `remap` computes the output."""
 
     calibration: Calibration
     reversed_: bool = False
@@ -50,9 +50,9 @@ class ChannelCurve:
         )
 
     def corners(self, low: int, high: int) -> tuple[tuple[int, ...], tuple[int, ...]]:
-        """Return the counts beside which the output changes, and the outputs there.
+        """Return the raw counts next to each change of the output, and their outputs.
 
-        The line through these points is the same as through all points.
+        A line through these points equals the line through all points.
         """
         return _corners(self, low, high)
 
@@ -88,12 +88,12 @@ def _corners(curve: ChannelCurve, low: int, high: int) -> tuple[tuple[int, ...],
 
 
 def is_mixed(outputs: tuple[int, int], reported: tuple[int, int]) -> bool | None:
-    """Return whether channels 1 and 2 were mixed. `None` if unknown, as it is at neutral.
+    """Return whether channels 1 and 2 were mixed. `None` if unknown, as at neutral.
 
     No command reads the mix jumper, so it is inferred from the output of each curve and the
     values that the board reports.
     Ref: a user's measurement (Pololu forum, viewtopic 9053): the jumper alters the remapped
-    values in serial mode, too. Inferred: the sums; so only values that fit either way count.
+    values in serial mode, too. Inferred: the sums. So values that fit neither case give `None`.
     """
     turn, forward = outputs
     mixed = _clipped(forward + turn), _clipped(forward - turn)

@@ -1,4 +1,4 @@
-"""Reasons why motors do not run, with their sentences."""
+"""Reasons why motors do not run, with texts for the user."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -8,7 +8,7 @@ from trex_gui.core.translation import tr, tr_noop
 
 
 class Effect(IntEnum):
-    """Effects of a reason on the motors, the worst first. JSON has the names in lower case."""
+    """Effect of a reason on the motors, worst first. JSON uses the names in lower case."""
 
     STOPS = 0  # the motors are off, or may be, whatever drives them
     BLOCKS = 1  # serial commands do not reach them
@@ -18,9 +18,9 @@ class Effect(IntEnum):
 
 @unique
 class DriveBlocker(Enum):
-    """A reason why the motors do not follow the setpoints. The last ones say that they do.
+    """Reason why the motors do not follow the setpoints. With `Effect.NOTE` they may follow.
 
-    Reasons with the same effect are shown in this order. Fields of the sentences are in braces.
+    Reasons with the same effect are shown in this order. `Reason.fields` fills the braces.
     """
 
     LOST = (
@@ -166,7 +166,7 @@ class DriveBlocker(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Reason:
-    """A blocker with the fields of its sentences. A tuple is a list of names, translated too."""
+    """Blocker with the values for its braces. A tuple becomes a list of translated names."""
 
     blocker: DriveBlocker
     fields: tuple[object, ...] = ()
@@ -176,7 +176,7 @@ class Reason:
         return tr(self.blocker.text).format(*self._words())
 
     def remedy(self) -> str:
-        """Return what the user can do about it, as a sentence. Empty if nothing."""
+        """Return the remedy for the user, as a sentence. Empty without a remedy."""
         return tr(self.blocker.remedy).format(*self._words()) if self.blocker.remedy else ""
 
     def _words(self) -> Iterator[object]:

@@ -50,15 +50,15 @@ _TIMEOUT = ParameterKey.SERIAL_TIMEOUT
 
 
 class Device(QObject):
-    # `link`, `status`, `settings`, `may_move`, or what `writer` knows
+    # `link`, `status`, `settings`, `may_move`, or the state of `writer`
     link_changed = Signal()
-    line_judged = Signal()  # apart: every two seconds, in which somebody may be typing
+    line_judged = Signal()  # line quality, every 2 s: not `link_changed`, as the user may be typing
     state_changed = Signal()  # `state` was read again, or forgotten
-    request_failed = Signal(str)  # why a request or a connection failed; the notifier has it, too
+    request_failed = Signal(str)  # why a request or a connection failed; also sent to the notifier
     errors_changed = Signal()  # a bit was reported, or the errors were cleared or reset
-    lease_changed = Signal()  # who drives a served board, or waits for that
+    lease_changed = Signal()  # who drives a served board, or waits to drive
     applied = Signal(object)  # the `WriteResult` of everything that Apply tried
-    sampled = Signal(object)  # a `Batch`, after the models have taken it
+    sampled = Signal(object)  # a `Batch`, after the models are updated
     stop_wanted = Signal()  # Stop was pressed while motors may turn behind a closed line
 
     def __init__(
@@ -69,17 +69,17 @@ class Device(QObject):
         main: "Device | None" = None,
         number: int = 0,
     ) -> None:
-        """`main` is the device of the line, for another board of its group with this number."""
+        """`main`: device of the line, if this is another board of its group, with `number`."""
         super().__init__(parent)
         self.notifier = notifier or Notifier(self)
         self.motors = Motors(self)
         self.main = main or self  # whose motors the user arms, drives and stops
-        self.others: list[Device] = []  # of the other boards that are driven with this one
+        self.others: list[Device] = []  # for other boards that are driven with this board
         self.wheels: dict[int, Wheel] = {}  # by motor, while it is driven with other boards
         self.draft = SettingsDraft(self)  # what the board stores, and its edits
         self.parameters = self.draft.parameters
         self.calibrations = self.draft.calibrations
-        # What this computer keeps: edits over the end of the program; what was applied last, notes
+        # Saved on this computer: edits until applied or discarded; last applied settings, and notes
         self.edit_backup = EditBackup(self.draft, self)
         self.kept = KeptFiles(self.draft, self)
         self.board = BoardMirror(self.kept.memory, self.errors_changed.emit)
@@ -217,7 +217,7 @@ class Device(QObject):
         self.connection.close()
 
     def press_stop(self) -> None:
-        """Stop for the user. Without a connection there is nothing to lock."""
+        """Stop at the user's request. Without a connection, arming needs no lock."""
         if self.link is not ConnectionState.DISCONNECTED:
             self.motors.press_stop()
         elif self.may_stop_matter:
@@ -331,13 +331,13 @@ class Device(QObject):
         self._handle_files(read.report, opened=opened)
 
     def _handle_files(self, report: Connected, *, opened: bool) -> None:
-        """Follow in its files what the board stores. `opened`: it may be another board."""
+        """Select the saved files of the board. `opened`: it may be another board."""
         state, is_simulated = report.state, bool(report.settings.name)
         self.edit_backup.take_board(ask=opened, is_simulated=is_simulated)
         self.kept.set_kind(state.signature, opened=opened, is_simulated=is_simulated)
 
     def _on_selected(self, report: Connected) -> None:
-        """Show another board on the line, with its edits. Those of the last are kept."""
+        """Show another board on the line, with its edits. Retain edits of the previous board."""
         self.writer.give_up(tr("Nothing was written: another board was selected."))
         if pending := self.draft.pending:
             text = tr(
@@ -353,7 +353,7 @@ class Device(QObject):
 
     @Slot(object)
     def _on_replaced(self, path: Path) -> None:
-        """Name each file so far: a message takes the place of the one before."""
+        """Report every file so far, because each message replaces the previous message."""
         self._replaced.append(path)
         text = tr(
             "Edits, notes or settings were kept here for another board with this device number. "

@@ -18,7 +18,7 @@ _STEP_MS = 100
 _KEY = "motors/lockout"
 
 FIRST_CEILING = round(0.3 * FULL_SCALE)
-"""Speed ceiling of a board until the user chooses another one for it.
+"""Speed ceiling of a board until the user sets a different ceiling.
 
 Inferred: slow enough to catch a robot whose motors are swapped or reversed, fast enough to start.
 """
@@ -26,8 +26,8 @@ Inferred: slow enough to catch a robot whose motors are swapped or reversed, fas
 LOCKOUT = 3.0
 """Default lock after a pressed stop, in seconds.
 
-Inferred from other programs: 5 s where throttles are large, none where a slider that is still
-dragged starts a motor again.
+Inferred from other programs: 5 s for large throttles. In programs without a lock, a slider that
+is still being dragged starts its motor again.
 """
 
 LONGEST = 10.0
@@ -39,22 +39,22 @@ class Motors(QObject):
     """The setpoints of both motors and the auxiliary. They are ignored before `arm`.
 
     A momentary control (pad, keys, gamepad, bench test) acquires the motors and passes its name as
-    `holder` with each setpoint. Until it releases them all other setpoints are ignored, and its own
-    are ignored afterwards. Setpoints outside their range raise `BadRequest`.
+    `holder` with each setpoint. Setpoints without that name are ignored until `release`, and
+    setpoints with it are ignored afterwards. Setpoints outside their range raise `BadRequest`.
 
-    Methods change its attributes, except `accelerate`, `lockout` and `adapter`.
+    Set attributes through methods, except `accelerate`, `lockout` and `adapter`.
     """
 
-    # `armed`, `is_available` or `stop_reason`; `locked_for` began, passed another second, or ended
+    # `armed`, `is_available` or `stop_reason`; start, each second and end of `locked_for`
     arming_changed = Signal()
     setpoints_changed = Signal()  # what `drive`, `auxiliary` and `text` return
     holder_changed = Signal()
     options_changed = Signal()  # `board`, `ceiling`, `linked` or `release_brake`
-    # Another board, for which inputs that drive have to be switched on anew
+    # Another board is connected: the user has to switch the gamepad on again
     board_changed = Signal()
     # A `SetMotor`, a `SetAuxiliary`, or a `SetMotors` if both motors start at once
     requested = Signal(object)
-    stop_requested = Signal()  # everything has to stop now; before any other signal of a stop
+    stop_requested = Signal()  # stop everything now; emitted before any other signal of a stop
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -68,11 +68,11 @@ class Motors(QObject):
         self.stop_reason = ""  # why the motors were stopped last; empty if the user pressed stop
         self.holder = ""  # the name of the control that has acquired the motors; empty if none has
         self.auxiliary = 0  # the setpoint of the auxiliary motor, 0-127
-        self.board = ""  # what the ceiling is remembered for; empty before one was read
-        self.adapter = ""  # what tells the next board from one that is alike; empty: nothing
+        self.board = ""  # name under which its ceiling is saved; empty before a board is read
+        self.adapter = ""  # key of the adapter, to tell identical boards apart; empty if unknown
         self.is_first_drive = True  # whether no ceiling was ever chosen for this board
         self.ceiling = FIRST_CEILING  # greatest speed that is sent, 1-127
-        # The one when the motors were acquired, if lower: no stick that is paused speeds them up
+        # Not raised with `ceiling` while a control is held: a still stick must not speed motors up
         self.ceiling_in_force = FIRST_CEILING
         self.are_sides = False  # whether motors 1 and 2 are the left and the right of a group
         self.linked = False  # whether a setpoint of one motor applies to both
@@ -110,7 +110,7 @@ class Motors(QObject):
     def take_board(self, board: str, *, is_renamed: bool = False) -> None:
         """Use the ceiling that was chosen for a board, else `FIRST_CEILING`, and unlink motors.
 
-        One that is only renamed keeps both, whatever was chosen for a board of that name.
+        A board that is only renamed keeps its ceiling and link, whatever its new name had.
         """
         board = "-".join(filter(None, (board, self.adapter)))
         if board == self.board:
@@ -127,9 +127,9 @@ class Motors(QObject):
         self._limit_to(chosen or FIRST_CEILING)
 
     def set_ceiling(self, speed: int) -> None:
-        """Send no greater speed to this board, now and later. Faster motors are slowed down to it.
+        """Limit the speeds of this board, now and later. Faster motors slow down to the ceiling.
 
-        A higher ceiling applies from the next setpoint, and to a held control from its release.
+        A higher ceiling applies from the next setpoint, or once a held control is released.
         """
         if not 1 <= speed <= FULL_SCALE:
             raise ValueError(f"the speed ceiling is 1 to {FULL_SCALE}, not {speed}")
@@ -185,7 +185,7 @@ class Motors(QObject):
     # --- Arming and stopping ------------------------------------------------------------
 
     def set_available(self, available: bool) -> None:
-        """Set whether a board can be driven. Without one the motors are disarmed without a stop."""
+        """Set whether a board can be driven. If not, disarm the motors without sending a stop."""
         was_available, self.is_available = self.is_available, available
         if not available:
             self._disarm()
@@ -200,7 +200,7 @@ class Motors(QObject):
             self.arming_changed.emit()
 
     def press_stop(self, *, reason: str = "") -> None:
-        """Stop for the user, or for a `reason`. No arming for `lockout` seconds."""
+        """Stop at the user's request, or for a `reason`. Lock arming for `lockout` seconds."""
         self._locked_until = max(self._locked_until, now() + self.lockout)
         self._announced = math.ceil(self.locked_for)
         self._lockout_timer.start()
@@ -243,7 +243,7 @@ class Motors(QObject):
     # --- Momentary controls -------------------------------------------------------------
 
     def acquire(self, holder: str) -> bool:
-        """Reserve the motors for a momentary control. Return whether it has them now."""
+        """Reserve the motors for a momentary control. Return whether the control has them now."""
         if not self.armed or self.holder not in {"", holder}:
             return False
         if not self.holder:
@@ -306,7 +306,7 @@ class Motors(QObject):
         return Drive.at(max(-self.ceiling_in_force, min(self.ceiling_in_force, speed)))
 
     def _set(self, drives: Mapping[int, Drive]) -> None:
-        """Request what is new, in one message for both motors so that they start together."""
+        """Request changed setpoints. One message for both motors lets them start together."""
         new = [
             SetMotor(motor, drive, self.accelerate)
             for motor, drive in drives.items()

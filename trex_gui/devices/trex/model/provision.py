@@ -1,4 +1,4 @@
-"""One cable, many boards in turn: each gets a profile, a number, and a line in a record."""
+"""Setup of many boards in turn on one cable, with a profile, numbers, and a record."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -31,7 +31,7 @@ from trex_gui.ui.translations import error_sentence, error_text
 
 
 class ProvisionStep(Enum):
-    PROFILE = auto()  # nothing was begun
+    PROFILE = auto()  # not started
     WAIT = auto()  # for a board
     REVIEW = auto()
     WRITE = auto()
@@ -40,17 +40,17 @@ class ProvisionStep(Enum):
 
 
 class Provision(QObject):
-    """Follows the boards that come to the line, and sets up each when the user says so."""
+    """Sets up each board that is connected to the line, once the user confirms."""
 
-    changed = Signal()  # an attribute
+    changed = Signal()  # any attribute below
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.step = ProvisionStep.PROFILE
-        self.board: ProvisionedBoard | None = None  # its line, as proposed or as it ended
-        self.comparison = Comparison(())  # what is, or was, to be written
-        self.done: list[ProvisionedBoard] = []  # the lines since `start`
-        self.problem = ""  # why the board, or the record, cannot be used; for the user
+        self.board: ProvisionedBoard | None = None  # its line in the record, proposed or final
+        self.comparison = Comparison(())  # differences to write, or that were written
+        self.done: list[ProvisionedBoard] = []  # lines of the record since `start`
+        self.problem = ""  # for the user: why the board or the record cannot be used
         self.pulses = MotorPulses(device, self)
         self.turns_motors = False
         self._device = device
@@ -73,7 +73,7 @@ class Provision(QObject):
         self._on_board_changed()
 
     def write(self) -> None:
-        """Write what was reviewed. The record has the number before the board may have it."""
+        """Write the reviewed values. Record the number before the board can have it."""
         if self.step is ProvisionStep.REVIEW and self.board and self._device.writer.can_apply:
             self._go(ProvisionStep.WRITE)
             self._save(self.board, self._write)
@@ -96,7 +96,7 @@ class Provision(QObject):
             self._save(self.board, self._saving)
 
     def stop(self) -> None:
-        """End the work, after a board that is being written or whose line is being saved."""
+        """End the work. A board that is being written or recorded is finished first."""
         self.finish_motors(turned=False)
         self._is_ending = True
         if self.problem or (self.step is not ProvisionStep.WRITE and self._saving is None):

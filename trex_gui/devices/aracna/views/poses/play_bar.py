@@ -47,8 +47,8 @@ class PlayBar(QWidget):
         self._library = library
         self._motions = motions
         self._request: Play | None = None  # if the current sequence or gait can be played
-        self._limits: tuple[Limits, ...] = ()  # of the request, as the positions
-        self._present: Present = ()
+        self._limits: tuple[Limits, ...] = ()  # at the last preview
+        self._present: Present = ()  # positions at the last preview
         self._played: ItemKey | None = None
 
         self._rounds = ui.spin_box(
@@ -146,7 +146,7 @@ class PlayBar(QWidget):
 
     @Slot()
     def _update_preview(self) -> None:
-        """Show what would be played, or why nothing can be."""
+        """Show the preview, or the reason why nothing can be played."""
         state, played = self._robot.state, self._motions.played
         self._limits, self._present = self._robot.limits.first(state.motors), state.present
         limits, present, poses = self._limits, self._present, self._library.project.poses
@@ -187,7 +187,7 @@ class PlayBar(QWidget):
     def _show_preview(
         self, text: str, *, alarming: bool = False, notes: dict[int, str] | None = None
     ) -> None:
-        """Show a text, and remarks on steps by index."""
+        """Show a text. `notes` are remarks by step index."""
         self._motions.table.show_notes(notes or {})
         self._summary.show_note(text, alarming=alarming)
         self._summary.setAccessibleName(text)
@@ -207,7 +207,7 @@ class PlayBar(QWidget):
 def _notes(
     late: Mapping[int, dict[int, float]], limited: Mapping[int, Many[int]]
 ) -> dict[int, str]:
-    """Return remarks on steps, too short times first."""
+    """Return remarks by step index, late motors before limited motors."""
     found: dict[int, list[str]] = defaultdict(list)
     for step, needed in late.items():
         text = tr("needs {0:.2f} s: motor {1}")

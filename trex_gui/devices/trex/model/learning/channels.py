@@ -1,4 +1,4 @@
-"""The channels that are learned: their inputs as they come in, and each one's values."""
+"""Channels being learned: incoming measurements, and the values derived from them."""
 
 import math
 from dataclasses import dataclass
@@ -24,17 +24,17 @@ _STALLED_AFTER = 1.0  # seconds without a measurement after which the inputs are
 _TICK_MS = 200
 
 _SAME_VALUE = 0.012
-"""Seconds within which two samples are one: the board renews its inputs every 20 ms, but a line
-that was delayed reads them in a burst. One wild pulse, read three times, must not look held."""
+"""Seconds within which two samples count as one. The board renews its inputs every 20 ms, but a
+delayed line reads one wild pulse several times in a burst. It must not look like a held stick."""
 
 _SILENT_AFTER = 0.5  # seconds without a valid sample after which there is no signal
 
 
 class MeasuredInputs(QObject):
-    """Passes on each measurement once, from `begin` to `end`."""
+    """Passes on each measurement once, between `start` and `end`."""
 
-    arrived = Signal(object)  # measurements since the last time, a list of (seconds, `Counts`)
-    stalled_changed = Signal()  # `stalled`, whether measurements should come, and do not
+    arrived = Signal(object)  # new measurements, a list of (seconds, `Counts`)
+    stalled_changed = Signal()  # `stalled`: True while expected measurements do not arrive
 
     def __init__(self, telemetry: Telemetry, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -80,7 +80,7 @@ class MeasuredInputs(QObject):
         moment = now()
         was_busy = moment - self._ticked_at > 3 * _TICK_MS / 1000
         self._ticked_at = moment
-        if was_busy:  # the window was: measurements may still be queued
+        if was_busy:  # the window was busy: measurements may still be queued
             return
         stalled = moment - self._heard_at > _STALLED_AFTER
         if stalled != self.stalled:
@@ -113,9 +113,9 @@ class LearnedChannel:
         self._parabolic = is_in(parameters.values.value_of(ParameterKey.PARABOLIC_CHANNELS))
         self._ignored = is_in(parameters.values.value_of(ParameterKey.IGNORED_CHANNELS))
         self.raw: int | None = None  # the newest count; `None` without a signal
-        self.samples: list[ChannelSample] = []  # of the rest position, of which `neutral` is made
+        self.samples: list[ChannelSample] = []  # at rest; `neutral` is computed from them
         self.neutral: Neutral | None = None
-        self.travel: Travel | None = None  # follows the ends; `None` without a rest position
+        self.travel: Travel | None = None  # measures the ends; `None` without a rest position
         self.proposal: Proposal | None = None
         self.choice: Choice | None = None
         self._heard_at: float | None = None
@@ -169,7 +169,7 @@ class LearnedChannel:
 
     @property
     def new_rest(self) -> int | None:
-        """Last rest position if it differs from the sampled one: a neutral to offer."""
+        """Last rest position, if it differs from the sampled and the chosen neutral."""
         if self.travel is None or self.choice is None or self.travel.task is Task.SWITCH:
             return None
         rest, wanted = self.travel.rest, self.choice.calibration
@@ -200,7 +200,7 @@ class LearnedChannel:
 
     @property
     def rest_problems(self) -> tuple[CalibrationProblem, ...]:
-        """The problems of the rest position, or of a signal that is not sampled yet."""
+        """Problems of the rest position, or a missing signal before it is measured."""
         if self.neutral is not None:
             return self.neutral.problems
         return (no_signal(self.source),) if self.is_silent else ()

@@ -11,15 +11,15 @@ from trex_gui.devices.trex.settings.comparison import ComparisonRow
 
 @dataclass(slots=True)
 class ParameterValues:
-    """Wire values by key: those of a board or a file, and the edits that Apply or Save writes."""
+    """Wire values by key, from a board or a file. Apply or Save writes the edited values."""
 
     specs: dict[str, ParameterSpec] = field(default_factory=dict)  # in the order of the table
     stored: dict[str, int] = field(default_factory=dict)
     edited: dict[str, int] = field(default_factory=dict)  # values that differ from `stored`
     removed: set[str] = field(default_factory=set)  # stored keys that Save leaves out
-    active: dict[str, int] = field(default_factory=dict)  # unlike `stored` until a power cycle
-    optional: frozenset[str] = frozenset()  # keys that may have no value, as those of a file
-    problems: dict[str, str] = field(default_factory=dict)  # of failed reads and writes
+    active: dict[str, int] = field(default_factory=dict)  # where `stored` awaits a power cycle
+    optional: frozenset[str] = frozenset()  # keys that may have no value, as in a file
+    problems: dict[str, str] = field(default_factory=dict)  # error texts of failed reads and writes
     # Values beyond inferred limits that boards with this firmware have stored
     accepted: Accepted = field(default_factory=dict)
 
@@ -95,12 +95,12 @@ class ParameterValues:
         return self.value_of(key) not in {None, self.specs[key].default}
 
     def is_doubtful(self, key: str, wire: int) -> bool:
-        """Return whether only a board can tell if it takes this value, and none has yet."""
+        """Return whether only a board can decide on a value. False once a board has stored it."""
         is_known = wire in self.accepted.get(key, ()) or wire == self.stored.get(key)
         return self.specs[key].is_open(wire) and not is_known
 
     def doubtful(self, rows: Iterable[ComparisonRow]) -> list[str]:
-        """Return the values to be written that are doubtful, for the user."""
+        """Return the doubtful values to be written, as texts for the user."""
         return [
             tr("{0} {1}").format(row.name, row.after)
             for row in rows
@@ -129,14 +129,14 @@ class ParameterValues:
         self.removed.discard(spec.key)
 
     def leave_out(self, key: str) -> None:
-        """Give an optional parameter no value. Has no effect on others."""
+        """Remove the value of an optional parameter. Has no effect on a required parameter."""
         if key in self.optional:
             self.edited.pop(key, None)
             if key in self.stored:
                 self.removed.add(key)
 
     def record_stored(self, spec: ParameterSpec, wire: int) -> None:
-        """Take a value that was read back after a write."""
+        """Record a value that was read back after a write."""
         before = self.stored.get(spec.key)
         if spec.needs_power_cycle and before is not None:
             self.active.setdefault(spec.key, before)
@@ -147,7 +147,7 @@ class ParameterValues:
             del self.edited[spec.key]
 
     def record_active(self, key: str, wire: int) -> None:
-        """Take a value that is known to be active, whatever is stored."""
+        """Record a value that is known to be active. The stored value may differ."""
         if self.stored.get(key) == wire:
             self.active.pop(key, None)
         elif key in self.stored:

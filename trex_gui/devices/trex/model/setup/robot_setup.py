@@ -22,9 +22,9 @@ _REVERSED = ParameterKey.REVERSED_CHANNELS
 _STICKS = (1, 2)  # the channels that drive
 
 TIMEOUT_WIRE = 5
-"""The serial timeout that is proposed: 0.5 s, as in the samples of robots with a computer."""
+"""Proposed serial timeout: 0.5 s, as in the samples for robots with a computer."""
 
-_PUSHED = 0.25  # part of a channel's range by which a stick is off neutral at least when pushed
+_PUSHED = 0.25  # least offset from neutral of a pushed stick, as part of the channel's range
 
 
 class SetupStep(Enum):
@@ -38,26 +38,26 @@ class SetupStep(Enum):
 
 
 class RobotSetup(QObject):
-    """Makes pending edits only, each with `next`. Every step can be skipped and left."""
+    """Creates only pending edits, and only in `next`. The user can skip or leave every step."""
 
     changed = Signal()
 
     def __init__(self, device: Device, learning: Learning, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.step = SetupStep.DRIVER  # the present one of `steps`
+        self.step = SetupStep.DRIVER  # the step that is open
         self.driver = Driver.ONE_STICK  # who drives the robot
-        self.movements: dict[int, Movement] = {}  # what the user saw each motor move
-        # By channel, 1 and 2: whether the input rises when the stick goes forward or right
+        self.movements: dict[int, Movement] = {}  # the movement that the user saw, by motor
+        # By channel (1 and 2): true if the input rises when the stick goes forward or right
         self.rises: dict[int, bool] = {}
-        self.preset: Preset | None = None  # whose ramps are used; `None` keeps those of the board
-        # Wire value for both motors; `None` keeps those of the board
+        self.preset: Preset | None = None  # source of the ramps; `None` retains the board's ramps
+        # Wire value for both motors; `None` retains the board's limits
         self.current_limit: int | None = None
         self.timeout = TIMEOUT_WIRE  # wire value of the serial timeout
         self.pulses = MotorPulses(device, self)
         self._device = device
         self._learning = learning
         self._model = device.parameters.model_key
-        self._former: DeviceState | None = None  # the board that is silent, or being left
+        self._former: DeviceState | None = None  # last board, while silent or while connecting
         self._completed: set[SetupStep] = set()  # left with `next`
 
         learning.edited.connect(self._handle_learned)
@@ -76,7 +76,7 @@ class RobotSetup(QObject):
 
     @property
     def wiring(self) -> Wiring | None:
-        """Connections of the motors, once the pulses of both showed them."""
+        """Connections of the motors. `None` until the pulses of both motors have shown them."""
         return Wiring.seen(self.movements)
 
     @property
@@ -125,7 +125,7 @@ class RobotSetup(QObject):
 
     @property
     def blocker(self) -> str:
-        """Reason why this step could change nothing, for the user. Empty without changes."""
+        """Reason that blocks this step, for the user. Empty for a step that changes no settings."""
         device = self._device
         if self.step not in {SetupStep.MOTORS, SetupStep.LIMITS, SetupStep.TIMEOUT}:
             return ""
@@ -167,14 +167,14 @@ class RobotSetup(QObject):
     def select_driver(self, driver: Driver) -> None:
         if driver is not self.driver:
             self.driver = driver
-            self.rises.clear()  # a stick's way to the right may be another one's way forward
+            self.rises.clear()  # a channel that meant right may now mean forward
             self._completed.discard(SetupStep.JUMPERS)
             self.changed.emit()
 
     def record_pushed(self, channels: Sequence[int]) -> tuple[int, ...]:
         """Record that the sticks of these channels are pushed forward or right now.
 
-        Return the channels whose input does not show it.
+        Return the channels whose input does not show the push.
         """
         for channel in channels:
             self.rises.pop(channel, None)
@@ -192,12 +192,12 @@ class RobotSetup(QObject):
         self.changed.emit()
 
     def clear_movements(self) -> None:
-        """Begin anew with both motors, as after their wires were exchanged."""
+        """Remove the recorded movements, for example after wires were exchanged."""
         self.movements.clear()
         self.changed.emit()
 
     def select_preset(self, preset: Preset | None) -> None:
-        """Choose ramps, and the current limit with them if the sample has one for this board."""
+        """Select ramps. The preset's current limit is selected too if it fits this board."""
         model = self._device.parameters.model_key
         self.preset = preset
         self.current_limit = None
@@ -214,7 +214,7 @@ class RobotSetup(QObject):
         self.changed.emit()
 
     def next(self) -> None:
-        """Make the edits of this step, in one undo step, and go on."""
+        """Add the edits of this step as one undo step. Then open the next step."""
         if edits := self.edits:
             with self._device.draft.one_edit(tr("Set up my robot")):
                 for key, wire in edits.items():
@@ -257,7 +257,7 @@ class RobotSetup(QObject):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        """Forget what is known of another board, perhaps another robot."""
+        """Reset the answers after a disconnection, or for another board."""
         state = self._device.state
         match self._device.link:
             case ConnectionState.DISCONNECTED:
@@ -273,7 +273,7 @@ class RobotSetup(QObject):
 
     @Slot()
     def _on_state_changed(self) -> None:
-        """Forget the answers if another kind of board has come back."""
+        """Reset the answers if the board is now another model."""
         model = self._device.parameters.model_key
         if model != self._model:
             self._model = model
@@ -281,7 +281,7 @@ class RobotSetup(QObject):
         self.changed.emit()
 
     def _clear(self) -> None:
-        """Forget the answers: a current limit, too, means something else to another model."""
+        """Reset the answers. Even a current limit means something else on another model."""
         self.movements.clear()
         self.rises.clear()
         self._completed.clear()

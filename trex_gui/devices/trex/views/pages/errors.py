@@ -1,4 +1,4 @@
-"""Page of the errors that the board has reported, and of how good the connection is."""
+"""Page of the errors that the board has reported, and of the connection quality."""
 
 from collections.abc import Sequence
 from datetime import datetime, timedelta

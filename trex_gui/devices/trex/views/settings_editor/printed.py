@@ -1,4 +1,4 @@
-"""Settings on paper: all in tables, changes from the default in bold."""
+"""Printed settings, as tables with changes from the default in bold."""
 
 from collections.abc import Callable, Iterable, Mapping
 from datetime import datetime
@@ -18,7 +18,7 @@ from trex_gui.ui.widgets.placement import fit_on_screen
 
 class PrintedSettings(QTextDocument):
     def __init__(self, settings: Settings, name: str, remarks: Iterable[str] = ()) -> None:
-        """`name`: the file or the board. Remarks are printed below."""
+        """`name`: the file or the board. `remarks` are printed below the tables."""
         super().__init__()
         self._name = name
         font = self.defaultFont()
@@ -42,7 +42,7 @@ class PrintedSettings(QTextDocument):
 
     def preview(self, window: QWidget, report: Callable[[str], object]) -> QDialog | None:
         """Show the pages in a dialog that can print them. Report if Qt cannot print here."""
-        # Not installed everywhere, and only needed for printing.
+        # Qt's print module is not installed everywhere. Only printing needs it.
         try:
             from PySide6.QtPrintSupport import QPrintPreviewDialog  # noqa: PLC0415
         except ImportError as error:
@@ -123,7 +123,7 @@ def _calibrations(settings: Settings) -> str:
 
 
 def _note_row(settings: Settings, key: str, columns: int) -> list[str]:
-    """Return the note on a setting as a row below it. Empty without one."""
+    """Return the note on a setting as a row below it. Empty without a note."""
     note = settings.notes.get(key, "")
     text = escape(tr("Note: {0}").format(note)).replace("\n", "<br>")
     return [f'<tr><td colspan="{columns}"><i>{text}</i></td></tr>'] if note else []
@@ -135,7 +135,7 @@ def _row(cells: Iterable[str], *, bold: bool = False) -> str:
 
 
 def _table(titles: Mapping[str, int], rows: Iterable[str]) -> str:
-    """Return a table with the titles on each page. Titles have their widths in per cent."""
+    """Return a table with its titles on each page. `titles`: column title → width in per cent."""
     head = "".join(
         f'<th align="left" width="{width}%">{escape(title)}</th>' for title, width in titles.items()
     )

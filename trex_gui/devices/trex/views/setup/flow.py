@@ -25,7 +25,7 @@ from trex_gui.devices.trex.views.steps import Flow, Page, Shown
 
 
 class SetupFlow(Flow):
-    """Leaving it stops the motors. Learning is part of the step with the sticks."""
+    """Stops the motors when the user leaves. The sticks step includes learning."""
 
     apply_requested = Signal()
 

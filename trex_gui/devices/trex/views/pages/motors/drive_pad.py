@@ -1,4 +1,4 @@
-"""Pad to steer in: up is forward, to the side turns, letting go springs back."""
+"""Pad for driving: up is forward, sideways turns, release returns to the centre."""
 
 import math
 
@@ -25,8 +25,8 @@ from trex_gui.ui.widgets.circuit import write
 from trex_gui.ui.widgets.painted import Painter
 
 _STRAIGHT = 0.06  # share of the travel within which a direction counts as zero
-_KNOB = 13  # pixels, like the next: the least radius, and what is around the field
-_MARGIN = 4
+_KNOB = 13  # least radius, in pixels
+_MARGIN = 4  # pixels around the field
 _ROBOT = 0.42  # its height as a share of the field
 
 
@@ -65,7 +65,7 @@ class DrivePad(RobotView):
             self.update()
 
     def show_setpoints(self, left: int, right: int) -> None:
-        """Show where it would be held for these speeds, unless it is held."""
+        """Move the knob to match these speeds, unless the pad is held."""
         if not self.held:
             full = 2 * max(self._ceiling, abs(left), abs(right))
             self._put((left + right) / full, (left - right) / full)
@@ -98,7 +98,7 @@ class DrivePad(RobotView):
         return self._on_touch(event) if isinstance(event, QTouchEvent) else super().event(event)
 
     def _on_touch(self, event: QTouchEvent) -> bool:
-        """Let the first finger steer until it goes up, and ignore others."""
+        """Steer with the first finger until it lifts. Ignore other fingers."""
         event.accept()
         if event.type() == QEvent.Type.TouchBegin:
             self._finger = event.points()[0].id()
