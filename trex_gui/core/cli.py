@@ -31,7 +31,7 @@ FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
 
 
 class CommandFailed(click.ClickException):
-    """The device, the line or a file does not permit it: exit code 1."""
+    """Failure of the device, the line or a file, with exit code 1."""
 
     def __init__(self, message: object) -> None:
         super().__init__(str(message))
@@ -61,7 +61,7 @@ def refusals() -> Iterator[None]:
 
 
 class ProgressLine:
-    """One line on a terminal that shows progress. Nothing elsewhere."""
+    """Progress in one line of a terminal. Prints nothing elsewhere."""
 
     def __init__(self, what: str) -> None:
         self._what = what
@@ -91,12 +91,12 @@ class ProgressLine:
 
 
 class Interruption:
-    """Notes requests to end the program (Ctrl-C, SIGTERM, a closed terminal).
+    """Records requests to end the program (Ctrl-C, SIGTERM, a closed terminal).
 
-    It is only noted, so that no transaction breaks off in the middle. Unless the work is too
-    `precious` for that, a second request ends the program as usual. What is precious is not
-    suspended either: Ctrl-Z ends it, and it goes on while it uses a terminal in the background.
-    What was to be ignored from the beginning (`nohup`) is.
+    A request is only recorded, so that no transaction breaks off in the middle. A second request
+    ends the program as usual, except during `precious` work. Precious work is not suspended
+    either: Ctrl-Z ends it, and it continues if it uses a terminal from the background. Signals
+    that were ignored from the beginning (`nohup`) stay ignored.
     """
 
     def __init__(self, *, precious: bool = False) -> None:
@@ -126,7 +126,7 @@ class Interruption:
 
 
 def hexadecimal(text: str) -> int:
-    """Read a hexadecimal number. UsageError if it is none."""
+    """Parse a hexadecimal number. UsageError if it is invalid."""
     try:
         return int(text, 16)
     except ValueError:
@@ -134,7 +134,7 @@ def hexadecimal(text: str) -> int:
 
 
 class FiniteRange(click.FloatRange):
-    """A range of numbers, written as `decimal` reads them. "nan" and "inf" are none."""
+    """Range of numbers in the format of `decimal`. Rejects "nan" and "inf"."""
 
     def convert(
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None

@@ -1,4 +1,4 @@
-"""Programs in C, Python and for Arduino from Jinja templates, as text that compiles."""
+"""Source code in C, in Python and for Arduino, from Jinja templates."""
 
 import unicodedata
 from enum import Enum
@@ -10,11 +10,11 @@ from trex_gui.core.resource_files import resource
 if TYPE_CHECKING:
     from jinja2 import Template
 
-_COMMENT_COLUMN = 46  # where comments begin at the latest, unless the code before them is longer
+_COMMENT_COLUMN = 46  # comments begin no later, unless the code before them is longer
 
 
 class Language(Enum):
-    """A language. The value is its word on the command line."""
+    """Programming language. The value is its name on the command line."""
 
     ARDUINO = "arduino"
     PYTHON = "python"
@@ -35,7 +35,7 @@ def render(name: str, **values: object) -> str:
 
 @cache
 def _template(name: str) -> "Template":
-    """Compile a template, which takes longer than to fill it in."""
+    """Compile a template. Cached, since this takes longer than rendering."""
     from jinja2 import Environment, StrictUndefined  # noqa: PLC0415 - only exporting needs it
 
     environment = Environment(
@@ -68,7 +68,7 @@ _ASCII = str.maketrans({"µ": "u", "μ": "u", "−": "-", "–": "-", "—": "-"
 
 
 def _aligned(rows: str) -> str:
-    """Align the comments of rows of code in C, and drop empty ones."""
+    """Align the comments of rows of C code, and drop empty comments."""
     pairs = [line.partition(" // ")[::2] for line in rows.splitlines()]
     width = min(max(len(code) for code, _ in pairs), _COMMENT_COLUMN)
     lines = [f"{code:{width}} // {comment}" if comment else code for code, comment in pairs]

@@ -1,4 +1,4 @@
-"""Input and output of a command: names of files, standard streams, what reaches a terminal."""
+"""Input and output of a command: file names, standard streams, safe terminal output."""
 
 import contextlib
 import errno
@@ -11,7 +11,7 @@ from typing import Any
 
 import click
 
-TROUBLE = "exit code"  # of a failure: key in `click.Context.meta` where it is not 1
+TROUBLE = "exit code"  # key in `click.Context.meta` of the exit code of a failure, if it is not 1
 
 _CONTROLS = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f]|\r(?!\n)")
 
@@ -19,7 +19,7 @@ _STAND_INS = str.maketrans({"→": "->", "−": "-", "…": "...", "“": '"', "
 
 
 class FileName(click.Path):
-    """A file. Without a name it is wrong usage: often an unset shell variable."""
+    """File parameter that rejects an empty name, often an unset shell variable."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         if not str(value):
@@ -28,17 +28,17 @@ class FileName(click.Path):
 
 
 class _Output:
-    r"""A stream that shows control characters, of names and files, as escapes such as `\u001b`.
+    r"""Stream that shows control characters in texts as escapes such as `\u001b`.
 
-    It is UTF-8 unless it is a terminal. Data that cannot be written ends the command; messages
-    that cannot be written are lost. `below` is the stream itself.
+    The encoding is UTF-8 unless the stream is a terminal. Data that cannot be written end the
+    command. Messages that cannot be written are lost. `below` is the original stream.
     """
 
     encoding = "utf-8"  # click replaces an ASCII stream
 
     def __init__(self, below: Any, *, is_data: bool) -> None:
         self._is_data = is_data
-        self.below = below or io.TextIOWrapper(io.BufferedReader(io.BytesIO()))  # a closed one
+        self.below = below or io.TextIOWrapper(io.BufferedReader(io.BytesIO()))  # as if closed
         if self.isatty():
             self.below.reconfigure(errors="replace")
         else:
@@ -53,7 +53,7 @@ class _Output:
 
     def write(self, text: str) -> int:
         shown = _CONTROLS.sub(lambda found: f"\\u{ord(found[0]):04x}", text)
-        if shown:  # click tries with nothing what a stream takes
+        if shown:  # click writes an empty text to test what a stream accepts
             self._use(self.below.write, shown.translate(self._stand_ins))
         return len(text)
 
@@ -66,7 +66,7 @@ class _Output:
         except OSError as error:
             if error.errno == errno.EPIPE:
                 raise
-            with contextlib.suppress(OSError):  # what is left in the buffer fails no more
+            with contextlib.suppress(OSError):  # so that the rest of the buffer no longer fails
                 os.dup2(os.open(os.devnull, os.O_WRONLY), self.below.fileno())
             if self._is_data:
                 reason = error.strerror or "it is closed"
@@ -76,10 +76,10 @@ class _Output:
 
 @contextlib.contextmanager
 def standard_streams() -> Iterator[None]:
-    """Use the standard streams as `_Output` describes, also those that are closed."""
+    """Replace the standard streams, even closed streams, as `_Output` describes."""
     before = sys.stdin, sys.stdout, sys.stderr
     for _ in range(before.count(None)):
-        os.open(os.devnull, os.O_RDWR)  # else a port gets the number, and messages
+        os.open(os.devnull, os.O_RDWR)  # else a port gets this file number, and the messages
     sys.stdin = sys.stdin or io.TextIOWrapper(io.BytesIO())
     sys.stdout = _Output(sys.stdout, is_data=True)
     sys.stderr = _Output(sys.stderr, is_data=False)

@@ -14,13 +14,13 @@ _GROUPED = re.compile(r"([-+]?[1-9][0-9]{0,2})[.,]([0-9]{3})")
 
 
 class AmbiguousNumber(BadRequest):
-    """The separator of a number may also be that of thousands."""
+    """The separator of a number may mark decimals or thousands."""
 
 
 def decimal(text: str, *, thousands: bool = True) -> float:
     """Return the number in `text`.
 
-    `thousands`: whether a value in its unit may be as large. Nobody means 2498 V by 2.498 V.
+    `thousands`: whether 1000 or more is plausible in the unit. 2.498 V never means 2498 V.
 
     Raises:
         AmbiguousNumber: one separator is followed by exactly three digits, such as 1,500.
@@ -39,9 +39,9 @@ def decimal(text: str, *, thousands: bool = True) -> float:
 
 
 def quantity(text: str, unit: str, *, thousands: bool = True) -> float | None:
-    """Return the number in `text` in a unit, which may have another prefix or be left out.
+    """Return the number in `text`, converted to `unit`. Text may have another prefix or no unit.
 
-    `None`: it is not a number, or has another unit. `thousands` is of the unit itself.
+    `None`: it is not a number, or has another unit. `thousands` applies to `unit` itself.
     """
     if (found := _QUANTITY.fullmatch(text)) is None:
         return None

@@ -17,8 +17,8 @@ class BadRequest(StudioError, ValueError):  # noqa: N818 - reads as what it is
 class PortUnavailable(StudioError):  # noqa: N818
     """The port is in use, gone or not permitted. Says how to fix it.
 
-    `command`: for a shell, gives the permission; empty where none does. `is_missing`: the port is
-    not there, so an adapter has to be plugged in.
+    `command`: shell command that grants permission; empty if there is none. `is_missing`: the
+    port does not exist, so an adapter has to be plugged in.
     """
 
     def __init__(self, text: str, *, command: str = "", is_missing: bool = False) -> None:
@@ -28,7 +28,7 @@ class PortUnavailable(StudioError):  # noqa: N818
 
 
 class PortFault(Enum):
-    """Reasons why a port cannot be used, with places for its name and the details."""
+    """Reasons why a port cannot be used, with placeholders for its name and the details."""
 
     FORBIDDEN = tr_noop("Permission denied for {0}. {1}")
     UNREACHABLE = tr_noop("The port {0} cannot be reached: {1}.")
@@ -60,7 +60,7 @@ class PortFault(Enum):
 
 
 class PortShared(PortUnavailable):
-    """Another program takes bytes from the port."""
+    """Another program reads bytes from the port."""
 
 
 class NoReply(StudioError):  # noqa: N818
@@ -76,7 +76,7 @@ class InternalError(StudioError):
 
 
 class CodedError(StudioError):
-    """An error with a code, whose value is the text with a place for each field.
+    """Error with a code, whose value is the text with a placeholder for each field.
 
     A field may be another coded error, or a tuple of them. `str` gives the text in English.
     """

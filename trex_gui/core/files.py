@@ -1,6 +1,6 @@
-"""Files that users choose: only ordinary ones, read within limits and written atomically.
+"""Files that users select: only ordinary files, read within limits and written atomically.
 
-The errors of text files are findings by line.
+Errors in text files are findings by line.
 """
 
 import codecs
@@ -31,19 +31,19 @@ def data_folder() -> Path:
 
 
 def is_there(path: Path) -> bool:
-    """Return whether a file exists. One that cannot, since its name is too long, does not."""
+    """Return whether a file exists. False if its name is too long."""
     with contextlib.suppress(OSError):
         return path.exists()
     return False
 
 
 def log_folder() -> Path:
-    """Return the folder of the log file and of what is known of the last run."""
+    """Return the folder of the log file and of the crash report."""
     return data_folder() / "log"
 
 
 class Severity(StrEnum):
-    """True if a file with this finding can be used."""
+    """Severity of a finding. A file with nothing but warnings can be used."""
 
     ERROR = "error"
     WARNING = "warning"
@@ -87,7 +87,7 @@ class SettingsError(StudioError):
 
 
 def reason_of(error: StudioError) -> str:
-    """Return why a file cannot be used, without its name and a full stop."""
+    """Return the reason why a file cannot be used, without its name and a full stop."""
     text = "; ".join(map(str, error.findings)) if isinstance(error, SettingsError) else str(error)
     return text.rstrip(". ")
 
@@ -109,8 +109,8 @@ def check_ordinary(path: Path) -> None:
 
 
 def open_ordinary(path: Path) -> BinaryIO:
-    """Open an ordinary file for reading, without waiting for anything else. Raises OSError."""
-    check_ordinary(path)  # first: opening a serial port changes its lines
+    """Open an ordinary file for reading. Any other file raises OSError without a wait."""
+    check_ordinary(path)  # before opening, which would change the lines of a serial port
     at_once = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOCTTY", 0)
     file = open(  # noqa: SIM115 - the caller closes it
         path, "rb", opener=lambda name, flags: os.open(name, flags | at_once)
@@ -150,14 +150,13 @@ def remove_abandoned(folder: Path) -> None:
 def atomic_file(path: Path, *, overwrite: bool = True) -> Iterator[BinaryIO]:
     """Open a file that replaces `path` once everything was written and synced to disk.
 
-    After an exception the old file is still there and nothing is left of the new one. A program
-    that is killed leaves the old file or the new one, and a hidden draft that is removed by the
-    first write of a later run in this folder. Links and permissions are kept. The caller may close
-    the file.
+    After an exception the old file is unchanged and the new file is removed. A killed program
+    leaves the old or the new file, and perhaps a hidden draft, which the first write of a later run
+    to this folder removes. Links and permissions are kept. The caller may close the file.
 
     Raises:
         NotOrdinaryFileError: `path` is a folder, a pipe or a device.
-        FileExistsError: with `overwrite` off, the name is taken, also by another program just now.
+        FileExistsError: `overwrite` is off and the name is taken, perhaps by another program.
     """
     target = Path(os.path.realpath(path))
     if overwrite:
@@ -166,7 +165,7 @@ def atomic_file(path: Path, *, overwrite: bool = True) -> Iterator[BinaryIO]:
     remove_abandoned(target.parent)
     draft = target.with_name(f".{target.name[:100]}.{os.urandom(4).hex()}.trexdraft")
     try:
-        mode = 0o600 if target.exists() else 0o666  # nobody reads it before it has its own
+        mode = 0o600 if target.exists() else 0o666  # private until it gets the mode of the target
         with open(draft, "xb", opener=lambda name, flags: os.open(name, flags, mode)) as file:
             yield file
         with draft.open("rb+") as written:
@@ -184,7 +183,7 @@ def atomic_file(path: Path, *, overwrite: bool = True) -> Iterator[BinaryIO]:
 
 
 def _reserve_name(draft: Path, target: Path) -> None:
-    """Rename a file in one step. A `FileExistsError` when the name is taken."""
+    """Rename a file in one step. FileExistsError if the name is taken."""
     if os.name == "nt":
         draft.rename(target)  # replaces a file on other systems only
         return
@@ -249,7 +248,7 @@ def decode(data: bytes, name: str) -> str:
 
 
 def save(path: Path, content: str | bytes) -> None:
-    """Write a file, text as UTF-8. After a SettingsError the old one is there, complete."""
+    """Write a file, text as UTF-8. After a SettingsError the old file is unchanged."""
     with explained(path, tr("it cannot be written")):
         target = Path(os.path.realpath(path))
         if target.is_file() and not os.access(target, os.W_OK):
@@ -262,12 +261,12 @@ def save(path: Path, content: str | bytes) -> None:
 
 
 def save_over(path: Path, content: str | bytes, known: bytes | None) -> bool:
-    """Write a file unless it holds something else than `known`. Return whether it was written.
+    """Write a file if it still contains `known`. Return whether it was written.
 
-    `None`: whatever it holds. A missing file is written. After a SettingsError nothing was.
+    `None` overwrites any content. A missing file is created. SettingsError: nothing was written.
     """
     if known is not None:
-        # After an OSError saving makes it again, or reports why it cannot.
+        # After an OSError, `save` creates the file or reports the reason.
         with contextlib.suppress(OSError), open_ordinary(path) as file:
             if file.read(len(known) + 1) != known:
                 return False
@@ -287,7 +286,7 @@ def save_new(path: Path, text: str) -> bool:
 
 @contextlib.contextmanager
 def explained(path: Path, failure: str) -> Iterator[None]:
-    """Make a `SettingsError` of an error of the system. `failure` is a clause."""
+    """Convert a system error to a `SettingsError`. `failure` is a clause."""
     try:
         yield
     except FileNotFoundError:

@@ -23,11 +23,11 @@ OpenTransport = Callable[[PortSettings], Transport]
 
 @dataclass(frozen=True, slots=True)
 class Host:
-    """Ports, threads and clock of the computer. A caller may pass others as click's `obj`.
+    """Ports, threads and clock of the computer. A caller may pass another `Host` as click's `obj`.
 
-    `logged` makes what opens a line write its bytes to a file; `None`: nothing is written.
-    `start_thread` runs a function in a thread and returns a function that waits for its end;
-    `clock` is that of the transports.
+    `logged` wraps `open_transport` to write the traffic to a file. `None`: nothing is written.
+    `start_thread` runs a function in a thread and returns a function that waits for its end.
+    `clock` is the clock of the transports.
     """
 
     open_transport: OpenTransport = SerialTransport

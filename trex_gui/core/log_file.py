@@ -1,4 +1,4 @@
-"""The log file of the program: bounded, and written by a thread of its own.
+"""Log file of the program, limited in size and written by its own thread.
 
 A disk that is slow, full or read-only loses lines of the log, and nothing else.
 """
@@ -19,8 +19,8 @@ _OLDER = 3  # files that are kept beside the newest
 _LONGEST = 20_000  # characters of one entry, with its traceback
 _MOST_WAITING = 10_000  # entries that a slow disk has not taken yet
 _REPEATED_S = 60.0
-"""Seconds in which the same entry again is only counted: an error in what runs thirty times a
-second would push everything else out."""
+"""Seconds in which a repeated entry is only counted. Otherwise an error in code that runs thirty
+times a second would push everything else out."""
 
 
 def log_file() -> Path:
@@ -28,25 +28,25 @@ def log_file() -> Path:
 
 
 def log_files() -> list[Path]:
-    """Return where the log may be, the newest last."""
+    """Return the possible files of the log, newest last."""
     path = log_file()
     return [*(path.with_name(f"{path.name}.{age}") for age in range(_OLDER, 0, -1)), path]
 
 
 class ProgramLog:
-    """Writes what the program logs to a file, and warnings to the terminal, until it is closed.
+    """Writes log entries to a file, and warnings to the terminal, until it is closed.
 
     An entry with the attribute `printed` is on the terminal already.
     """
 
     def __init__(self, path: Path, *, is_verbose: bool = False) -> None:
-        """`is_verbose`: down to the level DEBUG, and all of it to the terminal, too."""
+        """`is_verbose`: log everything from DEBUG up, and print it to the terminal, too."""
         self._level = logging.getLogger("trex_gui").level
         logging.getLogger("trex_gui").setLevel(logging.DEBUG if is_verbose else logging.INFO)
         self._file = _LogFile(path)
         self._file.setFormatter(_Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s"))
         handlers: list[logging.Handler] = [self._file]
-        if sys.stderr is not None:  # a program with a window has none on Windows
+        if sys.stderr is not None:  # it is `None` in a window program on Windows
             handlers.append(terminal_handler(is_verbose=is_verbose))
         entries: SimpleQueue[logging.LogRecord] = SimpleQueue()
         self._entrance = _Entrance(entries)
@@ -55,9 +55,9 @@ class ProgramLog:
         logging.getLogger().addHandler(self._entrance)
 
     def close(self, timeout: float = 2.0) -> bool:
-        """Write what is left. Return whether that ended within so many seconds.
+        """Write the remaining entries. Return whether that ended within `timeout` seconds.
 
-        If not, Python would wait for the disk at its end: only `os._exit` ends the process.
+        If not, Python would wait for the disk at exit, and only `os._exit` ends the process.
         """
         logging.getLogger().removeHandler(self._entrance)
         logging.getLogger("trex_gui").setLevel(self._level)
@@ -74,7 +74,7 @@ class ProgramLog:
 
 
 def terminal_handler(*, is_verbose: bool) -> logging.Handler:
-    """Return what prints warnings to the terminal, or everything with its time and its source."""
+    """Return a handler that prints warnings, or if verbose everything with time and source."""
     handler = logging.StreamHandler()
     handler.setLevel(logging.DEBUG if is_verbose else logging.WARNING)
     if is_verbose:
@@ -84,7 +84,7 @@ def terminal_handler(*, is_verbose: bool) -> logging.Handler:
 
 
 class _Entrance(QueueHandler):
-    """Never waits. Its queue takes an entry while another one of this thread is put into it."""
+    """Never waits. Its queue is reentrant: a thread may put an entry while it puts another."""
 
     queue: SimpleQueue[logging.LogRecord]
 
@@ -93,7 +93,7 @@ class _Entrance(QueueHandler):
             self.queue.put(record)
 
     def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802 - Python's name
-        """Leave out an entry that cannot be made into text."""
+        """Drop an entry that cannot be formatted."""
 
 
 class _Formatter(logging.Formatter):
@@ -110,7 +110,7 @@ class _LogFile(RotatingFileHandler):
             backupCount=_OLDER,
             encoding="utf-8",
             errors="backslashreplace",
-            delay=True,  # in the thread that writes
+            delay=True,  # opened in the thread that writes
         )
         self._last, self._since, self._repeats = "", 0.0, 0
 
@@ -118,7 +118,7 @@ class _LogFile(RotatingFileHandler):
         path = Path(self.baseFilename)
         path.parent.mkdir(parents=True, exist_ok=True)
         with suppress(FileNotFoundError):
-            check_ordinary(path)  # a pipe would never end
+            check_ordinary(path)  # a pipe would block for ever
         return super()._open()
 
     def emit(self, record: logging.LogRecord) -> None:
@@ -133,4 +133,4 @@ class _LogFile(RotatingFileHandler):
         super().emit(record)
 
     def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802 - Python's name
-        """Lose an entry that the disk does not take."""
+        """Drop an entry that the disk does not accept."""

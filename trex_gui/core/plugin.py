@@ -47,10 +47,10 @@ class PortReports:
     """Functions by which `trexcmd list` and `trexcmd find` identify and report a device.
 
     Attributes:
-        identify: looks on a port (URL, options of the command) without moving anything; its
-            answer has no text if nothing is worth reporting. Raises PortUnavailable.
+        identify: probes a port (URL, options of the command) without moving anything. The text of
+            its answer is empty if there is nothing to report. Raises PortUnavailable.
         describe: returns the sentences that report a found device to the user.
-        row: returns what `find --json` prints beside the connection of a found device.
+        row: returns the fields of a found device that `find --json` adds to its connection.
     """
 
     identify: Callable[[str, Mapping[str, Any]], PortAnswer]
@@ -63,12 +63,12 @@ class DevicePlugin:
     """One kind of device. `key` identifies it in settings and on the command line.
 
     Attributes:
-        prober: how to look for one on a port; its probes move no device of any kind.
+        prober: searches a port for a device; its probes move no device of any kind.
         commands: its commands of trexcmd by name.
-        simulator_arguments: arguments of trex-sim that simulate one for the port list.
-        controller: makes its controller and model: `DeviceController`, called as
+        simulator_arguments: arguments of trex-sim that simulate a device for the port list.
+        controller: creates its controller and model: `DeviceController`, called as
             (plugin, notifier, ports, scanner, timeouts).
-        workspace: makes its workspace: `Workspace`, called as (controller, window).
+        workspace: creates its workspace: `Workspace`, called as (controller, window).
         tour: yields its steps of the screenshot tour, called as (tour, controller).
     """
 

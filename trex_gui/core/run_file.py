@@ -16,15 +16,15 @@ if sys.platform != "win32":
 
 
 def crash_file() -> Path:
-    """Return what the last run left that did not end properly: its start, and where it crashed."""
+    """Return the path of the crash report: start and thread stacks of the last crashed run."""
     return log_folder() / "crash.txt"
 
 
 class RunFile:
-    """The file of this process, which takes the stack of each thread if it crashes.
+    """File of this process, which receives the stack of each thread at a crash.
 
-    Without a folder that can be written there is none, and no crash is noticed. `found_crash`: a
-    run before this one did not end properly; its file is `crash_file` now.
+    Without a writable folder there is no file, and no crash is detected. `found_crash`: an earlier
+    run did not end properly, and its file is now `crash_file`.
     """
 
     def __init__(self) -> None:
@@ -50,10 +50,10 @@ class RunFile:
 
 
 def _handle_abandoned() -> bool:
-    """Make the files of processes that are gone into the one of the last crash."""
+    """Rename the files of dead processes to `crash_file`. Return whether there were any."""
     found = False
     for path in log_folder().glob("run-*.txt"):
-        with suppress(OSError):  # on Windows a file that is open cannot be renamed
+        with suppress(OSError):  # on Windows an open file cannot be renamed
             if not is_locked(path):
                 path.replace(crash_file())
                 found = True
@@ -61,10 +61,10 @@ def _handle_abandoned() -> bool:
 
 
 def is_locked(path: Path) -> bool:
-    """Return whether the process that made and locked a file runs."""
+    """Return whether the process that created and locked a file still runs."""
     try:
         if sys.platform == "win32":
-            path.replace(path)  # not while it is open
+            path.replace(path)  # fails while the file is open
         else:
             with open_ordinary(path) as file:
                 fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)

@@ -22,7 +22,7 @@ class Close:
 
 @dataclass(frozen=True, slots=True)
 class Progress:
-    """Report: `done` of `total` steps are complete. `what` is the next one."""
+    """Report: `done` of `total` steps are complete. `what` is the next step."""
 
     done: int
     total: int
@@ -84,7 +84,7 @@ SHORTEST_WAIT = 1e-5  # seconds; keeps rounding errors of times from causing a b
 
 
 class Inbox(Protocol[RequestT_co]):
-    """Source of requests. `get` waits up to `seconds` and returns `None` if none came."""
+    """Source of requests. `get` waits up to `seconds` and returns `None` if no request came."""
 
     def get(self, seconds: float) -> RequestT_co | None: ...
 

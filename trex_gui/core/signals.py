@@ -21,8 +21,8 @@ ENDING = (
 )
 """Signals that end a program by default and may be handled instead.
 
-Left out are those of faults (SIGSEGV), whose handlers must not run Python, and those that Python
-ignores (SIGPIPE)."""
+Signals of faults (SIGSEGV) are left out, since their handlers must not run Python, and so are
+signals that Python ignores (SIGPIPE)."""
 
 SUSPENDING = "SIGTSTP"  # Ctrl-Z: the program is suspended, and motors must not turn meanwhile
 
@@ -35,7 +35,7 @@ Python repeats what a signal interrupts."""
 
 
 def handled_signals(names: Iterable[str]) -> list[signal.Signals]:
-    """Return those that this system has, that are not ignored (`nohup`) and nobody else's."""
+    """Return the signals that exist here, are not ignored (`nohup`) and have no foreign handler."""
     numbers = (getattr(signal, name, None) for name in names)
     # A handler that was not installed in Python is reported as `None`.
     not_ours = (signal.SIG_IGN, None)

@@ -1,4 +1,4 @@
-"""Keys of a terminal, without waiting for them."""
+"""Keys typed in a terminal, without waiting for them."""
 
 import sys
 from collections.abc import Callable, Iterator
@@ -7,9 +7,9 @@ from contextlib import contextmanager
 
 @contextmanager
 def pressed_keys() -> Iterator[Callable[[], str]]:
-    """Give a function that returns what was typed since its last call. Ctrl-C stays an interrupt.
+    """Provide a function that returns the keys typed since its last call.
 
-    Standard input has to be a terminal. It is as before when the block ends.
+    Standard input has to be a terminal, and is restored at the end. Ctrl-C stays an interrupt.
     """
     if sys.platform == "win32":
         import msvcrt  # noqa: PLC0415 - not everywhere

@@ -1,4 +1,4 @@
-"""Texts in the language of the window. Where there is none, as on the command line, in English."""
+"""Texts in the language of the window. English without a window, as on the command line."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -22,23 +22,23 @@ _is_english = ContextVar("_is_english", default=False)
 
 
 def tr(text: str, comment: str = "", count: int = -1) -> str:
-    """Return a text for users in their language, with the same places: `{0}`.
+    """Return a text in the user's language, with the same placeholders: `{0}`.
 
-    A comment tells it apart from the same text that needs another translation. A `count` takes the
-    place of `%n`, and chooses the form of the text.
+    `comment` distinguishes equal texts that need different translations. `count` replaces `%n` and
+    selects the plural form.
     """
     translate = _english if _is_english.get() else _translate
     return translate(text, comment, count)
 
 
 def tr_noop(text: str, comment: str = "") -> str:
-    """Mark a text of a table, which `tr` translates where it is shown, with the same comment."""
+    """Mark a constant for translation. `tr` translates it when shown, with the same comment."""
     del comment
     return text
 
 
 def cached_text(function: Callable[P, T]) -> Callable[P, T]:
-    """Cache what a function returns with texts in it, until the language changes."""
+    """Cache a function that returns texts, until the language changes."""
 
     def made(in_english: bool, *args: P.args, **kwargs: P.kwargs) -> T:
         del in_english
@@ -56,9 +56,9 @@ def cached_text(function: Callable[P, T]) -> Callable[P, T]:
 
 
 class Number(float):
-    """A number that is formatted with the decimal point of the language: `1,5` in German.
+    """Number with the decimal separator of the language: `1,5` in German.
 
-    A share has a space before `%`.
+    A percentage has a space before `%`.
     """
 
     def __format__(self, spec: str) -> str:
@@ -71,7 +71,7 @@ def with_decimal_point(number: str) -> str:
 
 @contextmanager
 def in_english() -> Iterator[None]:
-    """Make texts in English whatever the language of the window: those of files."""
+    """Return texts in English, for files, whatever the language of the window."""
     before = _is_english.set(True)
     try:
         yield

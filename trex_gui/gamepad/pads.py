@@ -1,4 +1,4 @@
-"""Gamepads, read through SDL of `pygame-ce`, which is imported only when they are opened."""
+"""Gamepads, read through SDL. `pygame-ce` is imported only when gamepads are opened."""
 
 import contextlib
 import importlib
@@ -18,25 +18,25 @@ _HINTS = {
     "PYGAME_HIDE_SUPPORT_PROMPT": "1",
     "SDL_VIDEODRIVER": "dummy",  # events need SDL's video part; it must not touch the display
     "SDL_AUDIODRIVER": "dummy",
-    "SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS": "1",  # no window of SDL's ever has the focus
+    "SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS": "1",  # SDL's windows never have the focus
     "SDL_NO_SIGNAL_HANDLERS": "1",  # else SDL swallows SIGTERM
     "SDL_VIDEO_ALLOW_SCREENSAVER": "1",
 }
 
 
 class GamepadUnavailable(Exception):  # noqa: N818 - reads as what is wrong, as PortUnavailable
-    """Gamepads cannot be read on this computer. The text says what to do about it."""
+    """Gamepads cannot be read on this computer. The text has the remedy."""
 
 
 @dataclass(frozen=True, slots=True)
 class Pad:
-    """One gamepad, from being plugged in to being gone.
+    """One gamepad, from connection to disconnection.
 
     Attributes:
-        ident: a number of this connection; one that is plugged in again gets another.
-        guid: SDL's identifier of its kind; two of a kind share it.
-        axes, buttons: how many there are.
-        parts: its axes (`a0`) and buttons (`b4`) by SDL's names, if SDL knows the kind:
+        ident: number of this connection. A gamepad that is connected again gets another number.
+        guid: SDL's identifier of the model. Two gamepads of a model share it.
+        axes, buttons: their numbers.
+        parts: axes (`a0`) and buttons (`b4`) by SDL's names, if SDL knows the model:
             `{"lefty": "a1", "leftshoulder": "b4"}`.
     """
 
@@ -48,12 +48,12 @@ class Pad:
     parts: Mapping[str, str] = field(default_factory=dict, compare=False)
 
     def part_name(self, kind: str, number: int) -> str:
-        """SDL's name of an axis (`a`) or a button (`b`). Empty if it has none."""
+        """Return SDL's name of an axis (`a`) or a button (`b`). Empty if it has no name."""
         wanted = f"{kind}{number}"
         return next((part for part, where in self.parts.items() if where == wanted), "")
 
     def part_number(self, kind: str, part: str) -> int | None:
-        """The number of the axis (`a`) or button (`b`) with a name of SDL's."""
+        """Return the number of the axis (`a`) or button (`b`) with an SDL name."""
         digits = self.parts.get(part, "").removeprefix(kind)
         count = self.axes if kind == "a" else self.buttons
         return int(digits) if digits.isdecimal() and int(digits) < count else None
@@ -71,15 +71,15 @@ class PadState:
         return self.axes[number] if 0 <= number < len(self.axes) else 0.0
 
     def pressed(self, number: int | None) -> bool:
-        """True if a button is down. A button that does not exist never is."""
+        """Return whether a button is down. False if it does not exist."""
         return number is not None and 0 <= number < len(self.buttons) and self.buttons[number]
 
 
 class PadSource(Protocol):
-    """Reads gamepads. Every call comes from one thread and returns at once."""
+    """Source of gamepads. All calls come from one thread and return at once."""
 
     def open(self) -> None:
-        """Begin. The next `pads` finds gamepads that are already connected.
+        """Open the source. The next `pads` finds gamepads that are already connected.
 
         Raises:
             GamepadUnavailable: gamepads cannot be read here.
@@ -89,10 +89,10 @@ class PadSource(Protocol):
         """Return the gamepads that are connected now."""
 
     def read(self, pad: Pad) -> PadState | None:
-        """Return the state at the last `pads`. `None` if it is gone or cannot be read."""
+        """Return the state at the last `pads`. `None` if the gamepad is gone or unreadable."""
 
     def close(self) -> None:
-        """Close all of them. May be called twice."""
+        """Close all gamepads. May be called twice."""
 
 
 class SdlPads:
@@ -122,7 +122,7 @@ class SdlPads:
             return ()
         try:
             events = pygame.event.get()
-        except pygame.error:  # SDL was ended elsewhere in this process
+        except pygame.error:  # SDL was shut down elsewhere in this process
             self._open.clear()
             return ()
         for event in events:
@@ -142,7 +142,7 @@ class SdlPads:
                 tuple(joystick.get_axis(number) for number in range(pad.axes)),
                 tuple(bool(joystick.get_button(number)) for number in range(pad.buttons)),
             )
-        except self._pygame.error:  # it is gone
+        except self._pygame.error:  # the gamepad is gone
             del self._open[pad.ident]
             return None
 
@@ -154,7 +154,7 @@ class SdlPads:
             self._pygame = None
 
     def _take(self, pygame: ModuleType, index: int) -> None:
-        """Open a gamepad, unless it is gone again or may not be read."""
+        """Open a gamepad, unless it is already gone or unreadable."""
         with contextlib.suppress(pygame.error):
             joystick = pygame.joystick.Joystick(index)
             pad = Pad(
@@ -184,7 +184,7 @@ def _load() -> ModuleType:
 
 
 def _parts(joystick: "JoystickType") -> Mapping[str, str]:
-    """SDL's names of the axes and buttons. Empty if it does not know the kind."""
+    """Return SDL's names of axes and buttons. Empty if SDL does not know the model."""
     try:
         controllers = importlib.import_module("pygame._sdl2.controller")
     except ImportError:  # "experimental" in pygame-ce 2.5

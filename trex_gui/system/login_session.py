@@ -1,4 +1,4 @@
-"""Linux desktops over D-Bus: a locked screen, sleep and shutdown, and a delay for the motors.
+"""Linux desktops over D-Bus: locked screen, sleep and shutdown, and a delay for the motors.
 
 Ref: org.freedesktop.login1 (systemd), org.freedesktop.ScreenSaver (KDE, Xfce and others),
 org.gnome.ScreenSaver. org.freedesktop.login1.Manager, Inhibit: "delay" holds sleep up until the
@@ -25,14 +25,14 @@ log = logging.getLogger(__name__)
 _LOGIN = "org.freedesktop.login1"
 _PATH = "/org/freedesktop/login1"
 _ANY = ""
-"""Any service, or any path: the bus configuration decides who may send these signals, and one stop
-too many does no harm."""
+"""Any service, or any path. The bus configuration decides which programs may send these signals,
+and an unnecessary stop does no harm."""
 
 
 class SessionEvents(QObject):
     """Listens on the system and the session bus, if there are any."""
 
-    # The user cannot see the window any more, or soon. The reason is a clause without a period.
+    # The user cannot see the window now, or soon. The reason is a clause without a period.
     leaving = Signal(str)
     sleeping = Signal(bool)  # the computer is about to sleep (after `leaving`), or has woken up
 
@@ -54,7 +54,7 @@ class SessionEvents(QObject):
                 self._listen(session, interface, "ActiveChanged", "_on_saver(bool)")
 
     def _listen(self, bus: QDBusConnection, interface: str, name: str, slot: str) -> None:
-        # The stub asks for bytes; the binding takes what SLOT makes, a str.
+        # The stub requires bytes, but the binding accepts the str that SLOT returns.
         if not bus.connect(_ANY, _ANY, interface, name, self, SLOT(slot)):  # type: ignore[call-overload]
             log.info("%s.%s cannot be listened to", interface, name)
 
@@ -80,10 +80,10 @@ class SessionEvents(QObject):
 
 
 class SleepDelay(QObject):
-    """Delays sleep, by `timeout` seconds at most, until the stop of the motors is confirmed.
+    """Delays sleep until the stop of the motors is confirmed, by at most `timeout` seconds.
 
-    `may_move` says whether motors were driven and no stop has been confirmed since. Does nothing
-    without logind.
+    `may_move` returns whether motors were driven without a confirmed stop since then. Without
+    logind, nothing is delayed.
     """
 
     def __init__(
@@ -103,7 +103,7 @@ class SleepDelay(QObject):
 
     @property
     def holds(self) -> bool:
-        """True if sleep would wait for this program."""
+        """Return whether sleep would wait for this program."""
         return self._descriptor is not None
 
     def request(self) -> None:
@@ -144,5 +144,5 @@ class SleepDelay(QObject):
         if not values or not isinstance(values[0], QDBusUnixFileDescriptor):
             log.info("sleep cannot be delayed: %s", reply.errorMessage())
             return
-        # Qt closes its own with the message.
+        # Qt closes its own descriptor with the message.
         self._descriptor = os.dup(values[0].fileDescriptor())

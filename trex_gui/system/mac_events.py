@@ -1,8 +1,8 @@
-"""A locked screen, a screen saver and sleep, as macOS reports them.
+"""Reports of macOS about a locked screen, a screen saver and sleep.
 
 Ref: Apple's documentation of CFNotificationCenter, and of IORegisterForSystemPower (IOKit,
 IOPMLib.h, IOMessage.h): the system waits up to 30 s for `IOAllowPowerChange`. The names of the
-notifications of the login window are not documented, but have long been used.
+login window's notifications are not documented, but have long been in use.
 Not tested on macOS yet.
 """
 
@@ -15,7 +15,7 @@ from PySide6.QtCore import QObject, Signal
 from trex_gui.core.translation import tr
 from trex_gui.system.stop_wait import StopWait
 
-CAN_SLEEP = 0xE0000270  # kIOMessageCanSystemSleep: an idle computer asks
+CAN_SLEEP = 0xE0000270  # kIOMessageCanSystemSleep: request of an idle computer
 WILL_SLEEP = 0xE0000280  # kIOMessageSystemWillSleep
 LOCKED = ("com.apple.screenIsLocked", "com.apple.screensaver.didstart")
 
@@ -38,17 +38,17 @@ class MacSystem(Protocol):
     def listen(
         self, on_locked: Callable[[], object], on_power: Callable[[int, int], object]
     ) -> None:
-        """Begin. `on_power` takes a message and its argument."""
+        """Start to listen. `on_power` gets a message and its argument."""
 
     def allow_power_change(self, argument: int) -> None:
-        """Answer the power message with this argument."""
+        """Allow the change of the power message with this argument."""
 
 
 class NativeMac:
     """CoreFoundation and IOKit. `load` and `symbol` find libraries and their constants.
 
     Raises:
-        OSError, AttributeError, ValueError: a library, or something in it, is not there.
+        OSError, AttributeError, ValueError: a library, or a symbol in it, is missing.
     """
 
     def __init__(
@@ -78,7 +78,7 @@ class NativeMac:
         self._source_of = _typed(power.IONotificationPortGetRunLoopSource, pointer, pointer)
         self._allow = _typed(power.IOAllowPowerChange, ctypes.c_int, port, number)
         self._connection = 0
-        self._kept: tuple[object, ...] = ()  # the callbacks, as long as macOS may call them
+        self._kept: tuple[object, ...] = ()  # callbacks that macOS may call
 
     def listen(
         self, on_locked: Callable[[], object], on_power: Callable[[int, int], object]
@@ -90,7 +90,7 @@ class NativeMac:
         notification_port, notifier = ctypes.c_void_p(), ctypes.c_uint32()
         self._kept = (notified, powered, notification_port, notifier)
         center = self._center()
-        for observer, name in enumerate(LOCKED, start=1):  # 0 would be none
+        for observer, name in enumerate(LOCKED, start=1):  # 0 would mean no observer
             text = self._make_text(None, name.encode("ascii"), _UTF8)
             self._observe(center, observer, notified, text, None, _AT_ONCE)
         self._connection = self._register(
@@ -105,15 +105,15 @@ class NativeMac:
 
 
 def _typed(function: Any, result: Any, *arguments: Any) -> Any:
-    """Return a C function that knows its types: pointers have 64 bits, ctypes assumes 32."""
+    """Return a C function with its types. Pointers have 64 bits, but ctypes assumes 32."""
     function.restype, function.argtypes = result, arguments
     return function
 
 
 class MacEvents(QObject):
-    """Tells when to stop, and lets the computer sleep once the stop is confirmed."""
+    """Signals when to stop. Allows the computer to sleep once the stop is confirmed."""
 
-    # The user cannot see the window any more, or soon. The reason is a clause without a period.
+    # The user cannot see the window now, or soon. The reason is a clause without a period.
     leaving = Signal(str)
 
     def __init__(
@@ -124,10 +124,10 @@ class MacEvents(QObject):
         *,
         timeout: float,
     ) -> None:
-        """Sleep is held up for `timeout` seconds at most while `may_move`."""
+        """Delay sleep while `may_move`, by at most `timeout` seconds."""
         super().__init__(parent)
         self._native = native
-        self._awaited = 0  # the argument of the message that sleep waits for
+        self._awaited = 0  # argument of the message whose reply allows sleep
         self._wait = StopWait(may_move, self._allow, self, timeout=timeout)
         native.listen(lambda: self.leaving.emit(tr("The screen was locked")), self._on_power)
 

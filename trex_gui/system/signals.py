@@ -1,8 +1,8 @@
-"""SIGTERM, SIGINT, SIGHUP … stop the motors even while the window's thread is busy.
+"""Stop of the motors on a signal such as SIGTERM, even while the window's thread is busy.
 
-Python runs signal handlers in the main thread only, between two steps of Python, which a window
-that waits never reaches. But the interpreter writes each signal's number into a file descriptor at
-once, and a separate thread reads it.
+Python runs signal handlers only in the main thread, between two steps of Python code. A window
+that waits never reaches them. But the interpreter writes each signal's number into a file
+descriptor at once, and a separate thread reads it.
 """
 
 import contextlib
@@ -24,19 +24,19 @@ from trex_gui.core.signals import ENDING, FROM_TERMINAL, SUSPENDING, handled_sig
 log = logging.getLogger(__name__)
 
 _GRACE_S = 7.0
-"""Seconds that the window has to end by itself. Closing a line while settings are written may take
-three, and a disk that is recorded to three more; a system that shuts down waits longer than that
-before SIGKILL."""
+"""Seconds for the window to end by itself. Closing a line while settings are written may take
+three, and a disk with a recording three more. A system that shuts down waits longer before
+SIGKILL."""
 
 _HURRYING = {"SIGINT", "SIGQUIT", "SIGBREAK"}
-"""Signals that a key sends: a second one means not to wait."""
+"""Signals sent by a key. A second signal ends the process without waiting."""
 
 _SAME_S = 0.3
-"""Seconds within which a second signal counts as the first: a terminal and a program that was
+"""Seconds within which a second signal counts as the first. A terminal and a program that was
 started in it may both pass on one Ctrl-C."""
 
 _LAST_WORD_S = 0.3
-"""Seconds for a last stop to leave: at 1200 baud the transaction in flight takes a quarter."""
+"""Seconds to send a last stop. At 1200 baud the transaction in flight takes 0.25 s."""
 
 
 def _suspend_process() -> None:
@@ -44,20 +44,19 @@ def _suspend_process() -> None:
 
 
 def _nothing(_number: int, _frame: FrameType | None) -> None:
-    """Keep the signal from ending the process. The watching thread handles it."""
+    """Prevent the signal from ending the process. The watching thread handles it."""
 
 
 class SignalWatch(QObject):
     """Handles signals that end or suspend the program. Create it in the main thread.
 
-    A window that does not end within `grace` seconds is ended with exit code 128 + number, as a
-    shell reports it; one that ends by itself has exit code 0. Ctrl-C while it is ending calls
-    `act` once more and ends the process at once. Before Ctrl-Z suspends the process, `rest` is
-    called and has a moment to take effect. A terminal that it uses in the background does not
-    suspend it.
+    If the window does not end within `grace` seconds, the process ends with exit code 128 + number,
+    as a shell reports it, else with 0. Ctrl-C in the meantime calls `act` once more and ends the
+    process at once. Before Ctrl-Z suspends the process, `rest` is called and has a moment to take
+    effect. Use of a terminal in the background does not suspend the process.
 
     `act` and `rest` are called in a separate thread, before anything else. They must not block.
-    A signal that is ignored from the beginning (`nohup`) stays ignored.
+    A signal that is ignored from the start (`nohup`) stays ignored.
     """
 
     caught = Signal(int)  # the number of the signal; in the thread of the receiver
@@ -96,7 +95,7 @@ class SignalWatch(QObject):
         signal.set_wakeup_fd(self._fd_before)
         for number, handler in self._before.items():
             signal.signal(number, handler)
-        self._signals.close()  # which ends the reading
+        self._signals.close()  # ends the reading thread
         if threading.current_thread() is not self._thread:
             self._thread.join(1)
         self._ours.close()
@@ -128,11 +127,11 @@ class SignalWatch(QObject):
     def _do(self, step: Callable[[], object]) -> None:
         try:
             step()
-        except Exception:  # this thread has to go on, and the process has to end
+        except Exception:  # this thread must continue, and the process must end
             log.exception("on a signal")
 
     def _wait_for_hurry(self) -> int | None:
-        """Wait as long as the window may take. Return a signal that says not to wait."""
+        """Wait until the window has ended or `grace` is over. Return a signal to hurry, if any."""
         begun = time.monotonic()
         while (left := begun + self._grace - time.monotonic()) > 0:
             self._ours.settimeout(left)

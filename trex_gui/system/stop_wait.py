@@ -1,4 +1,4 @@
-"""Holding sleep up until the motors are stopped."""
+"""Delay of the computer's sleep until the motors are stopped."""
 
 from collections.abc import Callable
 
@@ -12,7 +12,7 @@ _POLL_MS = 20
 class StopWait(QObject):
     """Calls `then` once a stop is confirmed, or after `timeout` seconds.
 
-    `may_move` says whether motors were driven and no stop has been confirmed since.
+    `may_move` returns whether motors were driven without a confirmed stop since then.
     """
 
     def __init__(

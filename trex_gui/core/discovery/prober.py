@@ -11,17 +11,17 @@ from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
 @dataclass(frozen=True, slots=True)
 class ScanProgress:
-    """Progress of a scan: `done` of `total` probes. `line` belongs to the next one."""
+    """Progress of a scan: `done` of `total` probes. `line`: settings of the next probe."""
 
     done: int
     total: int
     line: SerialFormat
-    number: int | None = None  # the device number that is probed, once a board has responded
-    kind: str = ""  # name of the kind of device that is probed for
+    number: int | None = None  # device number being probed, once a board has responded
+    kind: str = ""  # name of the device kind being probed for
 
 
 class Evidence(IntEnum):
-    """Amount of evidence where no device was found."""
+    """Strength of the evidence when no device was found."""
 
     SILENCE = 0
     ECHO = 1
@@ -31,7 +31,7 @@ class Evidence(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Diagnosis:
-    """Tries for one kind of device, received bytes, and what to check."""
+    """Report on a device kind that was not found: attempts, received bytes, checks to do."""
 
     evidence: Evidence
     text: str
@@ -41,8 +41,8 @@ class FoundDevice(Protocol):
     """A device that was found, and how to reach it.
 
     Attributes:
-        device_number: the number that it responds to, if it has one.
-        echo: whether everything sent comes back.
+        device_number: the number that the device responds to; `None` if it has no number.
+        echo: True if all sent bytes come back.
         note: a remark for the user; may be empty.
     """
 
@@ -59,13 +59,13 @@ class FoundDevice(Protocol):
 
 
 class Prober(Protocol):
-    """Looks for devices of one kind on one open line, and moves nothing.
+    """Searches an open line for devices of one kind, without moving anything.
 
-    Every probe has to end whatever a board may have begun to receive before it.
+    Every probe must first end any packet that a board may have begun to receive.
 
     Attributes:
-        parts: number of probes in each part of the scan, the likely ones first.
-        is_over: whether it is known by now what is connected.
+        parts: number of probes in each part of the scan, likely probes first.
+        is_over: True once the connected device is known.
     """
 
     @property
@@ -87,16 +87,16 @@ class Prober(Protocol):
         """Send the probes of a part. `cancelled` is called before each. Raises PortUnavailable."""
 
     def diagnosis(self) -> Diagnosis:
-        """Report what was tried and received, if no device was found."""
+        """Report attempts and received bytes, if no device was found."""
 
 
 class MakeProber(Protocol):
     def __call__(self, settings: PortSettings, *, full: bool, known: bool) -> Prober:
-        """Try everything if `full`. `known`: the user has said that the port has this kind."""
+        """Create a prober. `full`: try all. `known`: the user has named this kind for the port."""
 
 
 Recall = Callable[[Transport, PortSettings, str], FoundDevice | None]
-"""Probe only where a device was found before: the text is what its settings packed.
+"""Probe only at the packed settings of a device that was found before.
 
 Raises PortUnavailable.
 """
@@ -106,7 +106,7 @@ Raises PortUnavailable.
 class ProberInfo:
     """One kind of device. `announces_at`: line settings of its start message, if it sends one.
 
-    Without `recall` it is found soon enough.
+    Kinds that a scan finds soon enough need no `recall`.
     """
 
     name: str
@@ -125,17 +125,17 @@ def never_cancelled() -> bool:
 
 FLUSH_BYTE = b"\xff"
 FLUSH_LINE = SerialFormat(1200)
-"""They separate two probes on a line where any device may be listening.
+"""Separator of two probes on a line where any device may be listening.
 
-A device at another baud rate takes what is sent for other bytes and may keep them as the start of a
-packet: together with a later probe, harmless by itself, they could form a motor command. FF at
-1200 baud ends whatever has begun: a TReX at that rate ignores it, one at any other rate receives a
-byte that no packet may contain.
+A device at another baud rate reads a probe as other bytes and may keep them as the start of a
+packet. A later probe, harmless by itself, could complete it into a motor command. FF at 1200 baud
+ends any packet that has begun. A TReX at that rate ignores it, and a TReX at another rate receives
+a byte that no packet may contain.
 """
 
 
 def flush(wire: Transport, extra: float = 0.0) -> None:
-    """End what any device may have begun to receive, within the wire's time and `extra` seconds."""
+    """End any packet that a device has begun. `extra`: seconds to add to the wire's own delay."""
     wire.reconfigure(FLUSH_LINE)
     wire.write(FLUSH_BYTE)
     wire.wait(FLUSH_LINE.seconds(len(FLUSH_BYTE)) + wire.latency + extra)

@@ -1,19 +1,18 @@
 """Scan of one port for devices of any kind, in the window and on the command line.
 
-The port is opened once, because some adapters reset the board behind them each time. Where a device
-was found before, its settings then are probed first. The next step follows only if nothing was
-found before:
+The port is opened once, because some adapters reset their board each time. If a device was found
+on the port earlier, its settings are probed first. Each step follows only if the previous steps
+found nothing:
 
 1. listening at the baud rate at which boards announce that they start: harmless, and a scan would
    listen for these 0.3 s anyway;
 2. the likely probes of each kind, in the given order, the most common kind first: most boards
    respond within two seconds, and no kind waits for the long scan of another;
 3. the other probes of each kind, in the same order: half a minute, for few boards;
-4. the likely probes again, of a kind whose only reply may have been lost.
+4. the likely probes again, for a kind whose only reply may have been lost.
 
-A kind that the port is known to have goes first in 2 to 4. The probes of a kind move no device of
-any other, in whatever order: tests/devices/aracna/session/test_discovery.py checks
-all of them.
+A kind that the port is known to have goes first in steps 2 to 4. The probes of one kind move no
+device of another kind, in any order: tests/devices/aracna/session/test_discovery.py checks all.
 """
 
 import contextlib
@@ -46,12 +45,12 @@ _KEPT = 48  # unsolicited bytes that are kept for the diagnosis
 
 @dataclass(slots=True)
 class PortScan:
-    device: str = ""  # key of the kind that was found; empty if none was
+    device: str = ""  # key of the found kind; empty if nothing was found
     found: Sequence[FoundDevice] = ()  # the devices, all of that kind
-    diagnoses: list[Diagnosis] = field(default_factory=list)  # what was received, strongest first
+    diagnoses: list[Diagnosis] = field(default_factory=list)  # strongest evidence first
     error: StudioError | None = None
     cancelled: bool = False
-    is_fault: bool = False  # whether an internal error ended it; `error` says so
+    is_fault: bool = False  # whether `error` is an internal error that ended the scan
 
     @property
     def lines(self) -> list[str]:
@@ -71,12 +70,12 @@ def scan_port(
     cancelled: Callable[[], bool] = never_cancelled,
     open_wire: Callable[[PortSettings], Transport] = SerialTransport,
 ) -> PortScan:
-    """Look for devices of every kind on a port. End with the first that responds.
+    """Search a port for devices of every kind, until one kind responds.
 
-    Never raises: whatever goes wrong on one port, the next can still be scanned. The line settings
-    of `settings` are ignored. `probers` are by key of the kind, the most common first; `first` is
-    the kind that the port is known to have, found there with the `packed` settings, and
-    `only_recall` probes no others. `progress` and `cancelled` are called before each probe.
+    Never raises, so that a failure on one port does not stop the scan of the next port. The line
+    settings of `settings` are ignored. `probers` are by key of the kind, the most common first.
+    `first` is the known kind of the port, found there with the `packed` settings. `only_recall`
+    probes nothing else. `progress` and `cancelled` are called before each probe.
     """
     result = PortScan()
     opened = next((info.announces_at for info in probers.values() if info.announces_at), FLUSH_LINE)
@@ -118,7 +117,7 @@ def scan_port(
         text = tr("Internal error while searching {0} ({1}).").format(settings.label, cause)
         error = StudioError(text)
         return PortScan(error=error, is_fault=True)
-    if result.error is not None:  # a search that was cut short says nothing by its silence
+    if result.error is not None:  # silence during an incomplete search is no evidence
         diagnoses = [one for one in diagnoses if one.evidence > Evidence.SILENCE]
     result.diagnoses = sorted(diagnoses, key=lambda diagnosis: -diagnosis.evidence)
     return result
@@ -133,7 +132,7 @@ def _probe_in_order(
     progress: Callable[[ScanProgress], None],
     cancelled: Callable[[], bool],
 ) -> list[str]:
-    """Send the probes of each kind until one is done. Return the keys of those probed for."""
+    """Send the probes of each kind until one prober is over. Return the keys of probed kinds."""
     plan = order({key: prober.parts for key, prober in running.items()}, first)
     totals = [running[key].parts[part] for key, part in plan]
     probed: dict[str, None] = {}
@@ -162,9 +161,9 @@ def order(parts: Mapping[str, Sequence[int]], first: str | None) -> list[tuple[s
 
 
 def _release(wire: Transport, extra: float, *, answered: bool) -> None:
-    """Close the port, with no packet begun on any board, and not at 1200 baud.
+    """Close the port, but not at 1200 baud. End packets that boards have begun.
 
-    Some boards with USB start their loader when a port is closed at that rate.
+    Some USB boards start their boot loader when a port is closed at 1200 baud.
     """
     try:
         with contextlib.suppress(BadRequest, PortUnavailable):

@@ -1,4 +1,4 @@
-"""The program's end of the guardian process."""
+"""The program's side of the guardian process."""
 
 import contextlib
 import logging
@@ -22,16 +22,16 @@ log = logging.getLogger(__name__)
 HEARTBEAT_INTERVAL = 0.1
 """Longest time in seconds between two heartbeats while motors may be moving."""
 
-_ENDING_S, _BREAKING_OFF_S = 2.0, 6.0  # seconds to end, and to end while a stop blocks for 5
+_ENDING_S, _BREAKING_OFF_S = 2.0, 6.0  # seconds to end: usually, and while a stop blocks for 5 s
 _MOST_UNREAD, _UNREAD_S = 3, 0.25
-"""Messages that a suspended process leaves unread, for so many seconds; it counts as lost."""
+"""Unread messages, and seconds since the first, after which a process counts as suspended."""
 
 
 _watching_since: list[str] = []
 
 
 def watching_since() -> str:
-    """Return when motors could move first in this run, as in the log. Later than any: never."""
+    """Return the time when motors could first move in this run, as in the log. `9999`: never."""
     return _watching_since[0] if _watching_since else "9999"
 
 
@@ -39,17 +39,17 @@ def watching_since() -> str:
 class StopSequence:
     """Packets that stop the motors now, and the reply that confirms the stop."""
 
-    packets: bytes  # what stops every motor
-    queries: tuple[bytes, ...]  # ask each board for its status
+    packets: bytes  # packets that stop every motor
+    queries: tuple[bytes, ...]  # requests for the status of each board
     reply_size: int  # bytes of a reply
     error_mask: int  # bits of its first byte that report errors on the line
-    has_echo: bool  # whether everything sent comes back before the reply
-    seconds: float  # how long packets, a query and its reply take at most
+    has_echo: bool  # whether all sent bytes come back before the reply
+    seconds: float  # longest time that packets, a query and its reply take
     note: str = ""  # lines about the board, for the file that says that its motors may be moving
 
 
 def joined_stops(stops: Sequence[StopSequence]) -> StopSequence:
-    """Return how all of these boards on one line are stopped."""
+    """Return one sequence that stops all these boards on one line."""
     first, *others = stops
     if not others:
         return first
@@ -67,11 +67,11 @@ class SharedPort:
 
 
 class Guardian(Protocol):
-    """A guardian from the view of a session.
+    """Guardian as a session sees it.
 
     Attributes:
-        is_ready: it is running, responds and has not acted.
-        has_acted: it has begun to stop the motors, and may still use the line.
+        is_ready: the process is running, responds and has not acted.
+        has_acted: the process has begun to stop the motors, and may still use the line.
     """
 
     @property
@@ -82,22 +82,22 @@ class Guardian(Protocol):
     def wait_until_ready(self, seconds: float) -> None: ...
 
     def watch(self, sequence: StopSequence | None) -> None:
-        """Send a heartbeat with the present stop. With `None`, say that no motor may move."""
+        """Send a heartbeat with the present stop. With `None`, report that no motor may move."""
 
     def stop(self, seconds: float) -> bool:
-        """Let it stop the motors. Return whether that was confirmed within `seconds`."""
+        """Request a stop of the motors. Return whether it was confirmed within `seconds`."""
 
     def end(self) -> bool:
-        """End it, and return whether it has confirmed a stop. From then on the line is free."""
+        """End the guardian. Return whether it has confirmed a stop. Afterwards the line is free."""
 
 
 class GuardianProcess:
-    """Starts the process. Where that is impossible `is_ready` stays false."""
+    """Starts the guardian process. If that is impossible, `is_ready` stays false."""
 
     def __init__(self, port: SharedPort | None, silence: float, file: Path | None = None) -> None:
-        """Make it act after so many seconds of `silence`. `None` is a port without descriptor.
+        """Start a process that acts after `silence` seconds. `port`: `None` without a descriptor.
 
-        `file`: where it says that motors may be moving.
+        `file`: the file that says that motors may be moving.
         """
         self._sent: StopSequence | None = None
         self._is_confirmed = False
@@ -118,7 +118,7 @@ class GuardianProcess:
         threading.Thread(target=self._listen, args=(self._process,), daemon=True).start()
 
     def _listen(self, process: "subprocess.Popen[bytes]") -> None:
-        # A program that closes all its descriptors ends the reading, but not the process.
+        # A program that closes all its descriptors ends this loop, but not the process.
         with contextlib.suppress(OSError, ValueError):
             for line in process.stdout or ():
                 if line != b"read\n":
@@ -135,10 +135,10 @@ class GuardianProcess:
                     case b"confirmed":
                         self._is_confirmed = True
                     case b"unconfirmed":
-                        self._ended.set()  # the port is closed; a disk may keep the process
+                        self._ended.set()  # the port is closed; a disk may block the process
         process.wait()
-        with self._writing, contextlib.suppress(OSError), process:  # closes the pipes; locked, for
-            self._ended.set()  # nothing may be written into a descriptor of the same number
+        with self._writing, contextlib.suppress(OSError), process:  # closes the pipes; locked, as
+            self._ended.set()  # nothing may be written to a new file with the same descriptor
 
     @property
     def is_ready(self) -> bool:
@@ -150,7 +150,7 @@ class GuardianProcess:
         if self._unread < _MOST_UNREAD or not self._started.is_set() or self.has_acted:
             return False
         is_late = time.monotonic() - self._unread_since > _UNREAD_S
-        return is_late and self._unread >= _MOST_UNREAD  # it may just have read them
+        return is_late and self._unread >= _MOST_UNREAD  # the process may just have read them
 
     @property
     def has_ended(self) -> bool:
@@ -168,7 +168,7 @@ class GuardianProcess:
             _watching_since.append(time.strftime("%Y-%m-%d %H:%M:%S"))
         self._marked.clear()
         self._send("idle" if sequence is None else _message(sequence))
-        if is_first and self._has_file and self.is_ready:  # one that starts must delay no stop
+        if is_first and self._has_file and self.is_ready:  # a starting process must delay no stop
             self._marked.wait(0.1)
 
     def stop(self, seconds: float) -> bool:
@@ -178,7 +178,7 @@ class GuardianProcess:
 
     def end(self) -> bool:
         is_suspended = self._is_suspended
-        # One that cannot be told so takes it for the end of the program, and may stop the motors.
+        # Without the message, the process assumes that the program died, and may stop the motors.
         is_notified = self._send("end")
         seconds = _BREAKING_OFF_S if self.has_acted else 0.0 if is_suspended else _ENDING_S
         if self._process is not None and not self._ended.wait(seconds) and is_notified:
@@ -188,12 +188,12 @@ class GuardianProcess:
         return self._is_confirmed
 
     def _send(self, message: str) -> bool:
-        """Send a message and return whether that was possible. Kill nothing."""
+        """Send a message. Return whether that was possible. Does not kill the process."""
         process = self._process
         with self._writing:
             if process is None or process.stdin is None or self._ended.is_set():
                 return False
-            # Before it is written: it may be read before the next statement.
+            # Before the write: the message may be read before the next statement.
             self._unread_since = self._unread_since if self._unread else time.monotonic()
             self._unread += 1
             try:
@@ -224,8 +224,8 @@ def _start(port: SharedPort, silence: float, file: Path | None) -> "subprocess.P
         options = {"startupinfo": startup, "creationflags": flags}
         os.set_handle_inheritable(number, True)
     else:
-        # Not one of the first three, which would become a pipe: a program may be started without
-        # them. In a session of its own the signals of a terminal do not reach the process.
+        # Not 0 to 2, which become pipes: the program may have been started without them. In a
+        # session of its own, the process gets no signals from a terminal.
         number = fcntl.fcntl(number, fcntl.F_DUPFD_CLOEXEC, 3)
         options = {"pass_fds": [number], "start_new_session": True}
     command = [sys.executable, "--guardian"]
@@ -233,7 +233,7 @@ def _start(port: SharedPort, silence: float, file: Path | None) -> "subprocess.P
         # -I, -S: nothing of the user's Python set-up is imported.
         command[1:] = ["-I", "-S", str(Path(__file__).with_name("process.py"))]
         if sys.platform == "win32":
-            # In a virtual environment `executable` is a launcher, which would stay beside it.
+            # In a virtual environment `executable` is a launcher, which would keep running, too.
             command[0] = getattr(sys, "_base_executable", "") or sys.executable
     try:
         return subprocess.Popen(  # noqa: S603 - our own program

@@ -1,4 +1,4 @@
-"""The guardian process: it shares the open port and stops the motors when the program is silent.
+"""Guardian process that shares the open port and stops the motors when the program is silent.
 
 It runs on the standard library alone and imports nothing of the program, so that it starts in
 milliseconds, stays small and does not fail with the program.
@@ -7,13 +7,13 @@ It reads one message per line from its standard input:
 
     watch STOP QUERY,… REPLY_SIZE ERROR_MASK HAS_ECHO SECONDS NOTE   motors may move; a heartbeat
     idle   no motor may be moving
-    stop   stop them now
+    stop   stop the motors now
     end    the program needs the line again, or has closed it
 
-Bytes are hexadecimal; `StopSequence` in `guardian.py` explains the fields. It replies with `ready`,
-with `read` to each message, with `marked` once the file says that motors may be moving
-(`maintain_file`), and if they have to be stopped with `stopping` and at last `confirmed` or
-`unconfirmed`; then it says so in its log file, too.
+Bytes are hexadecimal. `StopSequence` in `guardian.py` explains the fields. The process sends
+`ready` at its start, `read` for each message, and `marked` once the file says that motors may be
+moving (`maintain_file`). If it has to stop the motors, it sends `stopping`, then `confirmed` or
+`unconfirmed`, and records the result in its log file.
 """
 
 import os
@@ -33,30 +33,30 @@ if sys.platform != "win32":
     import termios
 
 _GIVE_UP_S = 5.0  # seconds for which a stop is repeated
-_GRACE_S = 0.02  # seconds for a heartbeat that was sent in time and not read yet
-_LATE_S = 0.05  # a wait that is so much too long: this process was held up itself
+_GRACE_S = 0.02  # seconds for a heartbeat that was sent in time but not read yet
+_LATE_S = 0.05  # a wait this many seconds too long means that this process was delayed
 _LATE_GRACE_S = 0.1  # seconds for messages that were sent meanwhile
-_CLEAN_ROUNDS = 2  # stops with a clean status in a row that confirm it
+_CLEAN_ROUNDS = 2  # consecutive rounds of clean replies that confirm a stop
 _QUIET_S = 0.03
-"""Seconds of silence that end a reply: more than three bytes at 1200 baud take, and more than a
-usual adapter delays. A request that comes back goes on after the first byte, so it is no reply."""
+"""Seconds of silence that end a reply: more than three bytes take at 1200 baud, and more than
+usual adapters delay. An echoed request goes on after its first byte, so it is no reply."""
 
 _MOST = 4096  # bytes of one read
 
 
 class FilePort:
-    """A serial port of a POSIX system. As with every port, OSError means that the line is gone."""
+    """Serial port of a POSIX system. As with every port, OSError means that the line is gone."""
 
     def __init__(self, descriptor: int) -> None:
         self._descriptor = descriptor
-        os.set_blocking(descriptor, False)  # another process may be faster after `select`
+        os.set_blocking(descriptor, False)  # another process may read first after `select`
         self.remember_settings()
 
     def remember_settings(self) -> None:
         self._settings = self._read_settings()
 
     def restore_settings(self) -> None:
-        """Undo what a search for a silent board may have changed since they were remembered."""
+        """Undo changes that a search for a silent board may have made."""
         if self._settings is not None and self._settings != self._read_settings():
             with suppress(termios.error):
                 termios.tcsetattr(self._descriptor, termios.TCSANOW, self._settings)
@@ -75,12 +75,12 @@ class FilePort:
                 data = data[os.write(self._descriptor, data) :]
 
     def receive(self, seconds: float) -> bytes:
-        """Return what has come. Wait for the first byte."""
+        """Return received bytes. Wait up to `seconds` for the first byte."""
         ready, _, _ = select.select([self._descriptor], [], [], max(0.0, seconds))
         data = b""
         with suppress(BlockingIOError):
             data = os.read(self._descriptor, _MOST) if ready else b""
-        if ready and not data:  # another process was faster, or the line is gone: writing fails
+        if ready and not data:  # read by another process, or the line is gone: writing fails
             time.sleep(_GRACE_S)
         return data
 
@@ -107,10 +107,10 @@ class SocketPort:
         return data
 
     def remember_settings(self) -> None:
-        """Do nothing: they are those of the other end."""
+        """Do nothing: the other end has the settings."""
 
     def restore_settings(self) -> None:
-        """Do nothing: they are those of the other end."""
+        """Do nothing: the other end has the settings."""
 
     def close(self) -> None:
         self._socket.close()
@@ -133,7 +133,7 @@ class TelnetPort(SocketPort):
         return b"".join(map(self._data.send, super().receive(seconds)))
 
     def _decoder(self) -> Generator[bytes, int, None]:
-        """Take a byte, give the data that it completes."""
+        """Receive a byte, yield the data that it completes."""
         data = b""
         while True:
             byte = yield data
@@ -159,8 +159,8 @@ if sys.platform == "win32":
     class WindowsPort:
         """A serial port of Windows, opened for overlapped I/O.
 
-        Its time-outs cannot be relied on: pyserial restores those of the system, which are none,
-        when the program closes the port. What takes too long is cancelled.
+        Its timeouts are unreliable: when the program closes the port, pyserial restores the
+        system's default, which is no timeout. A transfer that takes too long is cancelled.
         """
 
         _STATE_SIZE = 28  # bytes of a DCB, whose first word is its size
@@ -202,7 +202,7 @@ if sys.platform == "win32":
 
         @staticmethod
         def _finish(overlapped: "_winapi.Overlapped", seconds: float) -> int:
-            """Wait for the end, or cancel it. Return how many bytes were transferred."""
+            """Wait for the end of a transfer, or cancel it. Return the number of bytes."""
             _winapi.WaitForSingleObject(overlapped.event, max(0, int(seconds * 1000)))
             overlapped.cancel()  # does nothing once it has ended
             count, _ = overlapped.GetOverlappedResult(True)
@@ -239,9 +239,9 @@ class StopMessage:
 def maintain_file(
     path: str, notes: "queue.Queue[bytes | None]", written: Callable[[], object]
 ) -> None:
-    """Write each note into a locked file. An empty note removes it, and `None` is the end.
+    """Write each note into a locked file. An empty note removes the file, `None` ends the loop.
 
-    Runs in a thread: a slow disk delays no stop. What fails is repeated. A note may have `since`.
+    Runs in a thread, so that a slow disk delays no stop. The next note repeats a failed write.
     """
     file: FileIO | None = None
     last = b""
@@ -274,7 +274,7 @@ class Watchdog:
     def __init__(
         self, port: Port, silence: float, files: Sequence[str], messages: FileIO, replies: FileIO
     ) -> None:
-        """`files`: the log, and that of `maintain_file`."""
+        """`files`: the log file, and the file of `maintain_file`."""
         self._port = port
         self._silence = silence
         self._log_file, path = files
@@ -322,7 +322,7 @@ class Watchdog:
         self._log(outcome, f"{reason} while motors could move. {result}")
 
     def _supervise(self) -> tuple[StopMessage, str] | None:
-        """Return the stop that is due and why, or `None` if the program has ended properly."""
+        """Return the due stop and its reason, or `None` if the program has ended properly."""
         stop: StopMessage | None = None
         while True:
             message = self._next(None if stop is None else self._silence)
@@ -347,7 +347,7 @@ class Watchdog:
                     return None
 
     def _next(self, seconds: float | None) -> str | None:
-        """Return the next message, empty after the last one, or `None` if none came in time."""
+        """Return the next message, or `None` after a timeout. Empty at the end of the input."""
         begun = time.monotonic()
         with suppress(queue.Empty):
             return self._messages.get(timeout=seconds)
@@ -357,11 +357,11 @@ class Watchdog:
         return None
 
     def _stop(self, stop: StopMessage) -> bool:
-        """Repeat the stop until every board confirms it. Return whether they did."""
+        """Repeat the stop until every board confirms it. Return whether all did."""
         self._port.restore_settings()
         self._port.write(stop.packets)
         end = time.monotonic() + _GIVE_UP_S
-        self._read_until_quiet(stop.seconds)  # a reply to the program: the board was deaf
+        self._read_until_quiet(stop.seconds)  # a reply to the program: the board did not listen
         first, *others = stop.queries
         clean = 0
         while clean < _CLEAN_ROUNDS and time.monotonic() < end and not self._is_called_off:
@@ -379,7 +379,7 @@ class Watchdog:
         return len(reply) == echo + stop.reply_size and not reply[echo] & stop.error_mask
 
     def _read(self, size: int, seconds: float) -> bytes:
-        """Return `size` bytes, fewer if no more come in time, or more if the line goes on."""
+        """Return `size` bytes, fewer after a timeout, or more if the line continues to send."""
         received = b""
         end = time.monotonic() + seconds
         while len(received) < size and (left := end - time.monotonic()) > 0:
@@ -414,7 +414,7 @@ class Watchdog:
 def main(arguments: list[str]) -> int:
     """Run the guardian of a port.
 
-    The arguments are its kind, its descriptor or handle, the seconds of silence, and `files`.
+    The arguments are the port's kind, descriptor or handle, the seconds of silence, and `files`.
 
     Signals that end the program are ignored: what counts is whether the program still responds.
     """

@@ -1,4 +1,4 @@
-"""Records on their way to the disk: bounded, so that a slow disk costs samples, not memory."""
+"""Bounded queue of records for the disk: a slow disk costs samples, not memory."""
 
 import threading
 from collections import deque
@@ -13,9 +13,9 @@ CAPACITY = 100_000  # pending records: nine minutes at full rate, some 15 MB
 
 
 class Backlog(Generic[RecordT]):
-    """Passes records to another thread without blocking the first one.
+    """Passes records to another thread without blocking the sender.
 
-    When it is full, new records are dropped; a marker takes their place as soon as there is room.
+    When the queue is full, new records are dropped. A marker replaces them when there is space.
     """
 
     def __init__(self, condition: Condition | None = None, capacity: int = CAPACITY) -> None:
@@ -39,14 +39,14 @@ class Backlog(Generic[RecordT]):
             self._ready.notify()
 
     def close(self, time: float) -> None:
-        """Accept no more records. `time` (session's clock) is that of a last marker."""
+        """Accept no more records. `time` (session's clock) is for a last marker."""
         with self._ready:
             self._mark_lost(time)
             self._closed = True
             self._ready.notify()
 
     def get(self, seconds: float) -> list[RecordT | Marker] | None:
-        """Return pending records, waiting at most `seconds`. `None` after the last one."""
+        """Return pending records, waiting at most `seconds`. `None` at the end."""
         with self._ready:
             if not self._pending and not self._closed:
                 self._ready.wait(seconds)

@@ -33,8 +33,8 @@ def export_span(
 ) -> None:
     """Write the samples within a span (session's clock), as MCAP or CSV by suffix.
 
-    `progress` gets the share done, 0 to 1; an exception from it ends the work. A file of the same
-    name is replaced only by a complete one. Raises RecordingError.
+    `progress` gets the completed share, 0 to 1. An exception from it ends the export. An existing
+    file is replaced only by a complete file. Raises RecordingError.
     """
     write = _write_mcap if path.suffix.lower() == MCAP_SUFFIX else _write_csv
     with reported(path, NOT_WRITTEN), atomic_file(path) as file:
@@ -50,7 +50,7 @@ def _rows(
 
 
 def csv_cell(value: Value) -> Value:
-    """Return a cell that no spreadsheet takes for a formula if it is text."""
+    """Escape a text that a spreadsheet would take for a formula."""
     is_formula = isinstance(value, str) and value.startswith(("=", "+", "-", "@"))
     return f"'{value}" if is_formula else value
 
@@ -70,7 +70,7 @@ def _write_csv(
     names = list(dict.fromkeys(name for kind in recording.kinds for name in kind.exported))
     places = {name: place for place, name in enumerate(names)}
     columns = {kind.name: [places[name] for name in kind.exported] for kind in recording.kinds}
-    # By source: what one of them has measured is held for that one
+    # By source: each source holds its own values
     held_of: dict[Value, list[Value]] = defaultdict(lambda: [None] * len(names))
     text = io.TextIOWrapper(file, encoding="utf-8", errors="surrogatepass", newline="")
     writer = csv.writer(text, lineterminator="\n")

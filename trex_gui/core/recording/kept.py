@@ -1,4 +1,4 @@
-"""The folder of recordings that the program makes by itself, around faults and stops."""
+"""Folder of automatic recordings, which the program creates around faults and stops."""
 
 import contextlib
 import re
@@ -21,13 +21,13 @@ def kept_folder() -> Path:
 
 
 def kept_path(begun: datetime, kind: str) -> Path:
-    """Return the file for what happened. `kind` is a word such as `fault`."""
+    """Return the file for an event. `kind` is a word such as `fault`."""
     stamp = begun.strftime("%Y-%m-%d_%H-%M-%S.%f")[:-3]
     return kept_folder() / f"{stamp}_{kind}{SUFFIX}"
 
 
 def create_kept_folder() -> Path:
-    """Return the folder, which exists from now on. Raises RecordingError."""
+    """Return the folder, and create it if necessary. Raises RecordingError."""
     folder = kept_folder()
     with reported(folder, _NOT_USED):
         folder.mkdir(parents=True, exist_ok=True)
@@ -35,9 +35,9 @@ def create_kept_folder() -> Path:
 
 
 def free_space(most_files: int = MOST_FILES, most_bytes: int = MOST_BYTES) -> None:
-    """Remove the oldest recordings before one more is written. Make the folder if need be.
+    """Remove the oldest recordings before a new recording. Create the folder if necessary.
 
-    A file that the user renamed is never removed, nor is the newest one. Raises RecordingError.
+    A file that the user renamed is never removed, nor is the newest file. Raises RecordingError.
     """
     folder = create_kept_folder()
     with reported(folder, _NOT_USED):

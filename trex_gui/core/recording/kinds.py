@@ -1,6 +1,6 @@
 """Sample kinds: the tables and columns of a recording, declared once for each device.
 
-The store, the exports and `trexcmd stream` take names, units and values from here.
+The store, the exports and `trexcmd stream` get names, units and values from here.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -14,11 +14,11 @@ Value = int | float | str | None
 
 SOURCE = "board"  # column that tells the devices of a recording apart, if it has several
 
-LONGEST_TEXT = 60_000  # characters kept of a text; the settings of a board take 4,000
+LONGEST_TEXT = 60_000  # characters recorded of a text; the settings of a board take 4,000
 
 
 class Timestamped(Protocol):
-    """Anything with a time on the session's clock (s)."""
+    """Object with a time on the session's clock (s)."""
 
     @property
     def time(self) -> float: ...
@@ -28,7 +28,7 @@ class RecordingHeader(Protocol):
     """Describes a recording. `clock` is the session's clock (s) at its start.
 
     `values` are the rows of the header table: `device_name`, `started_utc`, `clock_s` and
-    whatever else the device has.
+    further values of the device.
     """
 
     @property
@@ -52,15 +52,15 @@ class Marker:
 
 
 def marker(time: float, kind: str, text: str) -> Marker:
-    """Return a marker, its text cut to what a recording keeps."""
+    """Return a marker. Its text is cut to `LONGEST_TEXT`."""
     return Marker(time, kind, text[:LONGEST_TEXT])
 
 
 @dataclass(frozen=True, slots=True)
 class Physical:
-    """A column computed from a stored one: `scale` times its value, to so many decimals.
+    """Column computed from a stored column: `scale` times its value, rounded to `digits`.
 
-    `scales` are those of rows with another `SOURCE` than the one of the header, by it.
+    `scales`: scale by `SOURCE`, for rows of other sources than the source in the header.
     """
 
     name: str
@@ -85,8 +85,8 @@ class SampleKind:
     """One kind of sample and its table.
 
     Attributes:
-        unpack: makes a record of its time and these values; raises ValueError, KeyError or
-            TypeError where they are damaged.
+        unpack: creates a record from its time and values; raises ValueError, KeyError or
+            TypeError if they are damaged.
     """
 
     name: str
@@ -96,7 +96,7 @@ class SampleKind:
     unpack: Callable[..., Any]
     held: bool = False  # whether a CSV row repeats the last values until they change
     partial: bool = False  # whether NULL leaves a held value unchanged
-    clears: frozenset[str] = frozenset()  # kinds whose held values are unknown after this one
+    clears: frozenset[str] = frozenset()  # kinds whose held values are unknown after this kind
 
     @property
     def exported(self) -> tuple[str, ...]:
@@ -127,7 +127,7 @@ MARKERS = SampleKind(
         Column("marker_kind", "TEXT", "stop, fault, apply, link, note and so on"),
         Column("text", "TEXT", "what happened"),
     ),
-    # The name of a port may hold bytes that are not text on any system.
+    # The name of a port may contain bytes that are not valid text.
     lambda marker: (marker.kind, marker.text.encode("utf-8", "backslashreplace").decode()),
     Marker,
 )
@@ -137,8 +137,8 @@ MARKERS = SampleKind(
 class RecordingFormat(Generic[HeaderT]):
     """Content of the recordings of a device. `device` is its key in the header table.
 
-    `read_header` makes the header of its rows; it raises ValueError where they are damaged.
-    `type_of` returns the type of the kind of a record.
+    `read_header` creates the header from its rows, or raises ValueError if they are damaged.
+    `type_of` returns the `SampleKind.type` of a record.
     """
 
     device: str
@@ -148,7 +148,7 @@ class RecordingFormat(Generic[HeaderT]):
 
 
 class RecordingError(StudioError):
-    """A file cannot be read or written: its name as the user knows it, and the reason."""
+    """A file cannot be read or written. `args`: its name as users know it, and the reason."""
 
     def __str__(self) -> str:
         return ": ".join(self.args)

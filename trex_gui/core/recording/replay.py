@@ -11,7 +11,7 @@ from trex_gui.core.recording.store import CHUNK, Recording
 
 
 class ReplayState(Protocol):
-    """Everything known. `copy.copy` of it is independent of later records."""
+    """State of a device. Its `copy.copy` is independent of later records."""
 
     def update(self, record: Any, /) -> None: ...
 
@@ -26,8 +26,8 @@ class Replay(Generic[HeaderT, RecordT, StateT]):
     def __init__(self, recording: Recording[HeaderT, RecordT], initial: StateT) -> None:
         self.recording = recording
         self._states = [initial]
-        self._starts: list[float] = []  # latest time before each chunk: they rise
-        self.latest = -math.inf  # time of any record read so far
+        self._starts: list[float] = []  # latest time before each chunk, in rising order
+        self.latest = -math.inf  # latest time of the records read so far
         self._cached: tuple[int, Sequence[RecordT]] = (-1, ())
 
     @property
@@ -38,7 +38,7 @@ class Replay(Generic[HeaderT, RecordT, StateT]):
     def read_next(
         self, take: Callable[[StateT, Sequence[RecordT]], ResultT]
     ) -> tuple[Sequence[RecordT], ResultT]:
-        """Read one more chunk. Return its records and what `update` makes of state and records."""
+        """Read one more chunk. Return its records and the result of `take`."""
         index = len(self._starts)
         records = self._read(index)
         state = copy(self._states[-1])
@@ -49,7 +49,7 @@ class Replay(Generic[HeaderT, RecordT, StateT]):
         return records, result
 
     def at(self, time: float) -> StateT:
-        """Return what was known at a time, as far as the recording was read."""
+        """Return the state at a time, as far as the recording was read."""
         index = max(0, bisect_right(self._starts, time) - 1)
         state = copy(self._states[index])
         if self._starts:

@@ -47,7 +47,7 @@ _MOST_HEADER_ROWS = 100
 _MOST_PROBLEMS = 20
 _LATEST_CLOCK = 1e10  # seconds: three hundred years
 _LONGEST_S = 200 * 86400.0
-"""Seconds from the start of a recording that a record may have; before the start, an hour."""
+"""Latest and, below, earliest time of a record, in seconds from the start of the recording."""
 _EARLIEST_S = -3600.0
 _NOT_A_RECORDING = tr_noop("This is not a TReX Studio recording.")
 NOT_WRITTEN = tr_noop("It cannot be written: {0}.")
@@ -70,7 +70,7 @@ def reason_of(error: Exception) -> str:
 
 @contextlib.contextmanager
 def reported(path: Path, message: str) -> Iterator[None]:
-    """Raise RecordingError where the disk fails. `message` has a place for the reason."""
+    """Raise RecordingError if the disk fails. `message` has a placeholder for the reason."""
     try:
         yield
     except (OSError, ValueError, sqlite3.Error) as error:
@@ -83,8 +83,8 @@ def reported(path: Path, message: str) -> Iterator[None]:
 class RecordingWriter(Generic[HeaderT, RecordT]):
     """Writes a recording. Belongs to one thread. A file of the same name is replaced.
 
-    After a crash of the program everything committed is kept; after a power failure, everything
-    up to the last `sync`. All methods raise RecordingError where the disk fails.
+    Committed records survive a crash of the program, and records before the last `sync` a power
+    failure. All methods raise RecordingError if the disk fails.
     """
 
     def __init__(self, path: Path, fmt: RecordingFormat[HeaderT], header: HeaderT) -> None:
@@ -96,14 +96,14 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
                 draft.close()
                 with contextlib.closing(_connect(draft.name)) as database:
                     self._create(database, fmt, header)
-                # The log of an older recording would be taken for that of the new one.
+                # SQLite would apply the log of an older recording to the new recording.
                 for companion in _companions(Path(os.path.realpath(path))):
                     companion.unlink(missing_ok=True)
             self._database = _connect(path)
             execute = self._database.execute
             try:
-                # Exclusive: the index of the log stays in our memory. As a mapped file, a disk that
-                # goes away would end the process with SIGBUS, and nothing would stop the motors.
+                # Exclusive: the index of the log stays in memory. If it were a mapped file, a lost
+                # disk would end the process with SIGBUS, and nothing would stop the motors.
                 execute("PRAGMA locking_mode = EXCLUSIVE")
                 execute("PRAGMA journal_mode = WAL")
                 execute("PRAGMA synchronous = NORMAL")
@@ -115,7 +115,7 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
         self, database: sqlite3.Connection, fmt: RecordingFormat[HeaderT], header: HeaderT
     ) -> None:
         execute = database.execute
-        execute("PRAGMA journal_mode = OFF")  # a draft that is not complete is never used
+        execute("PRAGMA journal_mode = OFF")  # an incomplete draft is never used
         execute(f"PRAGMA application_id = {APPLICATION_ID}")
         execute(f"PRAGMA user_version = {SCHEMA_VERSION}")
         execute("BEGIN")
@@ -132,11 +132,11 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
 
     @property
     def size(self) -> int:
-        """Bytes of the file, as soon as everything is in it."""
+        """Size of the file in bytes, once everything is written to it."""
         return _size(self._database)
 
     def write(self, records: Sequence[RecordT | Marker]) -> None:
-        """Take records. They are safe after the next `commit`."""
+        """Add records. They are safe after the next `commit`."""
         rows: dict[type[object], list[tuple[Value, ...]]] = {}
         number = self._count
         for record in records:
@@ -152,13 +152,13 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
         self._count = number
 
     def commit(self) -> None:
-        """Keep everything taken so far, even if the program crashes."""
+        """Save all records so far, even if the program crashes."""
         with reported(self._path, NOT_WRITTEN):
             if self._database.in_transaction:
                 self._database.execute("COMMIT")
 
     def sync(self) -> None:
-        """Commit, and bring everything down to the disk."""
+        """Commit, and flush everything to the disk."""
         self.commit()
         with reported(self._path, NOT_WRITTEN):
             self._database.execute("PRAGMA wal_checkpoint(PASSIVE)")
@@ -183,7 +183,7 @@ def _connect(path: str | Path) -> sqlite3.Connection:
 
 
 def _companions(path: Path) -> Iterator[Path]:
-    """Yield the files that SQLite may make and open beside a database."""
+    """Yield the files that SQLite may create and open beside a database."""
     for suffix in ("-wal", "-shm", "-journal"):
         yield path.with_name(path.name + suffix)
 
@@ -199,7 +199,7 @@ def copy_recording(source: Path, path: Path) -> None:
 
 
 def remove_recording(path: Path) -> None:
-    """Remove a recording, and what a killed program left beside it. Raises OSError."""
+    """Remove a recording, and files that a killed program left beside it. Raises OSError."""
     path.unlink()
     for companion in _companions(path):
         companion.unlink(missing_ok=True)
@@ -276,7 +276,7 @@ class Recording(Generic[HeaderT, RecordT]):
             raise
 
     def _ways(self) -> Iterator[str]:
-        """Yield the address of each way to open it, best first."""
+        """Yield the addresses by which to open the recording, best first."""
         path = Path(os.path.realpath(self.path))
         yield f"{path.as_uri()}?mode=ro"
         # In a read-only folder SQLite cannot read the log of a recording that was not ended.
@@ -362,9 +362,9 @@ class Recording(Generic[HeaderT, RecordT]):
         return header
 
     def _checked_tables(self, kinds: Iterable[SampleKind]) -> tuple[SampleKind, ...]:
-        """Return the kinds that the file has. What is missing may be of a later version.
+        """Return the kinds that the file contains. Missing kinds may be of a later version.
 
-        Fail without markers, which every version has, and where a table is not a plain one.
+        Fail if markers, which every version has, are missing, or if a table is not plain.
         """
         found = []
         plain = "SELECT name FROM sqlite_master WHERE type = 'table' AND sql LIKE 'CREATE TABLE%'"
@@ -383,7 +383,7 @@ class Recording(Generic[HeaderT, RecordT]):
                 continue
             stored = {"record", "clock_s", *(column.name for column in kind.columns)}
             for _, name, *_, hidden in info:
-                if hidden and name in stored:  # an expression could make any amount of data
+                if hidden and name in stored:  # an expression could produce any amount of data
                     column = f"{kind.name}.{name}"
                     raise self._error(tr("The column {0} is computed.").format(column))
             if [row[1:3] for row in info if row[5]] != [("record", "INTEGER")]:  # else slow to find
@@ -396,7 +396,7 @@ class Recording(Generic[HeaderT, RecordT]):
         last = 0
         for kind in self.kinds:
             query = f"SELECT max(record) FROM {kind.name}"
-            # Damaged: reported when it is read.
+            # A damaged table is reported when it is read.
             with contextlib.suppress(sqlite3.DatabaseError, TypeError):
                 last = max(last, self._database.execute(query).fetchone()[0] or 0)
         return min(last, _size(self._database))  # a record takes more than a byte
@@ -405,7 +405,7 @@ class Recording(Generic[HeaderT, RecordT]):
         self._open.close()
 
     def read(self, first: int, last: int) -> list[RecordT]:
-        """Return records by number, in order. Damaged ones are left out and reported."""
+        """Return records by number, in order. Damaged records are left out and reported."""
         found: list[tuple[int, Timestamped]] = []
         for kind in self.kinds:
             stored = {column.name: (column.type, column.optional) for column in kind.columns}
@@ -434,9 +434,9 @@ class Recording(Generic[HeaderT, RecordT]):
     def _valid_rows(
         self, kind: SampleKind, columns: Mapping[str, _Content], first: int, last: int
     ) -> Iterator[tuple[Any, ...]]:
-        """Yield number, clock and these columns of each record. Damaged ones are reported.
+        """Yield number, clock and these columns of each record. Damaged records are reported.
 
-        SQLite stores any type in any column.
+        Types are checked, because SQLite stores any type in any column.
         """
         names = ("record", "clock_s", *columns)
         valid = self._valid_types[kind.name, *names]
@@ -474,7 +474,7 @@ class Recording(Generic[HeaderT, RecordT]):
 
 
 def _wrong_type(columns: Mapping[str, _Content], types: Sequence[type]) -> str:
-    """Say which value of a record has another type than its column. Empty if none has."""
+    """Name the value of a record whose type differs from its column. Empty if all fit."""
     _number, clock, *values = types
     if clock is not float:
         return tr("its time is not a number")

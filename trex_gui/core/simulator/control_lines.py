@@ -1,4 +1,4 @@
-"""Control lines that all simulated devices share: dispatch, numbers, faults of the wire."""
+"""Control lines shared by all simulated devices: dispatch, numbers, line faults."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
@@ -20,8 +20,8 @@ class WrongUsage(Exception):  # noqa: N818 - the reply is the usage
 
 
 Command = tuple[str, Callable[..., str]]
-"""Usage of a command, and the function that takes each word after its name, in lower case, as an
-argument and returns the reply or raises a `ValueError` that says why."""
+"""Usage and function of a command. The function gets each word after the command's name, in lower
+case, as an argument. It returns the reply, or raises a `ValueError` with the reason."""
 
 
 def execute(text: str, commands: Mapping[str, Command]) -> str:
@@ -45,14 +45,14 @@ def execute(text: str, commands: Mapping[str, Command]) -> str:
 
 
 def number_of(text: str, allowed: Sequence[int], what: str) -> int:
-    """Return one of the allowed consecutive numbers. `what` names it in a ValueError."""
+    """Parse one of the allowed consecutive numbers. `what` names it in a ValueError."""
     if text in map(str, allowed):
         return int(text)
     raise ValueError(f"{what} is {allowed[0]} to {allowed[-1]}, not {text!r}")
 
 
 def real(text: str, what: str, highest: float) -> float:
-    """Return a number from 0 to `highest`. `what` names it in a ValueError."""
+    """Parse a number from 0 to `highest`. `what` names it in a ValueError."""
     try:
         value = float(text)
     except ValueError:
@@ -63,7 +63,7 @@ def real(text: str, what: str, highest: float) -> float:
 
 
 def amount(text: str, what: str = "a number of bytes", highest: int = _MAX_COUNT) -> int:
-    """Return a whole number from 0 to `highest`. `what` names it in a ValueError."""
+    """Parse a whole number from 0 to `highest`. `what` names it in a ValueError."""
     if not (text.isascii() and text.isdigit() and len(text) <= 9) or int(text) > highest:
         raise ValueError(f"{what} is 0 to {highest}, not {text!r}")
     return int(text)

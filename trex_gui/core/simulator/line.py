@@ -29,12 +29,12 @@ _LINE_END = ord("\n")
 class WireFaults:
     def __init__(self, seed: int, noisy_bits: int) -> None:
         """`noisy_bits` is 8 when noise affects data bits, 9 when the stop bit as well."""
-        self.mute = False  # whether nothing reaches the host
+        self.mute = False  # True while nothing reaches the host
         self.plugged = True
         self.noise = 0.0  # probability that a byte is corrupted
         self.delay = 0.0  # seconds by which bytes to the host are late
         self.to_drop = self.to_drop_sent = 0  # number of bytes to lose next, to and from the host
-        self.to_corrupt = self.to_double = 0  # number to corrupt, or to send twice, to the host
+        self.to_corrupt = self.to_double = 0  # number of bytes to the host to corrupt, or double
         # Number of bytes to the host after which the rest of a text line is lost.
         self.to_cut: int | None = None
         # Errors with which the next bytes from the host reach the device.
@@ -69,7 +69,7 @@ class WireFaults:
         return byte ^ 1 << bit, ReceiveError.PARITY
 
     def on_way_to_host(self, byte: int, begun: float) -> bytes:
-        """Return what arrives of a byte: nothing, the byte or another, or two."""
+        """Return the bytes that arrive for a byte: none, one (perhaps corrupted), or two."""
         if self.mute or not self._is_whole(begun):
             return b""
         if self.to_drop:
@@ -92,7 +92,7 @@ class WireFaults:
         return bytes((byte,))
 
     def garble(self, byte: int) -> int:
-        """Return another byte than the one sent, as a receiver with other parity gets."""
+        """Return a different byte, as a receiver with another parity setting reads it."""
         self.counters["garbled"] += 1
         return byte ^ self._random.randrange(1, 256)
 
@@ -103,7 +103,7 @@ class WireFaults:
         return True
 
     def _is_cut_off(self, byte: int) -> bool:
-        """Return whether a byte belongs to a cut. The end of the text line ends the cut."""
+        """Return whether a byte is lost in a cut, which lasts until the end of the text line."""
         if self.to_cut:
             self.to_cut -= 1
             return False
@@ -112,7 +112,7 @@ class WireFaults:
         return True
 
     def _is_whole(self, begun: float) -> bool:
-        """Return whether the cable has been plugged in since a byte began."""
+        """Return whether the cable has stayed plugged in since a byte began."""
         return self.plugged and begun >= self._plugged_at - EPSILON
 
 
@@ -129,17 +129,17 @@ class Station(Protocol):
     def receive(
         self, byte: int, host: SerialFormat | None, error: ReceiveError | None, begun: float
     ) -> None:
-        """Receive a byte at its end, sent at the station's rate. It began at `begun`."""
+        """Receive a complete byte, sent at the station's rate. It began at `begun`."""
 
     def sample(self, byte: int, host: SerialFormat) -> None:
-        """Receive a byte that a host at another rate begins now."""
+        """Sample a byte that a host at another rate starts now."""
 
 
 @dataclass(slots=True, eq=False)
 class _Frame:
     """A byte on its way to the host from `start` to `end` (s), sent at the bit rate `baud`.
 
-    It is lost unless `is_alive` at its end: its sender has lost power, and does nothing `then`.
+    If `is_alive` is false at its end, the sender has lost power: no byte arrives, no `then` call.
     """
 
     start: float
@@ -169,10 +169,10 @@ class SimulatedLine:
     """One wire between a host and the stations on it.
 
     The outputs of stations, echo and injected garbage are ANDed, as on a real wire. Bytes that
-    begin together arrive as their AND; of other overlapping bytes the host samples the levels.
+    start together arrive as their AND. For other overlaps the host samples the wire's level.
 
     Attributes:
-        host: how the host's port is set; `None` for a host set like the first station.
+        host: settings of the host's port; `None` for a host that is set like the first station.
     """
 
     stations: Sequence[Station]
@@ -261,7 +261,7 @@ class SimulatedLine:
         self.advance_to(self.now + seconds)
 
     def advance_to(self, moment: float) -> None:
-        """Let time pass until a moment. One in the past changes nothing."""
+        """Advance to a moment. A moment in the past changes nothing."""
         while self.timeline.step(moment):
             pass
         self.timeline.move_to(moment)
@@ -281,7 +281,7 @@ class SimulatedLine:
     def _start_other_rate(
         self, byte: int, host: SerialFormat, end: float, is_wanted: Callable[[], bool]
     ) -> None:
-        """Begin a byte that at least one station samples at another rate."""
+        """Start a byte that at least one station samples at another rate."""
         if (arriving := self.faults.on_way_to_device(byte, self.now)) is None:
             return
         byte, error = arriving
@@ -308,7 +308,7 @@ class SimulatedLine:
         is_alive: Callable[[], bool],
         then: Callable[[], object] = lambda: None,
     ) -> None:
-        """Begin a byte of a station. It is lost if `is_alive` is false at its end."""
+        """Start to send a byte of a station. It is lost if `is_alive` is false at its end."""
         now, end = self.now, self.now + self.byte_time_of(station)
         self._put(_Frame(now, end, byte, station.line_format, station.baud, is_alive, then))
 

@@ -96,7 +96,7 @@ class PtyEndpoint:
 
 
 def _set_speed(terminal: int, baud: int) -> None:
-    """Let a host fit that sets nothing (`cat`, `printf`), except at unusual rates."""
+    """Set the rate for hosts that set none (`cat`, `printf`). Unusual rates are not set."""
     codes = {rate: code for code, rate in _RATES.items()}
     if baud in codes:
         settings = termios.tcgetattr(terminal)

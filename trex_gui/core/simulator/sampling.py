@@ -1,7 +1,7 @@
 """Bytes as levels on a wire, and a receiver that samples them at its own bit rate.
 
-Two UARTs at different rates receive other bytes than were sent, framing errors, several bytes
-for one or one for several. UARTs at the same rate do not need this.
+A UART at another rate receives wrong bytes, framing errors, several bytes for one byte, or one
+byte for several. UARTs at the same rate do not need this module.
 """
 
 from collections.abc import Callable, Iterator
@@ -16,12 +16,12 @@ from trex_gui.core.transport.settings import Parity, SerialFormat
 _HIGH = 1
 _DATA_BITS = 8
 _SAMPLE_AT = 0.55
-"""Sampling point within a bit. UARTs take the majority of three samples around the middle;
-slightly later, no sample falls on a bit edge for any two rates of a TReX, so that rounding does
-not decide the value."""
+"""Sampling point within a bit. UARTs take the majority of three samples around the middle.
+Slightly after the middle, no sample falls on a bit edge for any two rates of a TReX, so that
+rounding does not decide the value."""
 
 _RATE_TOLERANCE = 0.03
-"""Relative difference of two UARTs' rates: half a bit in the ten of a byte, for both together."""
+"""Largest relative difference of two UARTs' rates: half a bit in ten, for both together."""
 
 _PARITIES = {Parity.EVEN: 0, Parity.ODD: 1}
 
@@ -143,14 +143,14 @@ class RateConverter:
         baud: float,
         deliver: Callable[[int, ReceiveError | None, float], None],
     ) -> None:
-        """Deliver each byte with its error and the moment at which it began, when complete."""
+        """Pass each complete byte to `deliver`, with its error and start time."""
         self.line = line
         self._timeline = timeline
         self._deliver = deliver
         self._receiver = Receiver(line, baud, timeline.now)
 
     def receive(self, byte: int, sender: SerialFormat, baud: float, *, paced: bool) -> None:
-        """Sample a byte that a sender at `baud` begins now. Unpaced, silence follows each."""
+        """Sample a byte that a sender at `baud` starts now. If not `paced`, silence follows it."""
         receiver, timeline = self._receiver, self._timeline
         if not paced:
             for each in receiver.receive_isolated(byte, sender, baud):

@@ -1,7 +1,7 @@
-"""Serving a simulated line in real time.
+"""Server of a simulated line in real time.
 
-Virtual time follows the clock, and deadlines come from the line's own events, so that waiting too
-long once does not delay what follows.
+Virtual time follows the clock, and deadlines come from the line's own events, so that one late
+wake-up does not delay later events.
 """
 
 import contextlib
@@ -24,15 +24,15 @@ from trex_gui.core.simulator.plugin import Simulation
 from trex_gui.core.transport.settings import SerialFormat
 
 _IDLE = 0.1  # seconds between two updates without events: devices change without bytes on the wire
-_SUSPENDED = 2.0  # a gap of this many seconds is not made up for: the process was suspended
+_SUSPENDED = 2.0  # seconds; a longer gap is skipped, since the process was suspended
 _MAX_AHEAD = 0.02
-"""Seconds of bytes queued on the line; the rest is kept here, where it is discarded when the host
+"""Seconds of bytes queued on the line. The server holds the rest, and discards it when the host
 disconnects or reconfigures its port."""
 
-_MAX_UNSENT = 65_536  # bytes of the host that are kept; more are lost
+_MAX_UNSENT = 65_536  # bytes of the host that are held; further bytes are lost
 _CHUNK = 16  # bytes queued on the line at a time
 _TIMER_SLACK = Path("/proc/self/timerslack_ns")
-"""By how much Linux may make a wait longer: 50 us by default, a tenth of a byte at 19200 baud."""
+"""Delay that Linux may add to a wait: 50 us by default, a tenth of a byte at 19200 baud."""
 
 _BATCH = 0.001
 """Seconds of a host's stream that are processed together: waking up for each byte takes a whole
@@ -76,7 +76,7 @@ class Server:
         sources = [self._waker.fileno(), *self._endpoint.waiting_for()]
         ready, _, _ = select.select(sources, [], [], self._timeout())
         self._catch_up()
-        self._check_departure()  # before anything of the next host is taken
+        self._check_departure()  # before any byte of the next host is received
         for settings, data in self._endpoint.receive(ready):
             self._receive(settings, data)
         self._check_departure()
@@ -94,7 +94,7 @@ class Server:
             self._execute()
 
     def _receive(self, settings: HostSettings | None, data: bytes) -> None:
-        """Take bytes of the host. Reconfiguring its port discards what it sent before."""
+        """Queue bytes from the host. If its settings have changed, discard earlier bytes."""
         host = None
         if settings is not None:
             parity = settings.parity or self._line.host_format.parity
@@ -170,7 +170,7 @@ class Server:
             return  # started without standard input
         ends_with_input = stat.S_ISFIFO(kind) or stat.S_ISSOCK(kind)
         if not ends_with_input and stat.S_ISCHR(kind) and not os.isatty(0):
-            return  # /dev/null or alike
+            return  # /dev/null or similar
         threading.Thread(
             target=self._read_input, args=(ends_with_input,), daemon=True, name="control lines"
         ).start()
@@ -195,7 +195,7 @@ class Server:
 
     def _wake_up(self) -> None:
         """Wake the loop, from a thread or a signal handler."""
-        with contextlib.suppress(OSError):  # full, so it wakes up already; or closed
+        with contextlib.suppress(OSError):  # full, so the loop wakes up anyway; or closed
             self._wake.send(b"!")
 
     def _catch_signals(self) -> dict[int, "signal._HANDLER"]:

@@ -1,4 +1,4 @@
-"""USB adapters, and how to know one again when its port has another name."""
+"""USB adapters, recognised again when their port has another name."""
 
 import os
 import re
@@ -8,8 +8,8 @@ from serial.tools import list_ports
 from serial.tools.list_ports_common import ListPortInfo
 
 _SHARED = 4
-"""Longest serial number, in characters, that several adapters may have: CP2102 are sold with 0001.
-Those are told apart by the socket, as adapters without a number are."""
+"""Longest serial number, in characters, that several adapters may share: CP2102 are sold with 0001.
+The socket identifies such adapters, like adapters without a number."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,12 +37,12 @@ class Adapter:
 
     @property
     def key(self) -> str:
-        """One word for what is remembered of the adapter. The same wherever `is_same` says so."""
+        """Key of saved data about the adapter, as one word. Equal if `is_same`."""
         place = self.location if len(self.number) <= _SHARED else _interface(self)
         return re.sub(r"[/\s]+", "-", "-".join(filter(None, (self.product, self.number, place))))
 
     def is_same(self, other: "Adapter") -> bool:
-        """True if this is the other adapter, perhaps in another socket."""
+        """True if both are the same adapter, perhaps in another socket."""
         if (self.product, self.number) != (other.product, other.number):
             return False
         if len(self.number) <= _SHARED:
@@ -55,9 +55,9 @@ def _interface(adapter: Adapter) -> str:
 
 
 def adapter_key(url: str) -> str:
-    """Return the key of the adapter that has a port now. Empty where that is not known."""
+    """Return the key of the adapter that has a port now. Empty if unknown."""
     if "://" in url:
         return ""
-    place = os.path.realpath(url.replace("\0", ""))  # no name has that
+    place = os.path.realpath(url.replace("\0", ""))  # no file name contains NUL
     ports = (port for port in list_ports.comports() if os.path.realpath(port.device) == place)
     return next((adapter.key for port in ports if (adapter := Adapter.of(port)) is not None), "")

@@ -1,7 +1,7 @@
 """Boards that were left running: program and guardian died before a stop was confirmed.
 
-The guardian writes and locks a file while motors may move (`guardian.process`). A file that is not
-locked is that of a board that nothing has stopped.
+The guardian writes and locks a file while motors may move (`guardian.process`). An unlocked
+file belongs to a board that nothing has stopped.
 """
 
 import logging
@@ -34,7 +34,7 @@ _STOPPED = tr_noop(
 
 
 class DrivenBoard(NamedTuple):
-    """Contents of a file. `since` is local time as text."""
+    """Contents of the file of a board. `since` is local time as text."""
 
     board: str
     settings: PortSettings
@@ -49,13 +49,13 @@ class DrivenBoard(NamedTuple):
 DrivenBoards = dict[Path, DrivenBoard | None]
 """Boards by their files; `None` where a file is damaged."""
 
-_woken: dict[Path, DrivenBoard] = {}  # whose guardian was suspended: it stops them, if it can
-_SUSPENDED = (("status", "(stopped)"), ("cmdline", "guardian"))  # what /proc says of a guardian
+_woken: dict[Path, DrivenBoard] = {}  # boards whose suspended guardian was woken, to stop them
+_SUSPENDED = (("status", "(stopped)"), ("cmdline", "guardian"))  # /proc of such a guardian
 _warn_once = cache(logging.getLogger(__name__).warning)
 
 
 def driven_note(board: str, settings: PortSettings) -> str:
-    """Return the lines of the file for a board, but for its stop."""
+    """Return the lines of the file of a board, except its stop."""
     line = f"{settings.line.baud} {settings.line.parity.value} {settings.line.stop_bits}"
     return f"board: {board}\nport: {settings.url}\nline: {line}\n"
 
@@ -86,9 +86,9 @@ def driven_at(url: str) -> tuple[Path, DrivenBoard | None]:
 
 
 def driven_file(url: str) -> Path:
-    """Return the file of a port. That of an adapter is the same at every port.
+    """Return the file of a port.
 
-    So is that of a network address, whichever name leads to it.
+    An adapter has the same file at every port. A network address has the same file for all names.
     """
     key = adapter_key(url) or (url if "://" in url else os.path.realpath(url.replace("\0", "")))
     with suppress(OSError, ValueError):
@@ -99,7 +99,7 @@ def driven_file(url: str) -> Path:
 
 
 def port_of(file: Path, board: DrivenBoard) -> PortSettings:
-    """Return how the board of a file is reached. Its adapter may have another name now."""
+    """Return the port settings of the board of a file. Its port may have another name now."""
     for url in (board.settings.url, *(port.device for port in list_ports.comports())):
         if _is_at(file, board, url):
             return PortSettings(url, board.settings.line)
@@ -107,7 +107,7 @@ def port_of(file: Path, board: DrivenBoard) -> PortSettings:
 
 
 def _is_at(file: Path, board: DrivenBoard, url: str) -> bool:
-    """True if a file is that of a port. A link may lead to another terminal by now."""
+    """True if a file belongs to a port. A link may lead to another terminal by now."""
     is_path = file.name.startswith("-")
     return file == driven_file(url) or (is_path and url == board.settings.url)
 
@@ -130,7 +130,7 @@ def _find(found: DrivenBoards) -> None:
                 words in Path("/proc", number, file).read_text() for file, words in _SUSPENDED
             ):
                 _woken[path] = board
-                os.kill(int(number), signal.SIGCONT)  # its program is gone: it stops the motors
+                os.kill(int(number), signal.SIGCONT)  # the guardian now stops the motors
     found.update(_woken)
 
 

@@ -9,14 +9,14 @@ from trex_gui.core.translation import tr
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import SerialFormat
 
-_READY_S = 1.0  # seconds to wait for the guardian, which starts in some hundredths
+_READY_S = 1.0  # seconds to wait for the guardian, which starts in some hundredths of a second
 
 _REPLACED_S = 0.4
 """Seconds to replace a lost guardian. After that the next heartbeat stops the motors."""
 
 _SHORT_TIMEOUT_S = 0.2
-"""Seconds for which a reply is awaited although a stop is due. The board is deaf while it
-replies, and a late reply could be mistaken for the next one."""
+"""Seconds to wait for a reply even if a stop is due. The board does not listen while it replies,
+and a late reply could be mistaken for the next reply."""
 
 _LAST_STOP_S = 0.4
 """Seconds for the guardian to stop the motors on a line that the session has lost."""
@@ -26,18 +26,18 @@ class GuardedTransport:
     """Sends heartbeats to the guardian while the session uses the line.
 
     If the session was suspended or blocked for `silence` seconds, the guardian may have stopped
-    the motors and may still use the line. Before the session uses it again, the guardian is
-    replaced, and `taken_over` is called with whether the stop was confirmed. Until the session has
-    sent a stop, writing anything else raises `NoReply`, since it may be an old setpoint. The same
-    applies if a lost guardian is not replaced in time while motors may move. `taken_over` gets
-    `None` then. While motors may move, a read ends early when `stop_is_due`.
+    the motors and may still use the line. Before the session uses the line again, the guardian is
+    replaced, and `taken_over` gets whether the stop was confirmed. Until the session has sent a
+    stop, any other write raises `NoReply`, since it may be an old setpoint. The same applies if a
+    lost guardian is not replaced in time while motors may move, but then `taken_over` gets `None`.
+    While motors may move, a read ends early when `stop_is_due`.
 
     Args:
         below: the line.
         silence: see `Timeouts.guardian`.
         stop_sequence: returns the present stop, or `None` if no motor may be moving.
         taken_over: called in the thread of the session; must not use the line.
-        stop_is_due: whether the session has to stop the motors as soon as it can.
+        stop_is_due: returns whether the session has to stop the motors as soon as it can.
     """
 
     def __init__(
@@ -57,10 +57,10 @@ class GuardedTransport:
         self._sequence: StopSequence | None = None
         self._beat_at = below.clock()
         self._guardian = below.start_guardian(silence)
-        self._ready_by: float | None = None  # when the one that replaces another must be ready
+        self._ready_by: float | None = None  # when a replacement guardian must be ready
         self._was_ready = self._is_left = False
         self._stop_to_send = b""  # nothing else is written before this
-        # Gets the seconds since a read began, and returns those to its next call; may write.
+        # Gets the seconds since a read began, returns the seconds until its next call. May write.
         self.while_waiting: Callable[[float], float] = lambda _seconds: HEARTBEAT_INTERVAL
         self.rates = below.rates
         self.clock = below.clock
@@ -70,7 +70,7 @@ class GuardedTransport:
 
     @property
     def is_guarded(self) -> bool:
-        """True if a guardian is ready, or is starting in place of a lost one."""
+        """True if a guardian is ready, or if a replacement is starting."""
         return self._guardian.is_ready or (self._was_ready and self._ready_by is not None)
 
     def wait_for_guardian(self) -> None:

@@ -1,4 +1,4 @@
-"""Facts that Linux knows of a port: the program that has it open, and its baud rates."""
+"""Facts that Linux knows about a port: which program has it open, and its baud rates."""
 
 import array
 import contextlib
@@ -19,10 +19,10 @@ _PROCESSES = Path("/proc")
 
 
 def holder_of(url: str) -> str | None:
-    """Return which program has a port open. `None`: unknown.
+    """Return the program that has a port open. `None`: unknown.
 
-    A program that holds a lock on it goes before one that only has it open, and another program
-    before this one: `/proc/locks`, then `/proc/PID/fd` (proc(5)).
+    A program with a lock on the port has priority over programs that only have it open, and other
+    programs over this program. Read from `/proc/locks`, then `/proc/PID/fd` (proc(5)).
     """
     path = Path(url)
     with contextlib.suppress(OSError):
@@ -36,9 +36,9 @@ def holder_of(url: str) -> str | None:
 
 
 def other_user_of(url: str) -> str | None:
-    """Return which other program has a port open that this one uses. `None`: none, or unknown.
+    """Return another program that has this program's port open. `None`: none, or unknown.
 
-    A guardian is none, nor is what stands behind a pseudo-terminal. On a computer with many
+    Guardians do not count, nor do programs behind a pseudo-terminal. On a computer with many
     processes this takes a tenth of a second.
     """
     if sys.platform != "linux":
@@ -55,7 +55,7 @@ def other_user_of(url: str) -> str | None:
 
 
 def _has_terminals(process: Path) -> bool:
-    """True if a process has the other end of some pseudo-terminal."""
+    """True if a process has the other end of any pseudo-terminal."""
     return any(link.readlink().name == "ptmx" for link in (process / "fd").iterdir())
 
 
@@ -65,9 +65,9 @@ def _name_of(number: int) -> str:
 
 
 def is_locked_elsewhere(url: str) -> bool:
-    """Return whether another program has locked a port. True if that is unknown.
+    """Return whether another program has locked a port. True if unknown.
 
-    The lock of a program that has died is held by its guardian, which is about to end.
+    The lock of a dead program does not count: its guardian holds it, and is about to end.
     """
     with contextlib.suppress(OSError):
         number = _locking(Path(url))
@@ -77,7 +77,7 @@ def is_locked_elsewhere(url: str) -> bool:
 
 
 def is_left_to_guardian(url: str) -> bool:
-    """True if a guardian has a port and its lock, and the line that it watched is gone.
+    """True if a guardian has a locked port open that the locking process has closed.
 
     Such a guardian is stopping motors.
     """
@@ -108,17 +108,17 @@ def _having_open(path: Path) -> Iterator[int]:
                 yield int(link.parts[2])
 
 
-# struct termios2 of Linux: four flag words, line discipline and control characters in five
-# more, then both rates in bit/s. The numbers hold for these processors; others have their own.
+# struct termios2 of Linux: four flag words, five words of line discipline and control characters,
+# then both rates in bit/s. Processors other than `_PROCESSORS` have other request numbers.
 _TCGETS2, _TCSETS2 = 0x802C542A, 0x402C542B
 _CBAUD, _BOTHER = 0o010017, 0o010000
 CFLAG, _ISPEED, OSPEED, _WORDS = 2, 9, 10, 11
 _PROCESSORS = ("x86", "i386", "i486", "i586", "i686", "amd64", "arm", "aarch64", "riscv", "loong")
 
 _FARTHEST_OFF = 0.03
-"""Share by which a rate may be off: with the clock of the board on top, a byte still arrives."""
+"""Largest relative error of a rate. Even with the error of the board's clock, bytes arrive."""
 
-_LONGEST = 0.1  # seconds after which the question is given up: opening a port must not take longer
+_LONGEST = 0.1  # seconds after which `rates_of` gives up: opening a port must not take longer
 
 
 class _Port(Protocol):
@@ -128,11 +128,11 @@ class _Port(Protocol):
 def rates_of(
     port: _Port, wanted: Collection[int], clock: Callable[[], float] = time.monotonic
 ) -> frozenset[int] | None:
-    """Return those of the wanted rates that an open port can do. `None`: it cannot be known.
+    """Return the wanted rates that an open port supports. `None`: unknown.
 
-    A driver that cannot divide its clock to a rate takes the nearest one and says so when asked.
-    Each rate is set and read back, then the port is as it was. Nothing is sent, but nothing may be
-    on its way. Raises nothing.
+    A driver that cannot divide its clock to a rate uses the nearest rate and reports it. Each rate
+    is set and read back, then the old settings are restored. Nothing is sent, but no byte may be
+    on its way. Never raises.
     """
     if sys.platform != "linux" or not platform.machine().lower().startswith(_PROCESSORS):
         return None
@@ -155,7 +155,7 @@ def rates_of(
 
 
 def _real_rate(handle: int, before: "array.array[int]", rate: int) -> int:
-    """Return what the driver makes of a rate, in bit/s. 0 where it refuses."""
+    """Return the rate that the driver really sets, in bit/s. 0 if it refuses."""
     words = before[:]
     words[CFLAG] = words[CFLAG] & ~_CBAUD | _BOTHER
     words[_ISPEED] = words[OSPEED] = rate
@@ -167,7 +167,7 @@ def _real_rate(handle: int, before: "array.array[int]", rate: int) -> int:
 
 
 def termios2(handle: int) -> "array.array[int]":
-    """Return the settings of a terminal. OSError where they are elsewhere."""
+    """Return the settings of a terminal. OSError if the request number differs."""
     words = array.array("I", [0] * _WORDS)
     fcntl.ioctl(handle, _TCGETS2, words)
     return words

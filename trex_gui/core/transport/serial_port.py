@@ -1,7 +1,7 @@
-"""One open port, with every failure as a sentence.
+"""Open port that reports every failure as a sentence.
 
-Ports are pyserial's, local or remote, behind a small interface, so that a simulated wire in
-virtual time can replace them.
+A small interface hides pyserial's local and remote ports, so that a simulated wire in virtual
+time can replace them.
 """
 
 import contextlib
@@ -40,8 +40,8 @@ from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
 log = logging.getLogger(__name__)
 
-# pyserial raises the others, too: for a bad address, a port closed meanwhile, what a kind of port
-# does not support, and a wrong pattern (of hwgrep://).
+# pyserial raises more than OSError: for a bad address, a port closed meanwhile, functions that a
+# kind of port does not support, and a wrong pattern (of hwgrep://).
 PORT_ERRORS: tuple[type[Exception], ...] = (
     OSError,
     ValueError,
@@ -58,9 +58,9 @@ _LONGEST_STALE = 0.05
 """Seconds of unsolicited bytes after which the line counts as sending on its own."""
 
 _MANY_READS = 10
-"""Reads with more bytes before that: a computer that was suspended gets all in one or two."""
+"""Number of reads also needed for that. After a suspension, one or two reads return everything."""
 
-_NO_ROOM = 1.0  # seconds after which a port that accepts no byte is gone
+_NO_ROOM = 1.0  # seconds after which a port that accepts no byte counts as gone
 _LOCAL_LATENCY = 0.06
 """Allowance for a local port: two latency timers of a common adapter (16 ms) and the system."""
 
@@ -90,9 +90,9 @@ class Transport(Protocol):
     def is_configurable(self) -> bool: ...
 
     def rates(self, wanted: Collection[int]) -> frozenset[int] | None:
-        """Return those of the wanted baud rates that the port can do. `None`: unknown.
+        """Return the wanted baud rates that the port supports. `None`: unknown.
 
-        Sends nothing and never raises. Only before anything was sent on the port.
+        Sends nothing and never raises. Call it only before anything is sent on the port.
         """
 
     def reconfigure(self, line: SerialFormat) -> None:
@@ -103,10 +103,10 @@ class Transport(Protocol):
     def write(self, data: bytes) -> None: ...
 
     def read(self, size: int, seconds: float) -> bytes:
-        """Return `size` bytes, or the fewer that came within `seconds`."""
+        """Return `size` bytes, or fewer if no more come within `seconds`."""
 
     def discard(self) -> bytes:
-        """Discard and return what was received so far. BadReply if it does not end."""
+        """Discard and return the received bytes. BadReply if they do not end."""
 
     def wait(self, seconds: float) -> None: ...
 
@@ -118,9 +118,9 @@ class Transport(Protocol):
 
 
 class _LentSocket:
-    """The socket of a remote port for pyserial's thread, which would read all that arrives.
+    """Socket of a remote port, for pyserial's thread.
 
-    Replies to a guardian that is stopping the motors are left to it.
+    While a guardian stops the motors, pyserial must not read the replies to the guardian.
     """
 
     def __init__(self, below: socket.socket, is_lent: Callable[[], bool]) -> None:
@@ -131,7 +131,7 @@ class _LentSocket:
         """Raise TimeoutError when nothing came, so that pyserial's thread tries again."""
         try:
             ready, _, _ = select.select([self._below], [], [], _SLICE)
-        except ValueError as error:  # it was closed
+        except ValueError as error:  # the socket was closed
             raise ConnectionAbortedError from error
         if self._is_lent():
             time.sleep(_SLICE)
@@ -145,7 +145,7 @@ class _LentSocket:
 
 class _Rfc2217Port(rfc2217.Serial):
     guardian: GuardianProcess | None = None
-    fault: serial.SerialException | None = None  # ended pyserial's thread
+    fault: serial.SerialException | None = None  # error that ended pyserial's thread
     _socket: Any
 
     def _is_lent(self) -> bool:
@@ -170,7 +170,7 @@ class SerialTransport:
         # The rate behind a plain network port is set at its other end.
         self.is_configurable = not settings.url.startswith("socket://")
         file, left = driven_at(settings.url)  # first: it wakes a guardian that has the port
-        self._file = file if self._name == self._url else None  # not the demo's
+        self._file = file if self._name == self._url else None  # none for the demo
         try:
             self._port = _open(settings, clock)
             log.debug("opened %s", settings.text())
@@ -178,14 +178,14 @@ class SerialTransport:
                 self._stop(left)
                 self.reconfigure(settings.line)
         except PortUnavailable as error:
-            with contextlib.suppress(AttributeError):  # it was not opened
+            with contextlib.suppress(AttributeError):  # the port was not opened
                 self.close()
             if left is not None:  # danger first
                 error.args = (f"{left.text()} {error}",)
             raise
 
     def _stop(self, left: DrivenBoard) -> None:
-        """Stop the motors that another program has left running, and let a guardian confirm it."""
+        """Stop the motors that another program has left running, and have a guardian confirm it."""
         with contextlib.suppress(BadRequest):
             self.reconfigure(left.settings.line)
         self.write(left.stop.packets)
@@ -280,9 +280,9 @@ class SerialTransport:
         log.debug("closed %s", self._url)
 
     def _unreadable(self, error: Exception) -> PortUnavailable:
-        """Tell a port that is gone from one whose bytes another program has just taken.
+        """Distinguish a lost port from a port whose bytes another program has just read.
 
-        Both are ready to be read, and then have nothing to read.
+        Both report that they have bytes, and then return none.
         """
         is_empty = isinstance(error, serial.SerialException) and _errno(error) is None
         if is_empty and sys.platform != "win32":
@@ -311,7 +311,7 @@ def _is_file(url: str) -> bool:
 
 
 def _shared(port: serial.Serial) -> SharedPort | None:
-    """Return what a child process needs. `None` for a port without a descriptor (`loop://`)."""
+    """Return a port for a child process. `None` if it has no descriptor (`loop://`)."""
     with contextlib.suppress(*PORT_ERRORS):
         if (remote := getattr(port, "_socket", None)) is not None:
             kind = "telnet" if isinstance(port, _Rfc2217Port) else "socket"
@@ -351,8 +351,8 @@ def _unopened(url: str, **options: Any) -> serial.Serial:
 def _open_when_free(port: serial.Serial, url: str, clock: Callable[[], float]) -> None:
     """Open a port. Wait a moment for another line of this program that is about to close it.
 
-    That one may still be confirming its last stop, and so may the guardian of a program that died.
-    There is no waiting for other programs.
+    That line may still be confirming its last stop, and so may the guardian of a dead program.
+    Does not wait for other programs.
     """
     deadline = clock() + _HANDING_OVER
     while True:
@@ -410,13 +410,13 @@ def _errno(error: Exception) -> int | None:
 
 
 def _plain(error: Exception) -> str:
-    """Return the system's message without Python's."""
+    """Return the system's message without Python's additions."""
     number = _errno(error)
     if number is not None and number > 0:
         with contextlib.suppress(ValueError):
             return os.strerror(number).lower()
     text = str(error).strip().rstrip(".")
-    if "does not accept parameter change" in text:  # pyserial prints its objects behind that
+    if "does not accept parameter change" in text:  # pyserial prints its objects after that
         return tr("the server refuses the settings of the line")
     return text or type(error).__name__
 

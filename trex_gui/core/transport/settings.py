@@ -1,4 +1,4 @@
-"""Settings of a serial port: which port, and how bytes travel on it."""
+"""Settings of a serial port: its address, and the format of bytes."""
 
 from dataclasses import dataclass, field, replace
 from enum import Enum
@@ -8,7 +8,7 @@ from trex_gui.core.translation import tr, tr_noop
 
 
 class Parity(Enum):
-    """Parity bit behind the data bits. The value is pyserial's letter for it."""
+    """Parity bit after the data bits. The value is pyserial's letter for it."""
 
     NONE = "N"
     EVEN = "E"
@@ -40,7 +40,7 @@ class SerialFormat:
 
     @property
     def short(self) -> str:
-        """The baud rate, and what few lines have: `57600 baud, even parity`."""
+        """Baud rate, and settings that differ from the default: `57600 baud, even parity`."""
         stop_bits = tr("2 stop bits") if self.stop_bits == 2 else ""
         return ", ".join(
             filter(None, (tr("{0} baud").format(self.baud), self.detection_text, stop_bits))
@@ -48,7 +48,7 @@ class SerialFormat:
 
     @property
     def detection_text(self) -> str:
-        """Error detection as text: `even parity`. Empty without any."""
+        """Error detection as text: `even parity`. Empty without parity."""
         return tr(_PARITIES[self.parity])
 
     def text(self) -> str:
@@ -64,8 +64,8 @@ SHARED = " shared:"  # in packed settings: devices of other kinds share the line
 class PortSettings:
     """Everything needed to open a port.
 
-    `url` is whatever pyserial opens: `/dev/ttyUSB0`, `COM3`, `socket://host:port`,
-    `rfc2217://host:port`; `name` is what the user calls it, if not the URL.
+    `url` is an address for pyserial: `/dev/ttyUSB0`, `COM3`, `socket://host:port`,
+    `rfc2217://host:port`. `name` is shown to the user in place of the URL.
     """
 
     url: str

@@ -1,4 +1,4 @@
-"""Traffic of a line: every byte as it passes, paired again to requests and replies."""
+"""Traffic of a line: bytes as they pass, and pairs of request and reply."""
 
 import itertools
 import time
@@ -14,9 +14,9 @@ from trex_gui.core.translation import tr
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
-SEARCH = "search: "  # begins the meaning of what a search for devices sent
+SEARCH = "search: "  # prefix of the meaning of bytes that a device search sent
 
-_MOST_EVENTS = 50_000  # kept for a late reader: at 1,000 a second, nearly a minute
+_MOST_EVENTS = 50_000  # queued for a late reader: nearly a minute at 1,000 events/s
 
 
 class TrafficDirection(Enum):
@@ -42,7 +42,7 @@ class TrafficEvent:
 class TrafficLog:
     """Queue of events from the thread of a line to one reader in another thread.
 
-    It is bounded and never blocks; `lost` counts events dropped because the reader was late.
+    The queue is bounded and never blocks. `lost` counts events dropped for a late reader.
     """
 
     lost: int = 0
@@ -56,12 +56,12 @@ class TrafficLog:
 
     def pop(self) -> list[TrafficEvent]:
         """Return the events since the last call, in order. From the reader's thread."""
-        count = len(self._events)  # those added meanwhile stay for the next call
+        count = len(self._events)  # events added meanwhile stay for the next call
         return [self._events.popleft() for _ in range(count)]
 
 
 class LoggingTransport:
-    """Notes the bytes of the transport below it, in its thread. Otherwise does what that does."""
+    """Passes calls on to the transport `below` and records its bytes, in its thread."""
 
     def __init__(
         self, below: Transport, settings: PortSettings, note: Callable[[TrafficEvent], None]
@@ -84,7 +84,7 @@ class LoggingTransport:
             self._note_line(f"Set to {line.text()}.", self._settings.at(line))
 
     def write(self, data: bytes) -> None:
-        # Logged first: before its reply, and also if it fails.
+        # Logged before the write: so it precedes the reply, and a failed write is logged, too.
         self._note(TrafficEvent(self.clock(), TrafficDirection.SENT, data))
         with self._logged_errors():
             self._below.write(data)
@@ -124,9 +124,9 @@ def logged(
     open_transport: Callable[[PortSettings], Transport] = SerialTransport,
     clock: Callable[[], float] = time.monotonic,
 ) -> Callable[[PortSettings], Transport]:
-    """Return a function that opens a line as `open_transport` does and notes its bytes.
+    """Wrap `open_transport` so that `note` gets the traffic of its lines.
 
-    `clock` is the line's, for events before there is a line.
+    `clock` is the clock of the line, for events before the line is open.
     """
 
     def opened(settings: PortSettings) -> Transport:
@@ -155,16 +155,16 @@ class Transaction:
     """One row: a request and its reply, or something that happened to the line."""
 
     number: int  # counts the rows from 1
-    time: float  # when it was sent, else its first byte received; seconds on the line's clock
+    time: float  # when sent, else when the first byte came; seconds on the line's clock
     sent: bytes = b""
     received: bytes = b""
-    note: str = ""  # what happened to the line; then no bytes were sent or received
+    note: str = ""  # what happened to the line; only in rows without bytes
     settings: PortSettings | None = None
-    echo: bool | None = None  # whether everything sent comes back; `None`: not known yet
-    is_routine: bool = False  # whether it is one of the polls that the program repeats all the time
-    ended: float | None = None  # when the last byte was received; `None` if none was
+    echo: bool | None = None  # whether all sent bytes come back; `None`: not known yet
+    is_routine: bool = False  # True for a poll that the program repeats all the time
+    ended: float | None = None  # when the last byte was received; `None` before any byte
     is_over: bool = False
-    is_search: bool = False  # of a search for devices, in which most probes have no reply
+    is_search: bool = False  # sent by a device search, in which most probes have no reply
     words: Decoded | None = None  # its meaning, once it was decoded; see `Decoder.decoded`
 
     @property
@@ -179,10 +179,10 @@ class Decoder(ABC):
 
     @abstractmethod
     def bytes_of(self, shown: str) -> bytes:
-        """Return the bytes that `shown` displays so. ValueError if it displays none so."""
+        """Return the bytes of a text from `shown`. ValueError if the text is invalid."""
 
     def learn(self, transaction: Transaction) -> None:
-        """Take what a reply says about the device, such as its units. Nothing by default."""
+        """Learn about the device from a reply, such as its units. Does nothing by default."""
         del transaction
 
     @abstractmethod
@@ -195,12 +195,12 @@ class Decoder(ABC):
 
     @abstractmethod
     def is_whole(self, transaction: Transaction) -> bool:
-        """Return whether the reply is complete. Bytes behind it are unsolicited."""
+        """Return whether the reply is complete. Bytes after it are unsolicited."""
 
     def goes_with(self, transaction: Transaction, sent: bytes) -> bool:
         """Return whether these bytes belong to the pending row, although they were sent later.
 
-        What is received may then be the reply to either.
+        Received bytes may then be the reply to either request.
         """
         del transaction, sent
         return False
@@ -210,12 +210,12 @@ class Decoder(ABC):
         """Return the meaning of a transaction that has bytes."""
 
     def is_fault(self, transaction: Transaction) -> bool:
-        """Return whether something went wrong. Every row needs this, its text only if shown."""
+        """Return whether something went wrong. Needed for every row, unlike the text."""
         return self.decoded(transaction).is_fault
 
     def decoded(self, transaction: Transaction) -> Decoded:
         """Return the meaning of a transaction. Cached once it is complete."""
-        if (known := transaction.words) is not None:  # once: `forget` may come from another thread
+        if (known := transaction.words) is not None:  # once: another thread may clear it
             return known
         words = Decoded(transaction.note) if transaction.note else self.read(transaction)
         if transaction.is_search:
@@ -226,9 +226,9 @@ class Decoder(ABC):
 
 
 class TransactionAssembler:
-    """Pairs the events of one line.
+    """Pairs the events of one line into rows of request and reply.
 
-    `numbers` gives each row its number; `is_search` says that they are of a search for devices.
+    `numbers` yields the row numbers. `is_search`: the events belong to a device search.
     """
 
     def __init__(
@@ -237,13 +237,13 @@ class TransactionAssembler:
         self._decoder = decoder
         self._numbers = itertools.count(1) if numbers is None else numbers
         self._is_search = is_search
-        # What a session knows of the line better than the log:
+        # Facts about the line that a session knows better than the log:
         self.settings: PortSettings | None = None
         self.echo: bool | None = None
         self._pending: Transaction | None = None
 
     def feed(self, events: Iterable[TrafficEvent]) -> list[Transaction]:
-        """Take events. Return every row that is new or has changed, in order."""
+        """Process events. Return all rows that are new or changed, in order."""
         touched: dict[int, Transaction] = {}
         for event in events:
             row = self._pending

@@ -1,4 +1,4 @@
-"""URLs of ports, and of boards that another computer serves, with the secrets of their users."""
+"""URLs of ports and of boards that another computer serves, and secrets of users."""
 
 import os
 import stat
@@ -14,16 +14,16 @@ from trex_gui.core.translation import tr
 
 SCHEME = "trex"
 PORT = 7477
-LOCAL_USER = "local"  # of every client, where there are no users
+LOCAL_USER = "local"  # name of every client, where there are no users
 _LONGEST_NAME = 40
-_SECRETS = "secrets"  # file in the data folder: a line `USER@HOST SECRET` for each
+_SECRETS = "secrets"  # file in the data folder, with lines `USER@HOST SECRET`
 
 
 @dataclass(frozen=True, slots=True)
 class Address:
     """A served board: `trex://USER@HOST:PORT/NAME`, all but host and name optional.
 
-    Without a `name` it is a computer that serves boards.
+    Without a `name` it is the address of a computer that serves boards.
     """
 
     host: str
@@ -33,7 +33,7 @@ class Address:
 
     @classmethod
     def of(cls, url: str) -> "Address":
-        """Read the URL of a board. BadRequest if it is none."""
+        """Parse the URL of a board. BadRequest if it is invalid."""
         if (found := cls._read(url)) is None or not is_name(found.name):
             text = tr("{0} is not trex://host/name, such as trex://robot.local/arm.")
             raise BadRequest(text.format(url))
@@ -41,7 +41,7 @@ class Address:
 
     @classmethod
     def of_host(cls, text: str) -> "Address":
-        """Read `USER@HOST:PORT`, or a URL. BadRequest if it is neither."""
+        """Parse `USER@HOST:PORT`, or a URL. BadRequest if it is neither."""
         found = cls._read(text if "://" in text else f"{SCHEME}://{text}")
         if found is None:
             raise BadRequest(tr("{0} is not a host, such as robot.local.").format(text))
@@ -69,7 +69,7 @@ class Address:
         return f"[{self.host}]" if ":" in self.host else self.host
 
     def endpoint(self, *, encrypted: bool) -> str:
-        """Return the address as the engine of the network has it."""
+        """Return the address in the format of the network engine."""
         return f"{'tls' if encrypted else 'tcp'}/{self._host}:{self.port}"
 
     @property
@@ -81,7 +81,7 @@ class Address:
 
 
 def known_hosts() -> tuple[Address, ...]:
-    """Return the hosts of which there is a secret, with its user."""
+    """Return the hosts with a saved secret, each with its user."""
     return tuple(Address.of_host(one) for one, _ in _secrets())
 
 
@@ -103,7 +103,7 @@ def is_served(url: str) -> bool:
 
 
 def is_name(text: str) -> bool:
-    """Return whether a board can be served by this name: letters, digits, and -_. between them."""
+    """Return whether a board can have this name: letters, digits, and -_. between them."""
     letters = text.replace("-", "").replace("_", "").replace(".", "")
     return letters.isascii() and letters.isalnum() and len(text) <= _LONGEST_NAME
 
@@ -126,7 +126,7 @@ def url_problem(url: str) -> str:
     try:
         parts = urlsplit(url)
         is_complete = bool(parts.hostname) and parts.port is not None
-    except ValueError:  # no number, or none that a port can have
+    except ValueError:  # not a number, or not a valid port number
         is_complete = False
     if scheme in {"socket", "rfc2217"} and not is_complete:
         return tr("{0} is not {1}://host:port, such as {1}://192.168.1.20:2217.").format(

@@ -1,4 +1,4 @@
-"""Connecting by itself: to known boards, and to the adapter that was unplugged."""
+"""Automatic connection to known boards, and to an adapter that was unplugged."""
 
 from collections import deque
 from collections.abc import Sequence
@@ -19,8 +19,8 @@ from trex_gui.ui.runtime import new_timer
 _KEY = "connection/automatic"
 
 _SETTLE_MS = 700
-"""Time from the appearance of a port until it is opened: the system grants access to it after it is
-listed, and the port of an adapter that was pulled may be listed for a moment more."""
+"""Time from the appearance of a port until it is opened. The system grants access to a port after
+listing it, and may list the port of an unplugged adapter for a moment."""
 
 
 def connects_automatically() -> bool:
@@ -32,14 +32,14 @@ def set_automatic(enabled: bool) -> None:
 
 
 class AutoConnect(QObject):
-    """Connects where the user can expect it, unless the user does not want it at all.
+    """Connects automatically where users expect it, unless they have disabled it.
 
-    - At the start, and to adapters that are plugged in: if a device was found there before, and
-      exactly one of them answers. At the start the one used last goes first. Each is probed once,
-      only at the settings at which a device was found. Nothing is done while a problem is shown,
-      and after *Disconnect* until the user connects again.
-    - To the adapter whose line was lost, or that was not there, when it is plugged in. Its name may
-      be another one; another adapter of that name is left alone.
+    - At the start, and when adapters are plugged in: if a device was found there before, and only
+      one device replies. At the start the last used port goes first. Each port is probed once, only
+      at the settings at which a device was found. Nothing is done while a problem is shown, and
+      after *Disconnect* until the user connects again.
+    - When an adapter is plugged in that was missing, or whose line was lost. Its name may have
+      changed. Another adapter with the old name is not used.
 
     Ports that another program has open are not touched. Motors stay disarmed.
     """
@@ -56,17 +56,17 @@ class AutoConnect(QObject):
         self._manager = manager
         self._notifier = notifier
         self._scanner: DeviceScanner = manager.scanner
-        self._present: Sequence[Port] = ()  # what was there when it was looked last
-        self._batches: deque[list[Port]] = deque()  # of each the only device is connected
+        self._present: Sequence[Port] = ()  # ports at the last check
+        self._batches: deque[list[Port]] = deque()  # the only device of a batch is connected
         self._is_looking = False
-        self._tried: Port | None = None  # connected, or tried, last
+        self._tried: Port | None = None  # last port that was connected or tried
         self._missing: Port | None = None  # to be connected when it is plugged in
-        self._may_be_stale = False  # the missing port may be listed, and does not work
-        self._notice = ""  # for the next connection
+        self._may_be_stale = False  # the missing port may still be listed, but not work
+        self._notice = ""  # message for the next connection
         self._timer = new_timer(self, _SETTLE_MS, self._on_settled, single_shot=True)
 
     def start(self, *, at_once: bool = True) -> None:
-        """Begin. `at_once` counts what is plugged in now as plugged in just now."""
+        """Start. `at_once`: handle present adapters as if they had just been plugged in."""
         self._ports.changed.connect(self._on_ports_changed)
         self._manager.changed.connect(self._on_link_changed)
         self._scanner.finished.connect(self._on_scan_finished)
@@ -75,7 +75,7 @@ class AutoConnect(QObject):
         if not at_once:
             return
         last = self._ports.last_used
-        # A typed address may lead elsewhere by now: a pseudo-terminal to somebody's shell.
+        # A typed address may lead elsewhere by now: a pseudo-terminal to a shell.
         first = [last] if last is not None and last.kind is PortKind.SERIAL else []
         self._look_at(first, [port for port in self._adapters(self._present) if port != last])
 
@@ -87,7 +87,7 @@ class AutoConnect(QObject):
         if current.link is ConnectionState.CONNECTED:
             self._missing, self._may_be_stale = None, False
             if self._notice:
-                # Behind what the device has to say, which goes first.
+                # After the messages of the device, which take precedence.
                 QTimer.singleShot(0, self._give_notice)
 
     @Slot()
@@ -116,7 +116,7 @@ class AutoConnect(QObject):
         return found if found is not None and found.kind is PortKind.SERIAL else None
 
     def _reconnect(self) -> bool:
-        """Connect to the missing port if it is back. Return whether it is."""
+        """Connect to the missing port if it is back. Return whether it connects."""
         found, missing = self._find_missing(), self._missing
         if found is None or missing is None or self._may_be_stale:
             return False
@@ -152,7 +152,7 @@ class AutoConnect(QObject):
     def _on_settled(self) -> None:
         self._ports.refresh()
         if self._timer.isActive():
-            return  # there was a change
+            return  # the ports have changed again
         before, self._present = self._present, self._ports.entries
         if not self._reconnect():
             new = [port for port in self._present if port not in before]

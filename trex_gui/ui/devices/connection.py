@@ -32,16 +32,16 @@ class ConnectionState(Enum):
 
 
 class DeviceConnection(SessionThread, Generic[SettingsT]):
-    """Base of every connection: a device adds its session and what it takes from its reports.
+    """Base of every connection. A device adds its session and handles the reports.
 
-    Other signals are emitted before `link` changes, and `changed` follows.
+    `line_closed` precedes the change of `link`, and `failed` follows `changed`.
     """
 
     changed = Signal()  # `link` or `status`
-    # Nothing of the device is valid any more: the `Closed`; `None` at the end of the program, if
-    # the session does not end in time.
+    # Data of the device is no longer valid. The `Closed`, or `None` if the session does not end in
+    # time at the end of the program.
     line_closed = Signal(object)
-    # Another program may take what the device sends: a sentence, and the `Remedies`.
+    # Another program may take the device's replies: a sentence, and the `Remedies`.
     interfered = Signal(str, object)
     failed = Signal(object)  # the `StudioError` that closed the line
 
@@ -49,7 +49,7 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
         super().__init__(parent)
         self.link = ConnectionState.DISCONNECTED
         self.status = tr("Not connected.")  # `link` as a sentence
-        self.settings: SettingsT | None = None  # how the line is, or was last, opened
+        self.settings: SettingsT | None = None  # of the open line, or of the last line
         self._next: SettingsT | None = None
         self.open_logged = logged(self.log.record, open_transport, now)
         self.traffic = TrafficModel(self, decoder)  # every byte on the line
@@ -57,7 +57,7 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
         self.closed.connect(self._on_closed)
 
     def open(self, settings: SettingsT, *, may_move: bool = False) -> None:
-        """Open a line. One that is open is closed first.
+        """Open a line. An open line is closed first.
 
         `may_move` says that motors may still be turning from an earlier session.
         """
@@ -91,11 +91,11 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
     # --- For each device ----------------------------------------------------------------
 
     def new_session(self, settings: SettingsT, *, may_move: bool) -> MakeSession:
-        """Forget the last session. Return the function that makes the next one."""
+        """Reset the data of the last session. Return a function that creates a session."""
         raise NotImplementedError
 
     def prepare_to_close(self) -> None:
-        """Do what is due before the line is closed. Nothing by default."""
+        """Prepare for closing the line. Does nothing by default."""
 
     def handle(self, report: object) -> None:
         raise NotImplementedError

@@ -1,4 +1,4 @@
-"""Controller of one device: from a choice in the port list to an open line, and back."""
+"""Controller that connects a device to a port and disconnects it."""
 
 from dataclasses import dataclass, replace
 from typing import Generic, Protocol, TypeVar
@@ -39,11 +39,11 @@ class DeviceModel(Protocol[SettingsT_contra]):
 
 @dataclass(frozen=True, slots=True)
 class QualityReport:
-    """Quality of a line, in words, and whether the user should do something about it."""
+    """Quality of a line, as text. `is_bad`: the user should act."""
 
     text: str = ""  # empty while it is not known
     is_bad: bool = False
-    remedy: Remedy | None = None  # what the program can do
+    remedy: Remedy | None = None  # a fix that the program offers
 
 
 class DeviceController(QObject, Generic[SettingsT]):
@@ -52,8 +52,8 @@ class DeviceController(QObject, Generic[SettingsT]):
     has_line_settings = False  # whether the user can change the line settings
 
     changed = Signal()  # any property
-    progressed = Signal(int, int, str)  # steps done, steps in all, the next step
-    stop_reported = Signal(str)  # progress of a stop that `stop_because` sent, in sentences
+    progressed = Signal(int, int, str)  # completed steps, total steps, the next step
+    stop_reported = Signal(str)  # sentences on the progress of a stop by `stop_because`
 
     def __init__(
         self,
@@ -69,13 +69,13 @@ class DeviceController(QObject, Generic[SettingsT]):
         self._model = model
         self.ports = ports
         self._scanner = scanner
-        # For the next connection; the address comes with the port.
+        # Settings of the next connection, without the address of its port.
         self.settings = self._demo_settings = default
         self.port: Port | None = None  # connected, or about to be
         self._chosen: Port | None = None
-        self.starting = False  # the simulator is being started, and will be connected to
-        # The simulated device was chosen last and not disconnected since. It stays in use when the
-        # line breaks: its panel is where that is repaired.
+        self.starting = False  # the simulator is starting, to be connected afterwards
+        # True from selecting the simulated device until disconnecting. It stays True when the line
+        # breaks, because the user repairs the line in the panel of the simulated device.
         self.demo_in_use = False
         self._after_scan: Port | None = None
         self.simulator = Simulator(plugin, self)
@@ -99,7 +99,7 @@ class DeviceController(QObject, Generic[SettingsT]):
         return self.settings.short
 
     def select(self, port: Port) -> None:
-        """Use the settings at which a device was found at a port, until others are chosen."""
+        """Select a port. A newly selected port sets the settings of the device found there."""
         if self._chosen is None or not self._chosen.is_same(port):
             self._chosen = port
             if port.settings:
@@ -123,7 +123,7 @@ class DeviceController(QObject, Generic[SettingsT]):
 
     def connect_with(self, port: Port, settings: PortSettings) -> None:
         """Connect to a port where a scan found a device with these settings."""
-        del settings  # a device with only one setting
+        del settings  # the base class serves devices with only one line setting
         self.connect_to(port)
 
     def leave(self) -> None:
@@ -140,7 +140,7 @@ class DeviceController(QObject, Generic[SettingsT]):
         self._model.disconnect_line()
 
     def shut_down(self) -> bool:
-        """Close the line and end the simulator. Return whether the line ended in time."""
+        """Close the line and end the simulator. Return whether the line closed in time."""
         self.start_shutdown()
         in_time = self._model.shut_down()
         self.simulator.stop()
@@ -156,7 +156,7 @@ class DeviceController(QObject, Generic[SettingsT]):
         self._model.notifier.report(reason, remedies)
 
     def show_searches_in(self, traffic: TrafficModel) -> None:
-        """Add every byte of searches for devices to this traffic."""
+        """Add all bytes of device searches to this traffic."""
         self._traffic = traffic
         self._scanner.logs.append(traffic.search_log)
         self._scanner.changed.connect(self._on_scan_changed)
@@ -204,7 +204,7 @@ class DeviceController(QObject, Generic[SettingsT]):
     # --- For each device ----------------------------------------------------------------
 
     def set_packed(self, settings: str) -> None:
-        """Use settings at which a device was found before. A device with only one has none."""
+        """Use settings at which a device was found before. Does nothing by default."""
 
     @property
     def quality(self) -> QualityReport:
@@ -222,28 +222,28 @@ class DeviceController(QObject, Generic[SettingsT]):
 
     @property
     def may_move(self) -> bool:
-        """True if motors were driven without a confirmed stop since."""
+        """True if motors were driven and no stop is confirmed since."""
         return False
 
     @property
     def unconfirmed_stop(self) -> str:
-        """Warning about motors that may turn although the line is closed. Empty if none may."""
+        """Warning about motors that may turn although the line is closed, or empty."""
         return ""
 
     @property
     def needs_stop(self) -> bool:
-        """True if Esc has to stop whatever else it closes: something moves, or perhaps does."""
+        """True if Esc must stop the device, because motors may move, whatever else Esc closes."""
         return self.link is not ConnectionState.DISCONNECTED
 
     def press_stop(self) -> None:
-        """Stop for the user."""
+        """Stop on the user's request."""
         raise NotImplementedError
 
     def stop_because(self, reason: str) -> str:
         """Stop because of an event.
 
-        `reason` is a clause without a full stop: "The screen was locked". Return what is known of
-        the stop, in sentences that begin with the reason; empty if there is nothing to stop.
+        `reason` is a clause without a full stop: "The screen was locked". Return sentences
+        about the stop that begin with the reason, or an empty text if there is nothing to stop.
         """
         raise NotImplementedError
 

@@ -1,4 +1,4 @@
-"""The dock of a simulated device: its state, groups of controls, a reset button."""
+"""Dock of a simulated device: its state, groups of controls, a reset button."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -28,14 +28,14 @@ from trex_gui.ui.widgets.sliders import StickSlider
 
 _NAME, _SLIDER, _VALUE, _TICK = range(4)
 
-_EXTRA_WIDTH = 34  # pixels, of which a scroll bar may take some
+_EXTRA_WIDTH = 34  # pixels, partly for a scroll bar
 _NOISE_STEPS = 10  # slider positions per cent
 _MAX_NOISE = 5  # per cent of the bytes; with more the line is unusable
 
 
 @dataclass(frozen=True, slots=True)
 class Columns:
-    """The longest text of each column, which aligns the groups of a panel."""
+    """Longest text of each column, to align the groups of a panel."""
 
     name: str = ""
     value: str = ""
@@ -45,7 +45,7 @@ class Columns:
 class Rows(ui.Card, Generic[SnapshotT]):
     def __init__(self, title: str, columns: Columns, parent: QWidget | None = None) -> None:
         super().__init__(title, parent)
-        self.controls: list[QWidget] = []  # in the order of Tab
+        self.controls: list[QWidget] = []  # in the order of the Tab key
         self._updates: list[Callable[[SnapshotT], object]] = []
         self._row = 0
         self._grid = ui.grid(self, margins=(4, 4, 2, 6), spacing=(3, 5), stretch=[(_SLIDER, 1)])
@@ -86,7 +86,7 @@ class Rows(ui.Card, Generic[SnapshotT]):
         read: Callable[[SnapshotT], float],
         show: Callable[[float], object],
     ) -> None:
-        """Let a slider set a value in its unit, and follow it. `show` displays it."""
+        """Connect a slider and a value in both directions. `show` displays it in its unit."""
         steps = slider.positions_per_unit
 
         def move(position: int) -> None:
@@ -101,7 +101,7 @@ class Rows(ui.Card, Generic[SnapshotT]):
         self.on_snapshot(update)
 
     def note(self, name: str, lines: int, read: Callable[[SnapshotT], tuple[str, bool]]) -> None:
-        """Add a text over all columns, and whether it is alarming."""
+        """Add a note across all columns. `read` returns its text and whether it is alarming."""
         made = ui.named(Note(lines, self), name)
 
         def update(snapshot: SnapshotT) -> None:
@@ -123,11 +123,11 @@ class Rows(ui.Card, Generic[SnapshotT]):
     ) -> QLabel:
         """Add a row. Return the label with the name.
 
-        A widget other than a check box in `ticks` takes the width that is left.
+        A widget in `ticks` that is not a check box takes the remaining width.
         """
         row_number = self._next()
         made = ui.label(self, text=name, buddy=slider)
-        made.setTextFormat(Qt.TextFormat.AutoText)  # `name` is ours: a number is bold
+        made.setTextFormat(Qt.TextFormat.AutoText)  # `name` is no user text: a number is bold
         if isinstance(slider, StickSlider):
             slider.value_label = value
         value.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
@@ -166,10 +166,10 @@ def add_cable(
     cause: Callable[[str], object],
     before: Sequence[tuple[QWidget, int]] = (),
 ) -> None:
-    """Add what disturbs the cable. `prefix` starts object names.
+    """Add controls that disturb the cable. `prefix` starts object names.
 
-    `mute` and `noise` are tool tips. `faults` are texts and values for `cause`; `choice` and `once`
-    are object name, text and tool tip of their list and its button. `before` is at the left.
+    `mute` and `noise` are tool tips. `faults` are texts and values for `cause`. `choice` and `once`
+    are object name, text and tool tip of the fault list and its button. `before` is on the left.
     """
     lost = rows.check_box(
         f"{prefix}Mute", tr("Replies lost"), mute, device.set_mute, lambda seen: seen.line.mute
@@ -203,7 +203,7 @@ def add_cable(
 
 
 class DemoDock(QDockWidget):
-    """Visible while the simulated device is in use, unless the user has closed it."""
+    """Dock, visible while the simulated device is in use, unless closed by the user."""
 
     wanted_changed = Signal(bool)  # `wanted`
 
@@ -215,9 +215,9 @@ class DemoDock(QDockWidget):
         make: Callable[[QWidget], QWidget],
         parent: QWidget | None = None,
     ) -> None:
-        """Create a dock with an object name.
+        """Create a dock with the object name `name`.
 
-        `key` stores whether it is wanted. `make` returns what it shows, the first time.
+        `key` stores `wanted`. `make` creates the content when the dock is first shown.
         """
         super().__init__(parent)
         self.setObjectName(name)
@@ -226,7 +226,7 @@ class DemoDock(QDockWidget):
         self._use = use
         self._store = Preferences()
         self._width = self._width_before = 0
-        # Whether the user wants to see it while the device is in use.
+        # True if the user wants to see the dock while the device is in use.
         self.wanted = self._store.flag(key, default=True)
         # Queued: Qt sets its own icons after the signal.
         self.visibilityChanged.connect(self._show_icons, Qt.ConnectionType.QueuedConnection)
@@ -235,7 +235,7 @@ class DemoDock(QDockWidget):
 
     @Slot()
     def _show_icons(self) -> None:
-        """Replace the style's icons, which come back when the dock is moved out or in."""
+        """Replace the style's icons, which come back when the dock is detached or docked."""
         for name, sign in (("floatbutton", "float"), ("closebutton", "clear")):
             button = self.findChild(QAbstractButton, f"qt_dockwidget_{name}")
             if button is not None:
@@ -256,7 +256,7 @@ class DemoDock(QDockWidget):
     def show_if_wanted(self) -> None:
         there = self.wanted and self._use.demo_in_use
         if there and self.isHidden():
-            if self.widget() is None:  # on a small screen the pages need the room: it scrolls
+            if self.widget() is None:  # it scrolls: pages need the space on small screens
                 self.setWidget(ScrollBox(self._make, self, sideways=True))
             self._free_space()
             self.show()
@@ -264,9 +264,9 @@ class DemoDock(QDockWidget):
             self.leave()
 
     def leave(self) -> None:
-        """Hide, and restore the width of the window unless the user has changed it.
+        """Hide the dock, and restore the window's width unless the user has changed it.
 
-        Call it before the window's geometry is saved: a floating panel would outlive the window.
+        Call this before the window's geometry is saved. A floating dock would outlive the window.
         """
         window = self.parentWidget()
         unchanged = window is not None and window.width() in {
@@ -281,7 +281,7 @@ class DemoDock(QDockWidget):
         self._width_before = 0
 
     def _free_space(self) -> None:
-        """Widen the window so that the pages keep their width, as far as the screen goes."""
+        """Widen the window so that the pages keep their width, as far as the screen allows."""
         window = self.parentWidget()
         if window is None or self.isFloating() or not window.isVisible() or window.isMaximized():
             return
@@ -322,7 +322,7 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
     def arrange(
         self, groups: Sequence[Rows[SnapshotT]], reset: QPushButton, *head: QWidget
     ) -> None:
-        """Lay out everything. Tab goes through the groups, then to `reset`."""
+        """Lay out the panel. Tab goes through the groups, then to `reset`."""
         self._groups, self._reset = groups, reset
         right = (reset, 0, Qt.AlignmentFlag.AlignRight)
         ui.column(*head, self._state, *groups, right, 1, into=self, margins=3, spacing=6)
@@ -336,7 +336,7 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
         raise NotImplementedError
 
     def sizeHint(self) -> QSize:
-        """Hint at little more than the minimum width, which leaves the pages more room."""
+        """Return little more than the minimum width, to leave space for the pages."""
         return QSize(self.minimumSizeHint().width() + _EXTRA_WIDTH, super().sizeHint().height())
 
     def showEvent(self, event: QShowEvent) -> None:

@@ -17,12 +17,12 @@ Controller = DeviceController[Any]
 
 
 class DeviceManager(QObject):
-    """Connects to one device at a time. The previous one is disconnected first."""
+    """Connects to one device at a time. Disconnects the previous device first."""
 
     changed = Signal()  # any property of `current`
-    progressed = Signal(int, int, str)  # steps done, steps in all, the next step
+    progressed = Signal(int, int, str)  # completed steps, total steps, the next step
     current_changed = Signal()  # `current` is another kind of device
-    # What an automatic stop means, in sentences; again when more is known. See `stop_remedies`.
+    # Sentences about an automatic stop, again when more is known. See `stop_remedies`.
     stop_reported = Signal(str)
 
     def __init__(
@@ -30,19 +30,19 @@ class DeviceManager(QObject):
         makers: Mapping[str, Callable[[], Controller]],
         scanner: DeviceScanner,
     ) -> None:
-        """Use the first kind of device until another one is chosen.
+        """Use the first kind of device until another kind is selected.
 
-        `makers` makes the controller of each kind, by its key, when it is first needed.
+        `makers`: device key → function that creates the controller on first use.
         """
         super().__init__()
         self.scanner = scanner
         self._makers = dict(makers)
         self._controllers: dict[str, Controller] = {}
-        # The controller of the device that is connected, or was last.
+        # Controller of the device that is connected, or was connected last.
         self.current = self.controller(next(iter(makers)))
         self._next: Callable[[], None] | None = None
-        self.was_left = False  # the user has disconnected, and not connected since
-        self.stop_remedies: Remedies = ()  # what to offer with `stop_reported`
+        self.was_left = False  # the user has disconnected and not reconnected
+        self.stop_remedies: Remedies = ()  # offered with `stop_reported`
 
     def controller(self, device: str) -> Controller:
         """Return the controller of a kind of device by its key."""
@@ -51,13 +51,13 @@ class DeviceManager(QObject):
             controller.changed.connect(self._on_changed)
             controller.progressed.connect(self.progressed)
             controller.stop_reported.connect(partial(self._on_stop_reported, controller))
-            # A new dictionary: another thread may be at `stop_now`.
+            # A new dictionary, because another thread may iterate over the old one in `stop_now`.
             self._controllers = {**self._controllers, device: controller}
         return self._controllers[device]
 
     @property
     def controllers(self) -> Collection[Controller]:
-        """Those that were made."""
+        """Controllers created so far."""
         return self._controllers.values()
 
     @property
@@ -80,10 +80,10 @@ class DeviceManager(QObject):
         self._switch_to(controller, lambda: controller.connect_with(port, settings))
 
     def switch_to(self, device: str, then: Callable[[], object]) -> bool:
-        """Use another kind of device, without connecting to one. Then call `then`.
+        """Use another kind of device without connecting it. Then call `then`.
 
-        A device that is disconnecting is waited for. Return whether `then` was or will be called:
-        a connected device is not disconnected for it.
+        A device that is disconnecting delays the call. A connected device stays connected and
+        prevents the call. Return whether `then` was or will be called.
         """
         controller = self.controller(device)
         if controller is self.current:
@@ -98,7 +98,7 @@ class DeviceManager(QObject):
     def _switch_to(self, controller: Controller, then: Callable[[], object]) -> None:
         self._next = None
         if controller is not self.current:
-            self.current.leave()  # an idle one may be waiting for a scan to end
+            self.current.leave()  # an idle controller may be waiting for a scan to end
             if not self.is_idle:
                 self._next = lambda: self._switch_to(controller, then)
                 return
@@ -109,7 +109,7 @@ class DeviceManager(QObject):
     def when_connected(self, then: Callable[[], object], *, only_now: bool = False) -> None:
         """Call `then` once, as soon as a device responds and its connection is reported.
 
-        `only_now`: not if the present attempt to connect fails.
+        `only_now`: give up if the present attempt to connect fails.
         """
 
         def run_once() -> None:
@@ -122,7 +122,7 @@ class DeviceManager(QObject):
         self.changed.connect(run_once)
 
     def leave(self) -> None:
-        """Disconnect for the user."""
+        """Disconnect on the user's request."""
         self.was_left = True
         self._next = None
         self.current.leave()
@@ -134,8 +134,8 @@ class DeviceManager(QObject):
     def stop_because(self, reason: str, remedies: Remedies = ()) -> None:
         """Stop every device because of an event.
 
-        Each device reports what that means, the one in use first. If none does, the reason alone
-        is reported if there are `remedies` to offer.
+        The texts of all devices are reported together, the current device first. If they are all
+        empty, the reason alone is reported if there are `remedies` to offer.
         """
         self.stop_remedies = remedies
         texts = {
@@ -153,7 +153,7 @@ class DeviceManager(QObject):
 
     @property
     def unconfirmed_stop(self) -> str:
-        """Warning about motors that may turn although every line is closed. Empty if none may."""
+        """Warning about motors that may turn although every line is closed, or empty."""
         return "\n".join(
             filter(None, (controller.unconfirmed_stop for controller in self._controllers.values()))
         )
@@ -178,7 +178,7 @@ class DeviceManager(QObject):
     def shut_down(self) -> bool:
         """Close every line and end a scan. Return whether all ended in time.
 
-        All start to end before the first is waited for.
+        All shutdowns start before the first is waited for.
         """
         self._next = None
         for controller in self._controllers.values():

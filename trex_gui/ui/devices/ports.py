@@ -30,10 +30,10 @@ class PortKind(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Port:
-    """One entry of the list. `url` is what pyserial opens, empty for a simulated device.
+    """Entry of the port list. pyserial opens `url`, which is empty for a simulated device.
 
-    `device` is the key of the kind of device that it leads to, `adapter` what it is on USB.
-    `settings` are those at which a device was found there, packed; empty if none was.
+    `device` is the key of the kind of device that the port leads to, `adapter` its USB adapter.
+    `settings` are the packed settings at which a device was found there, or empty.
     """
 
     kind: PortKind
@@ -44,10 +44,10 @@ class Port:
     settings: str = field(default="", compare=False)
 
     def is_same(self, other: "Port") -> bool:
-        """True if this is the other port, whatever it is called and leads to now.
+        """True if both are the same port, even if its name or device has changed.
 
-        An adapter that is plugged in while its old name is in use gets another one, and its name
-        may go to another adapter.
+        An adapter that is plugged in while its old name is in use gets another name, and another
+        adapter may get the old name.
         """
         if self.adapter is not None and other.adapter is not None:
             return self.adapter.is_same(other.adapter)
@@ -57,12 +57,12 @@ class Port:
 
 
 class Ports(QObject):
-    """A list that refreshes itself.
+    """List of ports that refreshes itself.
 
-    Serial ports of this computer come first, then typed addresses (pseudo-terminals and network
-    ports are in no list), then a simulated device of each kind. A port leads to the first kind
-    unless another one was found there, or chosen; that is remembered with the adapter, and with
-    the settings at which a device was found.
+    Serial ports of this computer come first, then typed addresses (no system lists pseudo-terminals
+    and network ports), boards served over the network, and a simulated device of each kind. A port
+    leads to the first kind of device unless another kind was found there, or selected. The kind is
+    saved with the adapter, and with the settings at which a device was found.
     """
 
     changed = Signal()  # `entries`
@@ -74,7 +74,7 @@ class Ports(QObject):
         self._typed = tuple(self._store.text(_REMEMBERED).splitlines()[-_MOST_TYPED:])
         lines = map(_read, self._store.text(_KNOWN).split("\n")[-_MANY:])
         kinds = {plugin.key for plugin in self.plugins}
-        # As they were when they were used or chosen, the newest last.
+        # Ports as they were when they were used or selected, the newest last.
         self._known = [port for port in lines if port is not None and port.device in kinds]
         self._served: dict[str, str] = {}  # labels of boards on the network, by URL
         self.entries: tuple[Port, ...] = ()
@@ -89,7 +89,7 @@ class Ports(QObject):
 
     @property
     def preferred(self) -> Port | None:
-        """The port to offer first: the one used last, the only USB adapter or the only port."""
+        """Port to offer first: the port used last, the only USB adapter or the only port."""
         serial = [port for port in self.entries if port.kind is PortKind.SERIAL]
         adapters = [port for port in serial if port.adapter is not None]
         only = next((ports[0] for ports in (adapters, serial) if len(ports) == 1), None)
@@ -97,14 +97,14 @@ class Ports(QObject):
 
     @property
     def last_used(self) -> Port | None:
-        """The port at which a device was found last, while it is there."""
+        """Port at which a device was found last. `None` if it is not listed now."""
         newest = next((known for known in reversed(self._known) if known.settings), None)
         return self.now(newest) if newest is not None else None
 
     def now(self, port: Port) -> Port | None:
-        """Return a port as it is listed now, perhaps by another name. `None` if it is not there.
+        """Return a port as it is listed now, perhaps by another name. `None` if it is missing.
 
-        Of several adapters with one serial number it is the one in the same socket.
+        Of several adapters with one serial number, return the adapter in the same socket.
         """
         entries = [entry for entry in self.entries if entry.is_same(port)]
         if len(entries) > 1:
@@ -140,9 +140,9 @@ class Ports(QObject):
             self.changed.emit()
 
     def add_typed(self, url: str) -> Port:
-        """Remember an address that the user typed. Return its entry.
+        """Save an address that the user typed. Return its entry.
 
-        A link to a listed port, as in `/dev/serial/by-id`, is that port: its adapter is known then.
+        A link to a listed port, as in `/dev/serial/by-id`, returns the port, with its adapter.
         """
         url = url.strip()
         linked = self.find(os.path.realpath(url)) if Path(url).is_symlink() else None
@@ -155,15 +155,15 @@ class Ports(QObject):
         return self.find(url) or self._entry(PortKind.TYPED, url, url)
 
     def set_served(self, labels: dict[str, str]) -> None:
-        """List boards that other computers serve: labels by URL."""
+        """List boards that other computers serve. `labels`: URL → label."""
         self._served = labels
         self.refresh()
 
     def lead_to(self, port: Port, device: str, settings: str = "") -> Port:
-        """Remember which kind of device a port leads to. Return its entry.
+        """Save the kind of device that a port leads to. Return its entry.
 
-        `settings` are those at which such a device was found, packed; a kind that was only chosen
-        has none.
+        `settings` are the packed settings at which such a device was found. They are empty if the
+        kind was only selected.
         """
         known = replace(port, device=device, settings=settings)
         is_news = bool(settings) or device != port.device
@@ -200,14 +200,14 @@ def _label(device: str, description: str) -> str:
 
 
 def _line(port: Port) -> str:
-    """Return what is remembered of a port. See `_read`."""
+    """Return a port as a line of the preferences. See `_read`."""
     adapter = () if port.adapter is None else astuple(port.adapter)
     words = (port.device, port.settings, port.url, *adapter)
     return "\t".join(" ".join(word.split()) for word in words)
 
 
 def _read(line: str) -> Port | None:
-    """Return a port as it was remembered. `None` if the line is none."""
+    """Return the port of a saved line. `None` if the line is invalid."""
     match line.split("\t"):
         case [device, settings, url]:
             return Port(PortKind.TYPED, url, url, device, None, settings)

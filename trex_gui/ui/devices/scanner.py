@@ -25,21 +25,21 @@ from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan
 _LONG = 90  # seconds from which on the time left is shown in minutes
 
 
-ScanJob = Callable[..., PortScan]  # `scan_port` of a port
+ScanJob = Callable[..., PortScan]  # `scan_port` with the settings of one port
 
 
 class ScanWorker(WorkerThread):
     """Runs one scan.
 
-    `cancel` and `close` may be called from any thread. Its owner keeps it until it has ended.
+    `cancel` and `close` may be called from any thread. The owner keeps the worker until its end.
     """
 
     stepped = Signal(int, object)  # index of the port and the `ScanProgress` of its next step
-    # Index of the port and its `PortScan`, until the scan is cancelled.
+    # Index of the port and its `PortScan`. A cancelled scan emits it for the running job at most.
     searched = Signal(int, object)
 
     def __init__(self, jobs: Sequence[ScanJob], logs: Sequence[TrafficLog]) -> None:
-        """Every byte goes into each of the logs."""
+        """Run `jobs` in order. Each log records every byte."""
         super().__init__()
         self.setObjectName("ScanWorker")
         self._open_wire: Callable[[PortSettings], Transport] = open_transport
@@ -70,17 +70,17 @@ class ScanWorker(WorkerThread):
 
 @dataclass(frozen=True, slots=True)
 class ScanFinding:
-    """Result of one port: a device, or why none was found."""
+    """Result of one port: a device, or the reason why there is none."""
 
     port: Port
-    text: str  # a paragraph for the user, or one for each kind of device
+    text: str  # for the user: one paragraph, or a paragraph for each kind of device
     found: FoundDevice | None = None  # `None` if there was no device
     device: str = ""  # key of its kind
-    command: str = ""  # for a shell, lets the user open the port
+    command: str = ""  # shell command that lets the user open the port
 
 
 class DeviceScanner(QObject):
-    """Scans one port after the other. Requests only, moves nothing."""
+    """Scans one port after the other. No probe moves a motor of a supported device."""
 
     changed = Signal()  # `running`, `findings` or `summary`
     progressed = Signal()  # `done`, `total` or `text`
@@ -93,35 +93,35 @@ class DeviceScanner(QObject):
         *,
         timeouts: Timeouts | None = None,
     ) -> None:
-        """Look for these kinds of devices. See `core.discovery.scan` for the order."""
+        """Search for these kinds of devices. See `core.discovery.scan` for the order."""
         super().__init__()
         self._plugins = tuple(plugins)
         self._timeouts = timeouts or Timeouts()
         self._simulators: dict[str, Simulator] = {}
-        self.logs: list[TrafficLog] = []  # get every byte of the searches
+        self.logs: list[TrafficLog] = []  # record every byte of the scans
         self.line = ("", "")  # kind and packed settings of the next connection
         self._worker: ScanWorker | None = None
         self._ports: tuple[Port, ...] = ()
-        # Of the ports that were scanned so far, in their order.
+        # Findings at the ports that were scanned so far, in the order of the ports.
         self.findings: tuple[ScanFinding, ...] = ()
         self._searched = 0
         self._only_recall = False
         self.done = 0  # probes that are done or no longer needed
         self.total = 1  # most probes that may be needed
         self._begun = 0.0
-        self.text = ""  # what is probed now; empty while idle
-        self.summary = ""  # how the last scan ended, in a sentence; empty before any did
+        self.text = ""  # the present probe, for the user; empty while idle
+        self.summary = ""  # a sentence on the last scan; empty until it has ended
         self.was_cancelled = False
         self._faults = 0
 
     def add_simulator(self, device: str, simulator: Simulator) -> None:
-        """Search the simulated device of a kind, too, while it runs."""
+        """Include the simulated device of a kind in scans while it runs."""
         self._simulators[device] = simulator
         simulator.ready.connect(self.simulators_changed)
         simulator.ended.connect(self.simulators_changed)
 
     def can_search(self, port: Port) -> bool:
-        """True if a port can be scanned: a simulated device has to run."""
+        """True if a port can be scanned. A simulated device must be running."""
         if port.kind is not PortKind.DEMO:
             return True
         simulator = self._simulators.get(port.device)
@@ -133,7 +133,7 @@ class DeviceScanner(QObject):
 
     @property
     def time_left(self) -> str:
-        """The longest that the scan still takes, for the user. Empty while that is not known."""
+        """Longest time left, as text for the user. Empty while it is not known."""
         left = seconds_left(now() - self._begun, self.done, self.total)
         if not self.running or self.was_cancelled or left is None:
             return ""
@@ -147,9 +147,9 @@ class DeviceScanner(QObject):
     def start(
         self, ports: Sequence[Port], *, full: bool = False, only_recall: bool = False
     ) -> None:
-        """Scan ports. `only_recall`: only at the settings at which a device was found before.
+        """Scan ports. `only_recall`: only at settings at which a device was found before.
 
-        That says nothing about ports without a reply.
+        Such a scan has no findings for ports without a reply.
         """
         if self._worker is not None or not ports:
             return

@@ -13,7 +13,7 @@ from trex_gui.core.translation import tr
 from trex_gui.ui.runtime import new_timer, runtime
 
 SIMULATOR_ARGUMENT = "--simulator"
-"""First argument with which the program itself runs the simulator instead of the window."""
+"""First argument that makes the program run the simulator instead of the window."""
 
 _POLL_INTERVAL_MS = 125
 _STOP_TIMEOUT_MS = 1000
@@ -27,7 +27,7 @@ def simulator_command() -> tuple[str, list[str]]:
 
 
 class Simulator(QObject):
-    """Starts the simulator once and keeps it running, with what was stored in the device."""
+    """Starts the simulator once. While it runs, the device retains its stored values."""
 
     ready = Signal(str)  # the address to connect to
     failed = Signal(str)  # why it did not start
@@ -37,8 +37,8 @@ class Simulator(QObject):
         super().__init__(parent)
         self._arguments = plugin.simulator_arguments
         self.label = tr("the Demo {0}").format(plugin.name)
-        # Address of the running simulator, empty while none runs; another one each time the cable
-        # is plugged in.
+        # Address of the running simulator, empty while none runs. It changes each time the cable is
+        # plugged in.
         self.url = ""
         self.plugged = True  # whether the cable of the simulated device is plugged in
         self._ending = False
@@ -60,7 +60,7 @@ class Simulator(QObject):
     def send(self, line: str, then: Callable[[str], None] | None = None) -> None:
         """Send one control line, such as `channel 1 1500us`.
 
-        `then` gets its answer, `ok ...` or `error ...`; answers come in the order of the lines.
+        `then` receives the reply, `ok ...` or `error ...`. Replies come in the order of the lines.
         """
         if self.url:
             self._awaited.append(then)
@@ -136,9 +136,9 @@ SnapshotT = TypeVar("SnapshotT", bound=DeviceSnapshot)
 class DemoDevice(QObject, Generic[SnapshotT]):
     """Operates a simulated device by control lines, and polls its state.
 
-    It is polled only while watched and while the simulator runs. A slider may move faster than
-    the simulator answers: one control line for each key is under way, and of those that follow
-    only the newest is kept.
+    The device is polled only while watched and while the simulator runs. A slider may move faster
+    than the simulator replies. Therefore only one control line of each key is pending, and of the
+    lines that follow only the newest is kept.
     """
 
     changed = Signal()
@@ -154,7 +154,7 @@ class DemoDevice(QObject, Generic[SnapshotT]):
         super().__init__(parent)
         self._simulator = simulator
         self._read = read
-        # The last state; `None` before the first one, and when the simulator has ended.
+        # The last state. `None` before the first state, and after the simulator has ended.
         self.snapshot: SnapshotT | None = None
         self._unsent: dict[str, str] = {}
         self._under_way: set[str] = set()
@@ -197,7 +197,7 @@ class DemoDevice(QObject, Generic[SnapshotT]):
         self._simulator.send(line, answered)
 
     def _send_newest(self, key: str, line: str) -> None:
-        """Send a control line for a key as soon as the previous one is executed."""
+        """Send a control line as soon as the previous line with this key is executed."""
 
         def done() -> None:
             self._under_way.discard(key)

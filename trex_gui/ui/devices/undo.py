@@ -1,7 +1,7 @@
-"""Edits as commands that can be taken back. They alone change what waits for Apply.
+"""Edits as undo commands. Only these commands change the values that wait for Apply.
 
-What the device reports by itself is no edit. A command knows the value that was shown before,
-so taking an edit back after it was applied makes the old value an edit of its own.
+A change that the device reports is not an edit. A command stores the value that was shown before,
+so undoing an edit after it was applied makes the old value a new edit.
 """
 
 from collections.abc import Callable
@@ -16,11 +16,11 @@ KeyT = TypeVar("KeyT")
 ValueT = TypeVar("ValueT")
 
 
-_OF_A_RUN = 1  # to Qt, commands of one kind may be merged; -1: never
+_OF_A_RUN = 1  # command id: Qt may merge commands with the same id, but never with -1
 
 
 def undo_titles(undone: str, redone: str) -> tuple[str, str]:
-    """Return the menu entries of undo and redo, with what they change as far as that is known."""
+    """Return the menu entries of undo and redo, with the texts of their commands if not empty."""
     return (
         tr("&Undo {0}").format(undone) if undone else tr("&Undo"),
         tr("&Redo {0}").format(redone) if redone else tr("&Redo"),
@@ -28,9 +28,9 @@ def undo_titles(undone: str, redone: str) -> tuple[str, str]:
 
 
 class Edit(QUndoCommand, Generic[KeyT, ValueT]):
-    """One value replaced by another, through a function that puts a value in its place.
+    """Command that replaces a value by calling `put` with the key and the new value.
 
-    Edits of one place with the same `run`, one right after the other, are one step to undo.
+    Consecutive edits of the same key with the same `run` are one undo step.
     """
 
     def __init__(
@@ -60,7 +60,7 @@ class Edit(QUndoCommand, Generic[KeyT, ValueT]):
         return -1 if self.run is None else _OF_A_RUN
 
     def mergeWith(self, other: QUndoCommand) -> bool:
-        """Take in the next edit of the run. One that leads back to the start leaves no step."""
+        """Merge the next edit of the run. If it restores the first value, no undo step is left."""
         if not isinstance(other, Edit) or (other.run, other.key) != (self.run, self.key):
             return False
         self.after = other.after

@@ -1,4 +1,4 @@
-"""The bar above the pages: state of the connection with port and line settings, search, help."""
+"""Bar above the pages: connection state, port, line settings, search, help."""
 
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
@@ -36,13 +36,13 @@ _NOT_CONNECTED, _OTHER = "not connected", "other"
 
 # Widths in average characters
 _PORT, _LEAST_PORT = 18, 10
-_STATE, _LEAST_STATE = 26, 6  # baud rate and quality are hidden where they leave less than 26
+_STATE, _LEAST_STATE = 26, 6  # baud rate and quality are hidden if the state has less than 26
 _QUALITY, _CONNECT, _WIDEST = 11, 14, 116
 
 
 class PortList(ui.ComboBox):
     def initStyleOption(self, option: QStyleOptionComboBox) -> None:
-        """Elide a text that is too long: under a style sheet Qt cuts it within a letter."""
+        """Elide a text that is too long. With a style sheet, Qt cuts it within a letter."""
         super().initStyleOption(option)
         combo, field = QStyle.ComplexControl.CC_ComboBox, QStyle.SubControl.SC_ComboBoxEditField
         width = self.style().subControlRect(combo, option, field, self).width() - 2
@@ -51,14 +51,14 @@ class PortList(ui.ComboBox):
 
 
 class ConnectionBar(QFrame):
-    """Choosing a port only chooses it. The button connects, or disconnects the connected one.
+    """Bar with a list of ports, and a button that connects or disconnects.
 
-    The list shows the port that was connected or chosen last; at first the port that was used last
-    or the only one.
+    Selecting a port does not connect it. The list shows the port that was connected or selected
+    last, at first the port that was used last or the only port.
     """
 
     connecting = Signal()
-    choice_changed = Signal()  # `would_connect` may be another
+    choice_changed = Signal()  # `would_connect` may have changed
     line_settings_requested = Signal()
     remedy_chosen = Signal(object)  # a `Remedy`
 
@@ -70,7 +70,7 @@ class ConnectionBar(QFrame):
         board_name: Callable[[], str],
         question: InlinePrompt,
     ) -> None:
-        """`board_name` returns that of the connected board, or an empty text."""
+        """`board_name` returns the name of the connected board, or an empty text."""
         super().__init__()
         self.setObjectName("connectionBar")
         self._line_choices = line_choices
@@ -81,9 +81,9 @@ class ConnectionBar(QFrame):
         self._dialog: FindDialog | None = None
         self._connected: Port | None = None
         self._chosen: Port | None = None
-        self._last: Port | None = None  # connected, or tried, last
+        self._last: Port | None = None  # last port that was connected or tried
         self._wants_none = False
-        self._next: QWidget | None = None  # has the focus of the button while that is disabled
+        self._next: QWidget | None = None  # has the focus while the button is disabled
         self._create_widgets()
 
         self._combo.activated.connect(self._on_activated)
@@ -107,7 +107,7 @@ class ConnectionBar(QFrame):
         self._line = ui.tool_button(
             self,
             "lineButton",
-            " ",  # the line settings follow
+            " ",  # the line settings replace it
             accessible=title_of(tr("&Line settings…")),
             tip=tr("How this computer talks to the board"),
             on_click=self.line_settings_requested,
@@ -139,7 +139,7 @@ class ConnectionBar(QFrame):
         self._progress = ui.progress_bar(self, "progressBar", tr("Progress"))
         self._progress.setFixedWidth(40)
         self._progress.hide()
-        # The state gives up room for what comes and goes, after baud rate and quality.
+        # When a part appears, baud rate and quality give up their space first, then the state.
         self._parts = ui.row(
             self._lamp,
             (self._status, 1),
@@ -152,7 +152,7 @@ class ConnectionBar(QFrame):
             into=pill,
             margins=(10, 1, 6, 1),
         )
-        # The window adds to it.
+        # The window adds search and help.
         self.row = ui.row((pill, 9), self.button, 0, into=self, margins=(12, 6, 12, 6))
         ui.tab_order(pill, self.button)
         pill.installEventFilter(self)
@@ -192,13 +192,13 @@ class ConnectionBar(QFrame):
 
     @property
     def would_connect(self) -> bool:
-        """Return whether Connect connects: nothing is connected, or the list shows another port."""
+        """True if the button connects: nothing is connected, or the list shows another port."""
         shown = self._combo.currentData()
         is_other = isinstance(shown, Port) and shown != self._manager.current.port
         return is_other or self._manager.is_idle
 
     def leave(self) -> None:
-        """Disconnect, after a question while settings are being written."""
+        """Disconnect, but ask first while settings are being written."""
         self._unless_busy(self._manager.leave)
 
     def _unless_busy(self, then: Callable[[], object]) -> None:
@@ -231,12 +231,12 @@ class ConnectionBar(QFrame):
         self._combo.showPopup()
 
     def reconnect(self) -> None:
-        """Connect to the port that was connected, or tried, last."""
+        """Connect to the last port that was connected or tried."""
         if self._last is not None:
             self.connect_to(self._ports.now(self._last) or self._last)
 
     def connect_with(self, remedy: ConnectWith) -> None:
-        """Connect with other settings to the port that is shown. Without one, open the list."""
+        """Connect to the shown port with other settings. Without a port, open the list."""
         port = self._port_to_show() or self._last
         if port is None:
             self._offer_ports()
@@ -250,7 +250,7 @@ class ConnectionBar(QFrame):
 
     @Slot()
     def find_board(self, *, at_once: bool = False) -> None:
-        """Open the search. `at_once`: of the port that is shown."""
+        """Open the search dialog. `at_once`: search the shown port immediately."""
         from trex_gui.ui.frame.find_dialog import FindDialog  # noqa: PLC0415 - not at the start
 
         if self._dialog is None:
@@ -296,7 +296,7 @@ class ConnectionBar(QFrame):
             self._on_ports_changed()
 
     def connect_to(self, port: Port) -> None:
-        """Connect to a port, after a question while settings are being written."""
+        """Connect to a port, but ask first while settings are being written."""
 
         def connect() -> None:
             self._chosen, self._wants_none = port, False

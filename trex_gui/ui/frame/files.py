@@ -1,4 +1,4 @@
-"""Files that are dropped, named or opened again, and the list of recent ones."""
+"""Opening of dropped, named and recent files, and the list of recent files."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -24,7 +24,7 @@ _MOST = 8
 @dataclass(frozen=True, slots=True)
 class RecentFile:
     device: str  # key of the kind of device
-    kind: str  # key of what opens it, in `Workspace.openers`
+    kind: str  # key of the function in `Workspace.openers` that opens it
     path: Path
 
     @property
@@ -33,7 +33,7 @@ class RecentFile:
 
 
 class RecentFiles(QObject):
-    """A list that is remembered. The newest is first."""
+    """Saved list of recent files, newest first."""
 
     changed = Signal()
 
@@ -61,9 +61,9 @@ class RecentFiles(QObject):
 
 
 class FileOpener(QObject):
-    """Opens files in the workspaces that they belong to: dropped, named, or from the recent ones.
+    """Opens dropped, named and recent files in their workspaces.
 
-    It makes the workspaces of devices that were not used yet when a file may belong to one.
+    If a file fits no workspace so far, the workspaces of all other devices are added.
     """
 
     def __init__(
@@ -85,7 +85,7 @@ class FileOpener(QObject):
         self.recent_menu.setToolTipsVisible(True)
         self.recent.changed.connect(self._fill_menu)
         self._fill_menu()
-        # After the event: a question about the file must not block the program it comes from.
+        # Queued: a question about the file must not block the program that it was dragged from.
         drop = FileDrop(window)
         drop.dropped.connect(self._on_dropped, Qt.ConnectionType.QueuedConnection)
 

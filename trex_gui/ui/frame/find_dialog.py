@@ -36,12 +36,12 @@ _CHECKABLE = Qt.ItemFlag.ItemIsUserCheckable
 
 
 class FindDialog(ReusedDialog):
-    """A dialog beside the window. Closing it ends the scan.
+    """Dialog beside the window. Closing it ends the scan.
 
-    Boards stand above the ports without one, which are folded as soon as there is a board.
+    Boards are listed above the ports without a board, which are collapsed if a board is found.
     """
 
-    check_requested = Signal()  # the user wants to know what to look at on a board
+    check_requested = Signal()  # the user requests help on checking a board
 
     def __init__(
         self,
@@ -51,9 +51,9 @@ class FindDialog(ReusedDialog):
         line_choices: Callable[[str, object], Sequence[LineChoice]],
         parent: QWidget | None = None,
     ) -> None:
-        """`unless_busy` calls a function that ends a connection, after a question if need be.
+        """`unless_busy` calls a function that ends a connection, but may ask the user first.
 
-        `line_choices` returns other line settings than those in use for a kind of device.
+        `line_choices` returns alternatives to the present line settings of a kind of device.
         """
         super().__init__(parent)
         self.setObjectName("findDialog")
@@ -64,8 +64,8 @@ class FindDialog(ReusedDialog):
         self._unless_busy = unless_busy
         self._line_choices = line_choices
         self._scanner = device_manager.scanner
-        self._checked: dict[Port, bool] = {}  # as the user has chosen
-        self._first: Port | None = None  # chosen in the window
+        self._checked: dict[Port, bool] = {}  # ports that the user checked or cleared
+        self._first: Port | None = None  # the port selected in the window
         self._shown: tuple[ScanFinding, ...] | None = None
         self._is_unfolded = False
         self._connects: dict[QPushButton, Port] = {}
@@ -146,9 +146,9 @@ class FindDialog(ReusedDialog):
         )
 
     def look(self, chosen: Port | None, *, at_once: bool = False) -> None:
-        """Open the dialog. The port that is chosen in the window is listed and searched first.
+        """Open the dialog. The port selected in the window is listed and searched first.
 
-        `at_once`: search that port now, and no other.
+        `at_once`: search only this port, immediately.
         """
         self._first = chosen
         self._on_ports_changed()
@@ -210,12 +210,12 @@ class FindDialog(ReusedDialog):
             self._busy.setText(tr("This computer has no serial ports. Plug an adapter in."))
         self._busy.setVisible(port is not None or self._list.count() == 0)
         self._disconnect.setVisible(port is not None)
-        if running:  # the focus goes there from Start
+        if running:  # the focus moves to Cancel from Start
             self._cancel.setEnabled(True)
         self._list.setEnabled(not running)
         self._full.setEnabled(not running)
         self._start.setEnabled(not running and bool(self._chosen))
-        if not running and self.focusWidget() is self._cancel:  # it goes to the first board
+        if not running and self.focusWidget() is self._cancel:  # focus the first board
             next(iter(self._connects), self._start).setFocus()
         self._cancel.setEnabled(running)
         self._check.setVisible(self._manager.current.has_line_settings)
@@ -242,7 +242,7 @@ class FindDialog(ReusedDialog):
 
     @Slot()
     def _remember(self) -> None:
-        """Remember what was found at each port, except where several boards share a line."""
+        """Save the device found at each port, unless several boards share the line."""
         boards = [finding for finding in self._scanner.findings if finding.found is not None]
         ports = [finding.port for finding in boards]
         for board in boards:

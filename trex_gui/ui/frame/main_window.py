@@ -72,14 +72,14 @@ _DEVICE = "window/device"
 
 
 def last_device() -> str:
-    """Return the key of the kind of device whose workspace was shown last, empty at first."""
+    """Return the device key of the workspace that was shown last. Empty at first."""
     return Preferences().text(_DEVICE)
 
 
 class MainWindow(QMainWindow):
-    """Shows the workspace of the device that is connected, or was last."""
+    """Shows the workspace of the current device."""
 
-    # Whether any window of the program is seen: neither hidden nor minimised.
+    # True if any window of the program is visible: neither hidden nor minimised.
     seen_changed = Signal(bool)
 
     def __init__(
@@ -89,7 +89,7 @@ class MainWindow(QMainWindow):
         notifier: Notifier,
         add_all_workspaces: Callable[[], object],
     ) -> None:
-        """`add_all_workspaces` adds those of the kinds of devices that were not used yet."""
+        """`add_all_workspaces` adds the workspaces of devices that were not used yet."""
         super().__init__()
         restore_choices()  # before fonts are measured
         self.setObjectName("mainWindow")
@@ -130,17 +130,17 @@ class MainWindow(QMainWindow):
         self.help_dialog: HelpDialog | None = None
         self._was_connected = False
         self._is_reopening = False
-        self.reopens = False  # once it is closed: it was closed to be opened again,
-        self.port_to_reopen: Port | None = None  # and connected to this port
+        self.reopens = False  # after closing: the window is to be opened again
+        self.port_to_reopen: Port | None = None  # after closing: the port to connect then
         self._warning = UnconfirmedStopWarning(device_manager, self.question, self)
         self.files = FileOpener(
             device_manager, notifier, lambda: self._workspaces, add_all_workspaces, self
         )
 
     def add_workspace(self, workspace: Workspace) -> None:
-        """Add the workspace of a kind of device, and fill the menus with those of all.
+        """Add the workspace of a device, and fill the menus for all workspaces.
 
-        The first is that of the window as it is first shown.
+        The window opens with the first workspace.
         """
         is_first = not self._workspaces
         self._workspaces += (workspace,)
@@ -174,7 +174,7 @@ class MainWindow(QMainWindow):
         preferences = self._actions["preferences"]
         preferences.setMenuRole(QAction.MenuRole.PreferencesRole)
         self._menus_shown[0].insertMenu(preferences, self.files.recent_menu)
-        # Whatever window is in front; the others have their own keys.
+        # Active whichever window is in front.
         for key in ("stop", "help", "search"):
             self._actions[key].setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
         self._actions["stop"].setAutoRepeat(False)  # Esc that closed a menu may still be held
@@ -209,7 +209,7 @@ class MainWindow(QMainWindow):
         return next(workspace for workspace in self._workspaces if workspace.key == key)
 
     def _menus(self, workspaces: Sequence[Menus]) -> Iterator[tuple[str, Entries]]:
-        """Yield titles and entries. Menus that only one workspace has come before Window."""
+        """Yield titles and entries. Menus of only one workspace come before Window."""
         bar, stop = self.connection, partial(stop_or_close_dialog, self._manager)
         preferences, open_log = (
             self._show_preferences,
@@ -339,7 +339,7 @@ class MainWindow(QMainWindow):
             case Remedy.SET_UP_CRC:
                 self._workspace.set_up_crc()
 
-    # --- Appearance, beginning and end --------------------------------------------------
+    # --- Dialogs, search, showing and closing -------------------------------------------
 
     def _show_preferences(self) -> None:
         from trex_gui.ui.frame.preferences_dialog import PreferencesDialog  # noqa: PLC0415
@@ -349,7 +349,7 @@ class MainWindow(QMainWindow):
 
     @Slot()
     def reopen(self) -> None:
-        """Close the window to be opened again, connected as it is. Ask what closing asks."""
+        """Close the window after the usual prompts, to reopen it with its connection."""
         is_connected = self._manager.current.link is ConnectionState.CONNECTED
         port = self._manager.current.port if is_connected else None
         self._is_reopening = True
@@ -365,7 +365,7 @@ class MainWindow(QMainWindow):
 
     @Slot(str)
     def show_help(self, topic: str) -> None:
-        """Show a page of the help beside the window, or a section: `page.md#anchor`."""
+        """Show a help page, or a section by `page.md#anchor`, beside the window."""
         from trex_gui.ui.help.dialog import HelpDialog  # noqa: PLC0415 - not at the start
 
         if self.help_dialog is None:
@@ -373,7 +373,7 @@ class MainWindow(QMainWindow):
         self.help_dialog.show_topic(topic)
 
     def findables(self) -> Iterator[Findable]:
-        """Yield what the search finds now: pages, parameters, menu entries, messages, help."""
+        """Yield the present search entries: pages, parameters, menu entries, messages, help."""
         yield from self._workspace.findables()
         pages = {entry.key for entry in entries_of({"": self._workspace.page_entries()})}
         yield from menu_findables(self, pages, self._workspace.moving)
@@ -401,7 +401,7 @@ class MainWindow(QMainWindow):
         self.seen_changed.emit(any(window.visibility() not in unseen for window in windows))
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        if self._manager.is_armed:  # whatever is asked first, and however long the answer takes
+        if self._manager.is_armed:  # at once, before any question to the user
             self._manager.stop_because(tr("The window was to be closed"))
         if not self._warning.given and not all(
             workspace.may_close(self.reopen if self._is_reopening else self.close)

@@ -1,4 +1,4 @@
-"""The places of a workspace: a column of tabs at its left, with icon and name."""
+"""Places of a workspace: a column of tabs on its left, with icons and names."""
 
 from collections.abc import Sequence
 
@@ -29,7 +29,7 @@ class PlaceBar(QTabBar):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        self.icons: Sequence[str] = ()  # their names, in the order of the tabs
+        self.icons: Sequence[str] = ()  # icon names, in the order of the tabs
         self._counts: dict[int, int] = {}  # index of a tab → number on it
         self.setMouseTracking(True)
         self.setExpanding(False)
@@ -43,13 +43,13 @@ class PlaceBar(QTabBar):
             self.show_names()
 
     def show_names(self) -> None:
-        """Show the names as they are now, in the tabs or in their tool tips."""
-        for index in range(self.count()):  # the tabs ask for their sizes
+        """Update the names, in the tabs or in their tool tips."""
+        for index in range(self.count()):  # makes Qt compute the tab sizes again
             self.setTabText(index, self.tabText(index))
             self._notify_name(index)
 
     def set_count(self, index: int, count: int) -> None:
-        """Show a number on a tab, or none for 0. No tab moves."""
+        """Show a count on a tab. 0 shows none. No tab moves."""
         if count != self._counts.get(index, 0):
             self._counts[index] = count
             self._notify_name(index)
@@ -66,14 +66,14 @@ class PlaceBar(QTabBar):
         if self.is_narrow:
             return QSize(_ICON + 3 * _AROUND, height)
         name = metrics.horizontalAdvance(self.tabText(index))
-        room = _ICON + 6 * _AROUND + metrics.height()  # with a number behind the name
-        return QSize(round(1.1 * name) + room, height)  # Qt makes all as wide as the widest
+        room = _ICON + 6 * _AROUND + metrics.height()  # with a count after the name
+        return QSize(round(1.1 * name) + room, height)  # Qt makes all tabs as wide as the widest
 
     def minimumTabSizeHint(self, index: int) -> QSize:  # noqa: N802 - of Qt
         return self.tabSizeHint(index)
 
     def minimumSizeHint(self) -> QSize:
-        """As it is in a narrow window: it becomes narrow only where there is no more room."""
+        """Return the size without names, so that the window can become narrow."""
         height = sum(self.tabSizeHint(index).height() for index in range(self.count()))
         return QSize(_ICON + 3 * _AROUND, height)
 
@@ -137,12 +137,12 @@ class PlaceBar(QTabBar):
 
 
 def counted(title: str, count: int) -> str:
-    """Return a title with a number behind it: `Problems (2)`."""
+    """Return a title with its count, if any: `Problems (2)`."""
     return f"{title} ({count})" if count else title
 
 
 class Places(QTabWidget):
-    """Tabs in a column. In a narrow window they are icons."""
+    """Tabs in a column, as icons in a narrow window."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -178,7 +178,7 @@ class Place(QWidget):
         self.title = title
 
     def add_tabs(self, *above: QWidget, margins: Margins = 0) -> None:
-        """Add the tabs, which Tab reaches after what is above them."""
+        """Add the tabs below the widgets in `above`, also in the order of the Tab key."""
         name = self.objectName().replace("Page", "Tabs")
         self.tabs = named(QTabWidget(self), name, accessible=self.title)
         self.tabs.setDocumentMode(True)

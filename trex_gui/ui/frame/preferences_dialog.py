@@ -31,7 +31,7 @@ _LEAST_PATH = "/home/someone/robots"
 
 class PreferencesDialog(ReusedDialog):
     def __init__(self, reopen: Callable[[], object], parent: QWidget | None = None) -> None:
-        """`reopen` opens the window again, in another language."""
+        """`reopen` opens the window again, in the new language."""
         super().__init__(parent)
         self._reopen = reopen
         self.setObjectName("preferencesDialog")
@@ -154,7 +154,7 @@ class PreferencesDialog(ReusedDialog):
 
     @Slot()
     def _fit(self) -> None:
-        self._rows.activate()  # else the rows inside it keep the heights they had
+        self._rows.activate()  # otherwise the inner rows keep their old heights
         width = max(_WIDTH * theme().font_size // 100, self.minimumSizeHint().width())
         self.resize(width, self.heightForWidth(width))
         if self.isVisible():

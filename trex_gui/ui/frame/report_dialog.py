@@ -1,4 +1,4 @@
-"""The report for support: every file is shown before anything is written."""
+"""Dialog of the support report. It shows every file before it writes any file."""
 
 from collections.abc import Callable, Mapping
 from functools import partial
@@ -25,11 +25,11 @@ from trex_gui.ui.widgets.labels import Muted
 from trex_gui.ui.widgets.placement import resize_with_font
 
 _FILE = Qt.ItemDataRole.UserRole
-_AROUND_ROW = 4  # pixels, in the style sheet
+_AROUND_ROW = 4  # pixels, as in the style sheet
 
 
 class ReportDialog(ReusedDialog):
-    """Collects the files when it is opened, shows them, and saves those that are checked."""
+    """Collects the files when opened, shows them, and saves the checked files."""
 
     def __init__(self, notifier: Notifier, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -72,7 +72,7 @@ class ReportDialog(ReusedDialog):
         self._list.itemChanged.connect(self._enable)
 
     def open_report(self, parts: Mapping[str, Callable[[], str]]) -> None:
-        """Collect the files beside the window's thread. `parts` make them there."""
+        """Collect the files in another thread. `parts`: file name → function to call there."""
         self._list.clear()
         self._text.clear()
         self._enable()

@@ -27,16 +27,16 @@ _FOUND = Qt.ItemDataRole.UserRole
 
 
 class SearchField(QLineEdit):
-    """Shows the hits of what is typed below it. Enter opens the selected one, Esc leaves."""
+    """Search field with the hits below it. Enter opens the selected hit, Esc leaves."""
 
     def __init__(self, findables: Callable[[], Iterable[Findable]], parent: QWidget) -> None:
-        """`findables` returns what can be found now, when a search begins."""
+        """`findables` returns the search entries when a search starts."""
         super().__init__(parent)
         ui.named(self, "searchField", accessible=title_of(tr("Search every&thing")))
         self.setPlaceholderText(tr("Search everything (Ctrl+K)"))
         self._findables = findables
-        self._index: SearchIndex | None = None  # while a search goes on
-        self._before: QWidget | None = None  # had the focus
+        self._index: SearchIndex | None = None  # during a search
+        self._before: QWidget | None = None  # had the focus before the search
         self._model = QStandardItemModel(0, 2, self)
         self._hits = ui.named(QTreeView(), "searchHits", accessible=tr("Hits"))
         self._hits.setHeaderHidden(True)
@@ -56,7 +56,7 @@ class SearchField(QLineEdit):
 
     @Slot()
     def start(self) -> None:
-        """Take the focus, and show the pages until something is typed."""
+        """Set the focus. Show the pages until the user types."""
         if (focused := self.window().focusWidget()) is not self:
             self._before = focused
         self.window().activateWindow()
@@ -84,7 +84,7 @@ class SearchField(QLineEdit):
     @Slot()
     def _on_chosen(self) -> None:
         found = self._hits.currentIndex().data(_FOUND)
-        self._hits.hide()  # gives the focus back, which the hit may take
+        self._hits.hide()  # restores the focus, which the hit may change
         found.show()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:

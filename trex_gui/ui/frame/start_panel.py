@@ -1,4 +1,4 @@
-"""The page while nothing is connected: wiring, what is plugged in, search, demo, files."""
+"""Page shown while nothing is connected: wiring, ports, search, demo, files."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -28,7 +28,7 @@ _MOST_FILES = 3
 class StartWay:
     wiring: Wires
     note: str
-    name: str = ""  # to choose it by, with a free letter, if there are several
+    name: str = ""  # on its button, with a free mnemonic, if there are several ways
     danger: str = ""
 
 
@@ -37,9 +37,9 @@ class StartTexts:
     title: str
     hint: str  # what to do first, in one line
     ways: Sequence[StartWay]
-    none: str  # heading of what needs no hardware
-    demo: str  # on the button, as the texts of files with a free letter
-    files: Sequence[tuple[str, str]]  # action that opens a file, text
+    none: str  # heading of the card that needs no hardware
+    demo: str  # text of its button, with a free mnemonic
+    files: Sequence[tuple[str, str]]  # action that opens a file, text with a free mnemonic
     prefix: str = ""  # starts object names
 
 
@@ -64,7 +64,7 @@ class PortRow(QWidget):
 
 
 class StartPanel(QWidget):
-    """Leads to a first connection with the kind of device that a workspace is for."""
+    """Leads to a first connection with the device of a workspace."""
 
     def __init__(
         self, texts: StartTexts, frame: MainWindow, workspace: Workspace, parent: QWidget
@@ -124,7 +124,7 @@ class StartPanel(QWidget):
         self._on_recent_changed()
 
     def _wirings(self, ways: Sequence[StartWay]) -> QWidget:
-        """Return the drawing of each way, one of which is chosen."""
+        """Return a card with the drawing of each way, and buttons to select one of several."""
         card = ui.Card("", self)
         pages, choices = QStackedWidget(card), list[QPushButton]()
         for number, way in enumerate(ways, start=1):
@@ -181,13 +181,13 @@ class StartPanel(QWidget):
 
     @Slot()
     def _on_connecting(self) -> None:
-        """Focus the places: Qt gives the focus of a page that is hidden to any other widget."""
+        """Focus the places, because Qt gives the focus of a hidden page to any other widget."""
         focused = self._frame.focusWidget()
         if focused is not None and self.isAncestorOf(focused):
             self._frame.pages.tabBar().setFocus()
 
     def _on_port_clicked(self, at: int) -> None:
-        """Connect to this kind of device, unless another one was found on the port."""
+        """Connect to this kind of device, unless the port leads to another kind."""
         port, ports = self._ports[at], self._frame.ports
         is_known = port.device != ports.plugins[0].key
         self._frame.connection.connect_to(port if is_known else ports.lead_to(port, self._device))

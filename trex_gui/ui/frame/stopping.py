@@ -12,11 +12,11 @@ from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.messages import InlinePrompt
 
 _LOG_OUT_S = 60.0
-"""Seconds after the start of a log-out within which closing the window is part of it."""
+"""Seconds after the start of a log-out in which closing the window belongs to the log-out."""
 
 
 def stop_or_close_dialog(device_manager: DeviceManager) -> None:
-    """Stop, or close the dialog in front, which stops only what may be moving."""
+    """Stop, or close the dialog in front. With a dialog, stop only if motors may move."""
     dialog, needs_stop = QApplication.activeWindow(), device_manager.needs_stop
     if needs_stop or not isinstance(dialog, QDialog):
         device_manager.press_stop()
@@ -31,8 +31,8 @@ class EscapeWatch(QObject):
     Modal dialogs block a shortcut, and editors in a table consume the key. The filter is on the
     native windows, so only their events pass through Python.
 
-    Esc that closes a dialog, a question, a menu, a list or an editor in a table is no stop while
-    nothing can be moving; otherwise it does both.
+    If Esc closes a dialog, a question, a menu, a list or an editor in a table, it also stops, but
+    only while a motor may be moving.
     """
 
     def __init__(
@@ -54,7 +54,7 @@ class EscapeWatch(QObject):
         if not isinstance(event, QKeyEvent) or event.key() != Qt.Key.Key_Escape:
             return False
         if event.type() == QEvent.Type.ShortcutOverride and _is_closed_by_escape():
-            event.accept()  # it comes as a key press, not as the shortcut of the menu
+            event.accept()  # Esc then arrives as a key press, not as the shortcut of the menu
             return True
         is_pressed = event.type() == QEvent.Type.KeyPress and not event.isAutoRepeat()
         closes = _is_closed_by_escape() or isinstance(QApplication.activeWindow(), QDialog)
@@ -77,8 +77,8 @@ def _is_closed_by_escape() -> bool:
 class UnconfirmedStopWarning(QObject):
     """Warns in the window about an unconfirmed stop when the window is closed.
 
-    It does not block, so that anything else can still end the program. A stop that is confirmed
-    after all closes the window, and so does closing it again. There is no warning on log-out.
+    The warning does not block, so other events can still end the program. If the stop is confirmed
+    later, or the user closes the window again, the window closes. Log-out shows no warning.
     """
 
     def __init__(
@@ -88,7 +88,7 @@ class UnconfirmedStopWarning(QObject):
         self._manager = device_manager
         self._question = question
         self._window = window
-        self.given = False  # whether it is shown; closing the window then needs no other question
+        self.given = False  # the warning is shown; closing the window then needs no other question
         self._log_out_at: float | None = None
         app = QApplication.instance()
         if isinstance(app, QApplication):
@@ -96,7 +96,7 @@ class UnconfirmedStopWarning(QObject):
 
     @property
     def is_due(self) -> bool:
-        """Return whether the window, with every line closed, must not close without it."""
+        """True if the window must not close without the warning once every line is closed."""
         is_log_out = self._log_out_at is not None and now() - self._log_out_at < _LOG_OUT_S
         return bool(self._manager.unconfirmed_stop) and not self.given and not is_log_out
 

@@ -22,13 +22,13 @@ from trex_gui.ui.widgets.painted import Painted, Painter
 
 _COLORS = ("window_text", "accent", "outline")  # of the wires, from top to bottom
 _WIRES = 3.6  # lines of text above the first wire
-_SMALLEST, _LARGEST, _LARGEST_TEXT = 0.85, 2.0, 1.2  # times the size that fits the font
+_SMALLEST, _LARGEST, _LARGEST_TEXT = 0.85, 2.0, 1.2  # factors of the size that fits the font
 
 
 @dataclass(frozen=True, slots=True)
 class Wires:
-    board: str  # name of what is wired
-    adapter: str  # name of what it is wired to
+    board: str  # name of the board
+    adapter: str  # name of the adapter or receiver
     # Names of the pins at the adapter and at the board, from top to bottom; at most three.
     wires: Sequence[tuple[str, str]]
     jumpers: Sequence[Jumper] = ()
@@ -56,7 +56,7 @@ class WiringSketch(Painted):
         return self.sizeHint() * _SMALLEST
 
     def _boxes(self) -> tuple[QRectF, QRectF]:
-        """Return where adapter and board are."""
+        """Return the rectangles of adapter and board."""
         wiring, font, line = self._wiring, self.font(), self.fontMetrics().height()
         left, right = self._pin_widths()
         rows, jumpers = 2 * len(wiring.wires), jumpers_size(font, wiring.jumpers)
@@ -76,7 +76,7 @@ class WiringSketch(Painted):
         del event
         whole, line = self.sizeHint(), self.fontMetrics().height()
         (adapter, body), (left, right) = self._boxes(), self._pin_widths()
-        height = self.height() - line  # some is left above and below
+        height = self.height() - line  # leaves space above and below
         scale = min(self.width() / whole.width(), height / whole.height(), _LARGEST)
         with Painter(self) as painter:
             painter.translate(

@@ -1,4 +1,4 @@
-"""Starting and ending recordings, and the windows of open ones."""
+"""Start and end of recordings, and windows of open recordings."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -32,13 +32,13 @@ if TYPE_CHECKING:  # the plotting library takes as long to load as all of Qt
 _UPDATE_INTERVAL_MS = 250
 
 _DROPPED_SUFFIXES = frozenset({SUFFIX, ".csv"})
-"""A CSV export is taken, too, to explain that it is no recording."""
+"""Includes CSV exports, to explain that they are no recordings."""
 
 WindowT = TypeVar("WindowT", bound="RecordingWindow")
 
 
 class RecordIndicator(QWidget):
-    """Shows duration, size and file while recording, and a button to stop it."""
+    """Shows duration, size and file of a running recording, and a stop button."""
 
     def __init__(
         self, recorder: RecordThread[Any], parent: QWidget | None = None, *, prefix: str = ""
@@ -96,13 +96,13 @@ class RecordingTexts:
 
 
 class RecordingManager(QObject, Generic[WindowT]):
-    """Chooses files, starts recordings and owns the windows of open ones.
+    """Selects files, starts recordings and owns the windows of open recordings.
 
-    A subclass for each device makes the windows of its recordings.
+    A subclass for each device creates the windows of its recordings.
     """
 
     changed = Signal()  # `recorder.recording` or `recorder.can_record`
-    used = Signal(object)  # the `Path` of a recording that was opened or made
+    used = Signal(object)  # the `Path` of a recording that was opened or completed
 
     def __init__(
         self,
@@ -115,7 +115,7 @@ class RecordingManager(QObject, Generic[WindowT]):
         store: str,
         prefix: str = "",
     ) -> None:
-        """The last folder is remembered under `store`. `prefix` starts object names."""
+        """`store` starts the settings key of the last folder, `prefix` starts object names."""
         super().__init__(window)
         self._format = fmt
         self._texts = texts
@@ -213,11 +213,11 @@ class RecordingManager(QObject, Generic[WindowT]):
         self.windows.append(window)
         window.closed.connect(partial(self._remove, window))
         window.show()
-        # The thread that loads slows this one down: not before the window was drawn.
+        # Draw the window first, because the loading thread slows this thread down.
         new_timer(window, 0, window.player.start_loading, single_shot=True).start()
 
     def _save_copy(self, window: WindowT) -> None:
-        """Save a recording that the program made where it is not removed again."""
+        """Copy an automatic recording to a place where it is not removed."""
         source = window.player.path
         path = self._prompt_to_save(
             tr("Save a cop&y…"), last_folder(self._folder_key) / source.name
@@ -266,7 +266,7 @@ class RecordingManager(QObject, Generic[WindowT]):
 
     @Slot()
     def _on_changed(self) -> None:
-        """Report only what menus depend on. The recorder reports every kilobyte."""
+        """Report only changes that affect menus, not each batch of records."""
         state = (self.recorder.recording, self.recorder.can_record)
         if state != self._last:
             self._last = state

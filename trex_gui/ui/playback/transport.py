@@ -1,4 +1,4 @@
-"""A position in a recording, moved by the user or by playing, and its controls."""
+"""Playback position in a recording, and its controls."""
 
 from PySide6.QtCore import QLocale, QObject, QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QAccessible
@@ -42,7 +42,7 @@ class PlaybackCursor(QObject):
             self.moved.emit()
 
     def play(self) -> None:
-        """Play on, or from the start again at the end."""
+        """Continue playing, or start again if the position is at the end."""
         if self.position >= self.end:
             self.set_position(self.start)
         self._last_frame = now()
@@ -71,7 +71,7 @@ class PlaybackCursor(QObject):
 
 
 class _TimeSlider(QSlider, Spoken):
-    """Is read in seconds, and as the time that is shown beside it."""
+    """Slider that screen readers read in seconds, with the time label beside it."""
 
     spoken_role = QAccessible.Role.Slider
 
@@ -92,7 +92,7 @@ class _TimeSlider(QSlider, Spoken):
 class TransportBar(QWidget):
     """Moves the position of a recording.
 
-    Arrow keys move by a second, page keys by ten.
+    Arrow keys move the position by 1 s, page keys by 10 s.
     """
 
     def __init__(self, playback: PlaybackCursor, parent: QWidget | None = None) -> None:
@@ -154,7 +154,7 @@ class TransportBar(QWidget):
     @Slot()
     def _on_progressed(self) -> None:
         length = self._playback.end - self._playback.start
-        # A slider holds 248 days.
+        # The range of a slider ends at 248 days.
         with QSignalBlocker(self._slider):
             self._slider.setMaximum(min(2**31 - 1, round(length * _PER_SECOND)))
         self._play.setEnabled(length > 0)

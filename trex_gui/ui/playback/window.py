@@ -28,7 +28,7 @@ from trex_gui.ui.widgets.placement import fit_on_screen, restore_geometry, save_
 
 _REDRAW_DELAY_MS = 100
 
-_EVENT_MARGIN = 5.0  # seconds shown before and after a chosen event, unless less is shown already
+_EVENT_MARGIN = 5.0  # seconds before and after a chosen event, if the plot shows a long span
 _CSV_SUFFIX = ".csv"
 
 
@@ -173,7 +173,7 @@ class RecordingWindow(QMainWindow):
 
     @Slot()
     def update_figures(self) -> None:
-        """Update what depends on the span and the cursor. Nothing by default."""
+        """Update values that depend on the span or the cursor. Does nothing by default."""
 
     @Slot()
     def update_state(self) -> None:
@@ -286,7 +286,7 @@ class RecordingWindow(QMainWindow):
 
     @Slot()
     def _on_cursor_changed(self) -> None:
-        """Move to a click in the plot, and show the position again when the pointer leaves it."""
+        """Move to a click in the plot. When the pointer leaves it, show the position again."""
         mark = self.plot.mark_time
         if mark is not None and mark != self._marked:
             self.player.set_position(mark)

@@ -1,7 +1,7 @@
 """A plot in the theme's colours: axes, grid, curves, straight lines, bands, and the mouse.
 
-The only module that imports pyqtgraph, which takes as long as importing all of Qt: import it
-when a plot is to be shown.
+Only this module imports pyqtgraph, which takes as long as importing all of Qt. Import it when
+a plot is needed.
 """
 
 from typing import Any, TypeVar
@@ -19,10 +19,10 @@ from trex_gui.ui.widgets.builders import column
 from trex_gui.ui.widgets.painted import never_mirror
 
 _LABEL_MARGIN = 60  # pixels that a label may extend beyond the end of its axis
-_ZOOM = 0.8  # how much less is shown after one notch of the wheel
+_ZOOM = 0.8  # part of the span that is shown after one notch of the wheel
 
 
-pg.setConfigOption("mouseRateLimit", -1)  # or fast moves of the mouse are dropped
+pg.setConfigOption("mouseRateLimit", -1)  # otherwise fast mouse moves are dropped
 
 
 class _Shape:
@@ -126,20 +126,20 @@ class _MouseBox(pg.ViewBox):  # type: ignore[misc] # pyqtgraph has no types
 
 
 class PlotCanvas(QWidget):
-    """A plot with fixed axes. Pixels are those of its `viewport`, from the left."""
+    """A plot with fixed axes. Pixels count from the left of its `viewport`."""
 
-    arranged = Signal()  # the plot has another size, or its axes another range
+    arranged = Signal()  # the size of the plot or the range of its axes changed
     hovered = Signal(float)  # the mouse is at this pixel
     unhovered = Signal()
     clicked = Signal(float)  # with the left button, at this pixel
     selected = Signal(float, float)  # a span was dragged, from one pixel to another
-    zoomed = Signal(float, float)  # show this many times as much, around this pixel
+    zoomed = Signal(float, float)  # show this multiple of the span, around this pixel
     panned = Signal(float)  # the content was dragged this many pixels to the right
 
     def __init__(
         self, name: str, parent: QWidget | None = None, *, is_navigable: bool = False
     ) -> None:
-        """A screen reader reads `name`. Only a navigable plot takes drags and the wheel."""
+        """`name` is for screen readers. Only a navigable plot handles drags and the wheel."""
         super().__init__(parent)
         self.is_navigable = is_navigable
         self._box = _MouseBox(enableMouse=False, enableMenu=False, defaultPadding=0)
@@ -155,11 +155,11 @@ class PlotCanvas(QWidget):
         self._plot.hideButtons()
         self._plot.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._plot.setFrameShape(self._plot.Shape.NoFrame)
-        # A background that is kept may be that of the scheme before.
+        # A cached background may have the colour of the previous scheme.
         self._plot.setCacheMode(self._plot.CacheModeFlag.CacheNone)
         self._plot.setMinimumSize(120, 40)
         self._axes = {side: self._plot.getAxis(side) for side in ("left", "bottom", "right")}
-        # As one path the grid costs a hundredth of pyqtgraph's own.
+        # As one path, the grid costs a hundredth of pyqtgraph's own grid.
         self._grid = QGraphicsPathItem()
         self._grid.setZValue(-10)
         self.add_item(self._grid)
@@ -183,7 +183,7 @@ class PlotCanvas(QWidget):
         """Add a line through points. With a width of 1 it is not smoothed and costs least."""
         kind = pg.PlotCurveItem if width > 1 else _ThinCurve
         item = kind(antialias=width > 1, skipFiniteCheck=True)
-        item.setSegmentedLineMode("off")  # which would break dashes
+        item.setSegmentedLineMode("off")  # segments would break dashes
         ratio = self.devicePixelRatioF()
         pen = _pen(width * ratio if width > 1 else 1, style)
         if width <= 1 and style is not Qt.PenStyle.SolidLine:
@@ -236,7 +236,7 @@ class PlotCanvas(QWidget):
         self.arranged.emit()
 
     def set_right_axis(self, labels: Labels) -> None:
-        """Label values of the left axis at the right. Without labels there is no axis."""
+        """Label values of the left axis at the right. Without labels the right axis is hidden."""
         axis = self._axes["right"]
         if bool(labels) != self._has_right_axis:
             self._has_right_axis = bool(labels)
@@ -250,12 +250,12 @@ class PlotCanvas(QWidget):
 
     @property
     def right_edge(self) -> float:
-        """The pixel where the right axis, or without one the plot, ends."""
+        """Pixel where the right axis ends, or the plot if there is no right axis."""
         width = float(self._axes["right"].width()) if self._has_right_axis else 0.0
         return self.frame.right() + width
 
     def set_margins(self, *, left: str, top: int, right: int, x_axis: bool) -> None:
-        """Leave room for the widest text at the left, and for pixels elsewhere."""
+        """Reserve space for the text `left`, and `top` and `right` pixels."""
         metrics = QFontMetrics(self.small_font())
         self._axes["left"].setWidth(metrics.horizontalAdvance(left) + 10)
         bottom = self._axes["bottom"]
@@ -275,7 +275,7 @@ class PlotCanvas(QWidget):
         return low + (pixel - frame.left()) / max(frame.width(), 1.0) * (high - low)
 
     def labels_in_height(self) -> int:
-        """Return the labels of the y axis that have space."""
+        """Return the number of labels that fit along the y axis."""
         return int(self.frame.height() / (1.4 * QFontMetrics(self.small_font()).height()))
 
     def small_font(self) -> QFont:
@@ -317,7 +317,7 @@ class PlotCanvas(QWidget):
 
 
 def _pen(pixels: float, style: Qt.PenStyle) -> QPen:
-    # A pen that keeps its width when the axes change counts in the pixels of the screen.
+    # The width of a cosmetic pen is in pixels of the screen, whatever the axes show.
     pen = QPen(Qt.GlobalColor.black, pixels, style)
     pen.setCosmetic(True)
     return pen

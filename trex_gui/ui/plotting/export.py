@@ -1,6 +1,6 @@
-"""Export of a plot: as CSV, of what is shown or of everything, or as a picture.
+"""Export of a plot: its visible or all samples as CSV, or a picture.
 
-Importing it loads pyqtgraph: do so when a plot is to be shown.
+Importing it loads pyqtgraph: import it when a plot is needed.
 """
 
 import csv
@@ -38,7 +38,7 @@ _LIGHT = "export/light_background"
 
 SIZE = QSize(1200, 700)
 _SCALE = 2  # pixels of a PNG for each unit of `SIZE`: sharp on paper and on fine screens
-_CHUNK = 2000  # rows of CSV from one progress report to the next
+_CHUNK = 2000  # rows of CSV between two progress reports
 _LEFT = 70
 _FONT_PIXELS = 15
 _HEADING_HEIGHT = 26
@@ -46,7 +46,7 @@ _LINE_WIDTH = 1.3
 
 
 class ExportButton(QToolButton):
-    """Opens a menu of formats, asks for a file and writes what a plot shows."""
+    """Opens a menu of formats, prompts for a file and exports the plot."""
 
     def __init__(
         self,
@@ -59,8 +59,8 @@ class ExportButton(QToolButton):
     ) -> None:
         """Propose files called `name`. Without `tables`, offer pictures only.
 
-        What has tables is live: the proposed name and the heading of a picture have date and time
-        as well.
+        A plot with tables is live: date and time are added to the proposed file name and to the
+        heading of a picture.
         """
         super().__init__(parent)
         self.setObjectName("exportButton" if tables else "pictureButton")
@@ -123,7 +123,7 @@ class ExportButton(QToolButton):
         write = partial(
             write_csv,
             heads=[(trace.name, trace.unit) for trace in source.traces],
-            # Copies: the history goes on. A million rows take 0.1 to 0.3 s.
+            # Copies, because the history changes. A million rows take 0.1 to 0.3 s.
             columns=[column.copy() for column in (times, *values)],
             events=[(event.time, event.text) for event in source.events_between(start, end)],
             origin=self._plot.origin if self._plot.origin is not None else source.span[0],
@@ -165,10 +165,10 @@ def write_csv(
 ) -> int:
     """Write curves as CSV (RFC 4180), a row for each sample. Return the number of samples.
 
-    The first column is in seconds; each curve has one, headed by its name and its unit
-    in brackets; the last has the events, in the row of the first sample at or after them. Unknown
-    values are empty. `columns` are the rising times, which are written from `origin` on, and the
-    values of each curve; `heads` are names and units, `events` times and texts in order.
+    The first column is the time in seconds since `origin`. Each curve has a column, headed by its
+    name and its unit in brackets. The last column has the events, in the row of the first sample
+    at or after each event. Unknown values are empty. `columns`: rising times, then the values of
+    each curve. `heads`: names and units. `events`: times and texts, in order of time.
     """
     writer = csv.writer(file)
     names = [f"{name} ({unit})" if unit else name for name, unit in heads]

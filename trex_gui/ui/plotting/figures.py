@@ -1,4 +1,4 @@
-"""Below a plot: the table of its curves, which is its legend, and the list of its events."""
+"""Table of the curves of a plot, which is its legend, and list of its events."""
 
 import math
 from enum import IntEnum, auto
@@ -41,8 +41,8 @@ _RIGHT = int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
 
 _PADDING = 8  # pixels around the text of a cell, as the style paints it
 _ROW_ROOM = 6  # pixels beyond the height of a line
-_MAX_EVENTS = 1000  # events listed: the newest
-_MIN_EVENT_WIDTH = 24  # characters of an event that are visible at least
+_MAX_EVENTS = 1000  # newest events that are listed
+_MIN_EVENT_WIDTH = 24  # least number of visible characters of an event
 
 
 class TraceColumn(IntEnum):
@@ -77,7 +77,7 @@ class TraceTable(QAbstractTableModel):
         self._traces: tuple[TraceInfo, ...] = ()
         self._statistics: dict[str, Statistics] = {}
         visible = tr("In the visible span")
-        self._heads = (  # as in `TraceColumn`
+        self._heads = (  # in the order of `TraceColumn`
             (tr("Curve"), tr("Select the curves to draw")),
             (tr("Now"), tr("Newest value; ⚠ means 80 % of the limit or more")),
             (tr("Peak"), visible),
@@ -249,7 +249,7 @@ def swatch(color: QColor, size: QSize, *, dotted: bool = False) -> QPixmap:
 
 
 class TraceTableView(QTableView):
-    """The table below a plot: as high as four curves, more by scrolling."""
+    """Table below a plot, as high as four curves. More curves scroll."""
 
     def __init__(self, model: TraceTable, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -277,7 +277,7 @@ class TraceTableView(QTableView):
                 self.setColumnHidden(column, not self._table.is_needed(column))
 
     def sizeHintForColumn(self, column: int) -> int:
-        """Return more than Qt, which takes the boxes to be smaller than the style paints them."""
+        """Add to Qt's hint, which assumes smaller check boxes than the style paints."""
         return super().sizeHintForColumn(column) + _PADDING
 
     def _height_of(self, rows: float) -> int:
@@ -285,7 +285,7 @@ class TraceTableView(QTableView):
 
     def sizeHint(self) -> QSize:
         width = self.horizontalHeader().length() + self.verticalScrollBar().sizeHint().width()
-        # Half a row shows that there are more.
+        # Half a row shows that there are more rows.
         return QSize(width + 2 * self.frameWidth() + 2, self._height_of(4.5))
 
     def minimumSizeHint(self) -> QSize:
@@ -338,7 +338,7 @@ class EventList(QListWidget):
         self.clear()
         for event in self._events:
             dot = swatch(theme().color(EVENT_COLORS[event.kind]), QSize(8, 8))
-            elapsed = max(0.0, event.time - (self._origin or 0.0))  # the line opens before a sample
+            elapsed = max(0.0, event.time - (self._origin or 0.0))  # opened before sampling
             text = f"{clock_text(elapsed)}  {event.text}"
             item = QListWidgetItem(QIcon(dot), text, self)
             item.setToolTip(plain(event.text))

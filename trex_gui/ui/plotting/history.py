@@ -1,7 +1,7 @@
-"""Many rows of samples in bounded memory. Any span is drawn and summarized at once.
+"""Many rows of samples in bounded memory. Any span is drawn and summarized fast.
 
-A plot of an hour needs the extremes of some hundred spans of samples. `SampleColumn` keeps those of
-blocks of rows: a million samples cost as much as some ten thousand.
+A plot of an hour needs the extremes of some hundred spans of samples. `SampleColumn` saves the
+extremes of blocks of rows, so that a million samples cost as much as some ten thousand.
 """
 
 import itertools
@@ -22,34 +22,34 @@ CAPACITY = 1_000_000  # rows kept
 MAX_GAP = 0.5  # seconds without a sample that interrupt a curve: 40 samples of currents
 _FIRST_ROOM = 4096
 
-_MAX_GAPS_DRAWN = 200  # gaps drawn in one plot; where there are more, only the longest
-BLOCK = 64  # rows summarized at once
-_STEPS = 16  # parts of the capacity, of which one is dropped at once
+_MAX_GAPS_DRAWN = 200  # gaps drawn in one plot: the longest
+BLOCK = 64  # rows in one summary
+_STEPS = 16  # parts of the capacity; one part is dropped at a time
 
 
 class SampleColumn:
-    """The values of one column, and summaries of whole blocks of them.
+    """Values of one column, and summaries of whole blocks of values.
 
-    NaN is left out; a block of nothing else is NaN itself. Integrals are by the trapezoidal rule:
-    the interval before a row belongs to the row, and counts nothing if it is longer than `max_gap`
+    Extremes skip NaN, unless a block has nothing else. Integrals use the trapezoidal rule: the
+    interval before a row belongs to the row, and adds nothing if it is longer than `max_gap`
     seconds or has NaN at one end.
     """
 
     def __init__(self, kind: str, max_gap: float) -> None:
         self._max_gap = max_gap
         self.values: Floats = np.empty(0, kind)
-        self._blocks = 0  # those summarized
+        self._blocks = 0  # number of summarized blocks
         self._extremes: Floats = np.empty((2, 0), kind)  # lowest and highest value
         self._integrals: Floats = np.empty((3, 0))  # seconds, integral, integral of squares
 
     def resize(self, rows: int, size: int) -> None:
-        """Reserve space for so many rows, of which the first `size` are in use."""
+        """Reserve space for `rows` rows, of which the first `size` are in use."""
         self.values = _resized(self.values, rows, size)
         self._extremes = _resized(self._extremes, rows // BLOCK, self._blocks)
         self._integrals = _resized(self._integrals, rows // BLOCK, self._blocks)
 
     def summarize(self, times: Floats, size: int) -> None:
-        """Summarize the whole blocks of the rows up to `size`. No row is read twice."""
+        """Summarize new whole blocks of rows up to `size`. No row is read twice."""
         first, stop = self._blocks, size // BLOCK
         if first == stop:
             return
@@ -62,7 +62,7 @@ class SampleColumn:
         self._blocks = stop
 
     def drop(self, rows: int, left: int) -> None:
-        """Drop the first rows, which are whole blocks. So many rows are left."""
+        """Drop the first `rows` rows, a number of whole blocks. `left` rows remain."""
         self.values[:left] = self.values[rows : rows + left].copy()
         gone, blocks = rows // BLOCK, self._blocks
         self._blocks -= gone
@@ -72,9 +72,9 @@ class SampleColumn:
     def extremes(
         self, first: int, stop: int, least: int
     ) -> tuple[NDArray[np.intp], Floats, Floats]:
-        """Return where the parts of rows `first` to `stop` begin, and their extremes.
+        """Return the starts of the parts of rows `first` to `stop`, and their extremes.
 
-        They are blocks, and single rows at the ends. With fewer than `least` blocks all are rows.
+        Parts are blocks, with single rows at the ends. Below `least` blocks all are single rows.
         """
         begin, end = self._whole_blocks(first, stop)
         if end - begin < least * BLOCK:
@@ -96,12 +96,12 @@ class SampleColumn:
         return seconds, integral, squares
 
     def _whole_blocks(self, first: int, stop: int) -> tuple[int, int]:
-        """Return the first row of summarized blocks within these, and the row after the last."""
+        """Return the rows at which summarized blocks within `first` to `stop` begin and end."""
         begin, end = -(-first // BLOCK) * BLOCK, min(stop // BLOCK, self._blocks) * BLOCK
         return (begin, end) if begin < end else (stop, stop)
 
     def _intervals(self, times: Floats, first: int, stop: int) -> Floats:
-        """Return what the interval before each row adds: (integrals, rows)."""
+        """Return the contributions of the interval before each row: (integrals, rows)."""
         added = np.zeros((3, stop - first))
         begin = max(first, 1)  # there is no interval before row 0
         values = self.values[begin - 1 : stop].astype(np.float64)
@@ -116,7 +116,7 @@ class SampleColumn:
 
 
 def _resized(array: Floats, room: int, used: int) -> Floats:
-    """Return a copy with space for so many values in its last dimension, with those in use."""
+    """Return a copy with space for `room` values in its last dimension, the first `used` set."""
     grown = np.empty((*array.shape[:-1], room), array.dtype)
     grown[..., :used] = array[..., :used]
     return grown
@@ -126,7 +126,7 @@ def _resized(array: Floats, room: int, used: int) -> Floats:
 class Statistics:
     """Figures of a curve within a span. Times without samples are left out, NaN means unknown."""
 
-    seconds: float = 0.0  # for which there were samples
+    seconds: float = 0.0  # total time with samples
     integral: float = 0.0  # unit x seconds
     mean: float = math.nan  # over time
     rms: float = math.nan  # over time
@@ -137,13 +137,13 @@ class Statistics:
 class SampleHistory:
     """The last `capacity` rows of a time and one value per column. Times rise, NaN means unknown.
 
-    Memory grows with the rows; at capacity the oldest are dropped. The average cost of adding
-    a row does not depend on their number.
+    Memory grows with the rows. At capacity the oldest rows are dropped. The average cost of adding
+    a row does not depend on the number of rows.
 
     Args:
-        columns: how many, or numpy's types of their values. "float16" holds whole numbers up to
-            2048 in a quarter of the memory.
-        max_gap: seconds.
+        columns: number of columns, or numpy's types of their values. "float16" holds whole numbers
+            up to 2048 in a quarter of the memory.
+        max_gap: seconds without a sample that interrupt a curve.
     """
 
     def __init__(
@@ -155,7 +155,7 @@ class SampleHistory:
         self.capacity = capacity
         self._kinds = ["float64"] * columns if isinstance(columns, int) else columns
         self._max_gap = max_gap
-        # Until a step of whole blocks can be dropped, its rows are kept, too.
+        # Rows beyond the capacity are kept until a step of whole blocks can be dropped.
         self._step = max(1, capacity // (_STEPS * BLOCK)) * BLOCK
         self._max_rows = -(-capacity // self._step) * self._step + self._step
         self.clear()
@@ -164,7 +164,7 @@ class SampleHistory:
         self._times: Floats = np.empty(0)
         self._columns = [SampleColumn(kind, self._max_gap) for kind in self._kinds]
         self._size = 0
-        self._gaps: list[tuple[float, float]] = []  # when each ended and how long it was
+        self._gaps: list[tuple[float, float]] = []  # end and length of each gap
 
     def __len__(self) -> int:
         return min(self._size, self.capacity)
@@ -183,7 +183,7 @@ class SampleHistory:
         return (float(self.times[0]), float(self.times[-1])) if self._size else None
 
     def append(self, time: float, *values: float) -> None:
-        """Add a row. A time before the newest one is replaced by the newest."""
+        """Add a row. A time earlier than the newest time is replaced by it."""
         self._free_space(1)
         end = self._size
         if end:
@@ -246,7 +246,7 @@ class SampleHistory:
         return max(0, self._size - self.capacity)
 
     def rows(self, start: float, end: float) -> slice:
-        """Return which of `times` lie from `start` to `end`."""
+        """Return the slice of `times` from `start` to `end`."""
         first, stop = self._rows(start, end)
         return slice(first - self._start, stop - self._start)
 
@@ -276,12 +276,12 @@ class SampleHistory:
         return Statistics(seconds, integral, integral / seconds, rms, low, high)
 
     def points(self, column: int, start: float, end: float, bins: int) -> Points:
-        """Return the samples, or two for each of `bins` where they are many more.
+        """Return the samples, or two points for each of `bins` if there are many more samples.
 
         A bin gives its lowest and its highest value, in the order in which the line passes
         them. Bins lie at multiples of their width, so that a scrolling plot does not flicker.
-        One sample outside is added at either end, so that the line reaches the edges; the
-        newest sample is always the last point.
+        One sample beyond either end is added, so that the line reaches the edges. The newest of
+        these samples is always the last point.
         """
         first, stop = self._rows(start, end)
         first, stop = max(self._start, first - 1), min(self._size, stop + 1)

@@ -1,4 +1,4 @@
-"""The menu in which the colours and the layout of a plot are chosen, opened and saved."""
+"""Menu to select the colours of a plot, and to open and save its layout."""
 
 from collections.abc import Callable
 from functools import partial
@@ -43,7 +43,7 @@ class LayoutButton(QToolButton):
         layout: Callable[[], PlotLayout],
         use: Callable[[PlotLayout | None], object],
     ) -> None:
-        """`layout` returns what is shown. `use` shows another one, or with `None` the default."""
+        """`layout` returns the current layout. `use` shows a layout, or the default (`None`)."""
         super().__init__(parent)
         self._plot = plot
         self._notifier = notifier
@@ -102,7 +102,7 @@ class LayoutButton(QToolButton):
             self.open(path)
 
     def open(self, path: Path) -> None:
-        """Show the plot as a file says, which is read beside the window's thread."""
+        """Show the layout of a file, which is read in the background."""
         source = self._plot.source
         known = [] if source is None else [trace.name for trace in source.traces]
 
@@ -125,7 +125,7 @@ class LayoutButton(QToolButton):
             self.save(path)
 
     def save(self, path: Path) -> None:
-        """Write how the plot is shown to a file, beside the window's thread."""
+        """Save the layout of the plot to a file, in the background."""
         file_questions.remember_folder(path)
         saved = tr("The layout was saved in {0}.").format(path)
         work = partial(save, path, write_layout(self._layout()))

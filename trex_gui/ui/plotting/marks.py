@@ -26,18 +26,18 @@ EVENT_COLORS: dict[EventKind, str] = {
     EventKind.LINK: "info",
     EventKind.NOTE: "muted",
 }
-"""Names of the theme. A word is beside each, so that no state is shown by colour alone."""
+"""Colours of the theme. Each has a word beside it, so that no state is shown by colour alone."""
 
-MAX_MARKS = 200  # events marked in one plot: the newest
-_NEAR = 6  # pixels from an event in which the mouse still finds it
-_FAR = 60  # pixels that a word may be moved to the left to make space for newer ones
+MAX_MARKS = 200  # newest events that are marked in one plot
+_NEAR = 6  # pixels around an event within which the mouse finds it
+_FAR = 60  # pixels that a word may move to the left to make space for newer words
 _BESIDE = 8  # pixels between the cursor and its values
 
 
 def value_text(value: float, unit: str, *, mean: bool = False) -> str:
-    """Return a value with two decimals and its unit, plain counts whole, with a sign.
+    """Format a value with two decimals and its unit, or a plain count with its sign.
 
-    A `mean` has one decimal more: it is known better than a single sample.
+    A `mean` has one decimal more, because it is known better than a single sample.
     """
     if not math.isfinite(value):
         return NO_VALUE
@@ -59,7 +59,7 @@ def charge_text(found: Statistics) -> str:
 
 
 class EventMarks(Painted):
-    """The strip above the plot with a word for each event. The tool tip has all of it."""
+    """Strip above the plot with a word for each event. The tool tip has the whole text."""
 
     chosen = Signal(object)  # the `Event` that was clicked
 
@@ -120,7 +120,7 @@ class EventMarks(Painted):
 
 
 class CurveTags(Painted):
-    """The strip right of the plot with the tag of each curve at its newest value."""
+    """Strip right of the plot with the tag of each curve at its newest value."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -164,7 +164,7 @@ class CurveTags(Painted):
 
 
 class Readout(QLabel):
-    """The box beside the cursor: the time and the values there."""
+    """Box beside the cursor, with the time and the values there."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -185,7 +185,7 @@ class Readout(QLabel):
         origin: float,
         shown: Collection[str],
     ) -> None:
-        """Show the values at a time, which counts from `origin`."""
+        """Show a time, counted from `origin`, and the values at this time."""
         lines = [clock_text(time - origin)]
         if mark is not None:
             since = f"{Number(time - mark):+.3f} s".replace("-", MINUS)
@@ -201,7 +201,7 @@ class Readout(QLabel):
             self.adjustSize()
 
     def show_beside(self, x: float, frame: QRectF) -> None:
-        """Show it right of a pixel, or left of it without room, within the frame."""
+        """Show the box right of a pixel, or left if space is short, within the frame."""
         left = x + _BESIDE
         if left + self.width() > frame.right():
             left = x - _BESIDE - self.width()

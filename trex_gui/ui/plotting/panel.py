@@ -1,6 +1,6 @@
 """A plot with its controls: time shown, pause, figures, events, export.
 
-Importing it loads pyqtgraph: do so when a plot is to be shown.
+Importing it loads pyqtgraph: import it when a plot is needed.
 """
 
 import math
@@ -26,7 +26,7 @@ from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.builders import button, column, combo_box, label, row, splitter, tab_order
 from trex_gui.ui.widgets.labels import PageHead
 
-_WINDOWS = (10, 30, 60, 300, 600, 1800, 3600)  # seconds that can be chosen to be shown
+_WINDOWS = (10, 30, 60, 300, 600, 1800, 3600)  # choices of the time shown, in seconds
 _USUAL_SECONDS = 30.0
 _TOPS = (1, 2, 5, 10, 20, 50)  # in the unit of the left axis
 
@@ -34,16 +34,16 @@ _TOPS = (1, 2, 5, 10, 20, 50)  # in the unit of the left axis
 class TracePanel(QWidget):
     """Shows a source of traces.
 
-    While the source grows, its owner calls `draw_live` and, less often, `refresh_figures`. What
-    the user chooses is remembered: curves, time, range and layout.
+    While the source grows, its owner calls `draw_live` and, less often, `refresh_figures`. The
+    user's choices are saved: curves, time, range and layout.
     """
 
     def __init__(self, parent: QWidget | None = None, *, key: str = "currents") -> None:
-        """`key` begins the keys under which the choices are remembered."""
+        """`key`: prefix of the preferences in which the choices are saved."""
         super().__init__(parent)
         self._store = Preferences()
         self._key = f"{key}/"
-        # Of the source, until the user chooses; all curves have a colour, shown or not.
+        # Defaults of the source. Hidden curves have a default colour, too.
         self._usual = PlotLayout(_USUAL_SECONDS, 0, {})
         self._usual_colors: dict[str, str] = {}
 
@@ -124,7 +124,7 @@ class TracePanel(QWidget):
         self._show_state()
 
     def _restore_layout(self, parts: QSplitter, key: str) -> None:
-        """Arrange parts as the user did, now and in later runs."""
+        """Restore the sizes of parts, and save them when the user moves the handle."""
         key, store = self._key + key, self._store
         parts.splitterMoved.connect(lambda *_: store.set(key, parts.saveState()))
         parts.restoreState(store.data(key))
@@ -220,7 +220,7 @@ class TracePanel(QWidget):
         return PlotLayout(self.plot.span.length, self.plot.top or 0, curves)
 
     def _use_layout(self, layout: PlotLayout | None) -> None:
-        """Show the plot in another way, or as before any choice."""
+        """Show the plot in this layout, or with `None` in the default layout."""
         layout = layout or self._usual
         self._select_window(layout.seconds)
         self._select_top(layout.top)
@@ -247,7 +247,7 @@ class TracePanel(QWidget):
         self._window.setPlaceholderText(duration_text(span.length))
 
     def show_moment(self, time: float, text: str) -> None:
-        """Show the last event up to a time that says `text`. Without one, the time."""
+        """Show the last event with this text up to a time. Without such an event, show the time."""
         self.refresh()
         source = self.plot.source
         events = [] if source is None else source.events_between(-math.inf, time)

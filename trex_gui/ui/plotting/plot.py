@@ -1,6 +1,6 @@
 """A plot of a source of traces: it follows the newest sample or shows a part of the past.
 
-Importing it loads pyqtgraph: do so when a plot is to be shown.
+Importing it loads pyqtgraph: import it when a plot is needed.
 """
 
 import math
@@ -25,7 +25,7 @@ from trex_gui.ui.widgets.builders import column, named
 from trex_gui.ui.widgets.labels import Muted
 from trex_gui.ui.widgets.painted import Painted
 
-BINS = 500  # parts of the width that get two points each
+BINS = 500  # parts of the width, each with two points
 _PAN = 0.25
 _ZOOM = 0.7
 _FINE, _COARSE = 0.002, 0.05
@@ -42,14 +42,14 @@ FloatsT = TypeVar("FloatsT", float, Floats)
 class TracePlot(Painted):
     """Curves on up to two axes, limits, events, a cursor and a mark.
 
-    Curves of the source's first unit are on the left axis, all others on the right one, drawn in
-    values of the left axis: a second view box would cost as much as a second plot. x is seconds
-    from the right edge, so that nothing but the curves moves while live.
+    Curves of the source's first unit are on the left axis, other curves on the right axis. All are
+    drawn in values of the left axis, because a second view box would cost as much as a second
+    plot. x is seconds from the right edge, so that only the curves move while live.
     """
 
     spoken_role = QAccessible.Role.Chart
 
-    view_changed = Signal()  # another span is shown, or it is live again or no longer
+    view_changed = Signal()  # another span is shown, or `span.live` changed
     cursor_changed = Signal()  # `cursor_time` or `mark_time`
     shown_changed = Signal()
     colors_changed = Signal()
@@ -64,14 +64,14 @@ class TracePlot(Painted):
         self.source: Traces | None = None
         self.shown: set[str] = set()  # names of the curves that are drawn
         self.origin: float | None = None  # time of the first sample, from which times count
-        self.peaks_since: float | None = None  # time from which peaks are held, if they are
+        self.peaks_since: float | None = None  # time from which peaks are held; `None`: not held
         self.cursor_time: float | None = None
         self.mark_time: float | None = None
-        self.top: float | None = None  # where the left axis ends; `None`: where the values do
+        self.top: float | None = None  # end of the left axis; `None`: fits the values
         self._left, self._right = ValueAxis(""), ValueAxis("")
         self._shapes: dict[str, tuple[Curve, Line, Line]] = {}  # a curve, its limit and its peak
         self._drawn_axes: object = None
-        self._hovered: float | None = None  # pixels: under a mouse at rest the time moves on
+        self._hovered: float | None = None  # pixels: the time under a still mouse moves on
         self.setObjectName("tracePlot")
         self.setAccessibleName(name or tr("Plot of currents and speeds against time"))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -148,7 +148,7 @@ class TracePlot(Painted):
         self.colors_changed.emit()
 
     def set_top(self, top: float | None) -> None:
-        """Let the left axis reach from 0 to a value, or fit what is shown."""
+        """Let the left axis reach from 0 to a value, or fit the visible curves."""
         self.top = top
         self._left = ValueAxis(self._left.unit, top)
         self.draw()
@@ -208,7 +208,7 @@ class TracePlot(Painted):
         self._tags.set_heights(heights)
 
     def _fit_axes(self, source: Traces) -> dict[str, Points]:
-        """Fit the axes to what is shown, and return the points of the curves that have any."""
+        """Fit the axes to the shown curves, and return the points of curves with samples."""
         span, lines = self.span, {}
         extremes: dict[bool, list[tuple[float, float]]] = {False: [], True: []}
         for trace in source.traces:
@@ -236,7 +236,7 @@ class TracePlot(Painted):
         self._drawn_axes = axes
         since = since_labels(span.start - origin, span.end - origin)
         x_labels = ago_labels(span.length) if span.live else since
-        # First the axis that takes room from the plot.
+        # First the right axis, which takes space from the plot.
         labels = right.labels(most) if has_right else []
         self._canvas.set_right_axis([(right.onto(left, value), text) for value, text in labels])
         self._canvas.set_axes((-span.length, 0.0), left.reach, x_labels, left.labels(most))
@@ -276,7 +276,7 @@ class TracePlot(Painted):
         return at0 + value * (at1 - at0)
 
     def peak_of(self, name: str) -> float | None:
-        """Return the highest value since peaks are held, `None` while they are not."""
+        """Return the highest value since peaks are held, `None` if they are not held."""
         if self.source is None or self.peaks_since is None:
             return None
         high = self.source.statistics(name, self.peaks_since, math.inf).high
@@ -301,7 +301,7 @@ class TracePlot(Painted):
             self.setAccessibleDescription(self._empty.text() if empty else tr(_KEYS))
             return
         self._readout.show_values(source, time, self.mark_time, self.origin or 0.0, self.shown)
-        if self._hovered is None:  # under a mouse it would be read out with each frame
+        if self._hovered is None:  # with a mouse, each frame would be read out
             self.setAccessibleDescription(self._readout.text())
         self._readout.show_beside(self._canvas.x_of(time - self.span.end), self._canvas.frame)
 

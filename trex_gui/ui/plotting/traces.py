@@ -14,7 +14,7 @@ if TYPE_CHECKING:  # numpy takes as long to load as the window
 
 @dataclass(frozen=True, slots=True)
 class TraceInfo:
-    """One curve. The first unit of a source is that of the left axis, others go to the right."""
+    """One curve. The left axis has the first unit of a source, the right axis any other unit."""
 
     name: str  # one word, for programs and files: "motor1_current"
     label: str  # for the user: "Motor 1 current"
@@ -50,7 +50,7 @@ class Traces:
 
     @property
     def span(self) -> tuple[float, float] | None:
-        """The times in seconds of the oldest and of the newest sample, `None` without any."""
+        """Times in seconds of the oldest and the newest sample, `None` without samples."""
         return self._history.span
 
     @property

@@ -1,4 +1,4 @@
-"""A frame around what got the focus from the keyboard: Fusion hardly shows it."""
+"""Frame around the widget with the keyboard focus, which Fusion hardly shows."""
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect, Qt, Slot
 from PySide6.QtGui import QRegion
@@ -20,12 +20,12 @@ _CHANGES = {_TYPE.Hide, _TYPE.Move, _TYPE.ParentChange, _TYPE.Resize, _TYPE.Show
 class FocusFrame(QObject):
     """Frames the widget with the focus, above all else in its window.
 
-    With `QFocusFrame` PySide takes the widget for a child of the frame, to be deleted with it.
+    Not a `QFocusFrame`, because PySide would treat the widget as its child, and delete it too.
     """
 
     def __init__(self, app: QApplication) -> None:
         super().__init__(app)
-        self._watched: list[QWidget] = []  # the widget, and what it is in up to the window
+        self._watched: list[QWidget] = []  # the widget and its ancestors up to the window
         self._frame: QWidget | None = None
         app.focusChanged.connect(self._on_focus_changed)
 
@@ -36,7 +36,7 @@ class FocusFrame(QObject):
             return
         if focused.window().windowType() is Qt.WindowType.Popup:  # a menu or a list
             return
-        if isinstance(focused, QMenuBar):  # it shows its current menu
+        if isinstance(focused, QMenuBar):  # it highlights its current menu itself
             return
         parent: QWidget | None = focused
         while parent is not None:
@@ -72,17 +72,17 @@ class FocusFrame(QObject):
         around = _place_of(self._watched[0], window).adjusted(-_ROOM, -_ROOM, _ROOM, _ROOM)
         ring = QRegion(around)
         for each in self._watched:
-            if isinstance(each.parentWidget(), QAbstractScrollArea):  # it shows a part
+            if isinstance(each.parentWidget(), QAbstractScrollArea):  # it shows only a part
                 ring &= QRegion(_place_of(each, window))
         frame.setGeometry(around)
         frame.setMask(ring.translated(-around.topLeft()))
-        # An empty mask is none, and a hidden button may keep the focus.
+        # An empty mask would mask nothing, and a hidden button may keep the focus.
         frame.setVisible(self._watched[0].isVisible() and not ring.isEmpty())
         frame.raise_()
 
 
 def _place_of(widget: QWidget, window: QWidget) -> QRect:
-    """Return the place of a widget, or of the current tab of a tab bar, in its window."""
+    """Return the rectangle of a widget, or of a tab bar's current tab, in its window."""
     place = QRect(QPoint(), widget.size())
     if isinstance(widget, QTabBar):
         place = widget.tabRect(widget.currentIndex()).adjusted(_ROOM, _ROOM, -_ROOM, -_ROOM)

@@ -1,4 +1,4 @@
-"""Our own icons, drawn in the colour of the theme: theme icons of desktops are not everywhere."""
+"""Our own icons in colours of the theme, because not every desktop has theme icons."""
 
 from functools import cache
 
@@ -15,15 +15,15 @@ from PySide6.QtWidgets import (
 from trex_gui.core.resource_files import resource
 from trex_gui.ui.theme.theme import follow_theme, theme
 
-_SIZES = (16, 24, 32, 48, 64)  # pixels; what lies between is scaled down from the next
+_SIZES = (16, 24, 32, 48, 64)  # pixels; other sizes are scaled down from the next larger size
 _PLACES = tuple((sum(_SIZES[:index]), size) for index, size in enumerate(_SIZES))
 _BUTTON_ICON = 16  # pixels at a font size of 100 %, as in Fusion
 
 
 def icon(name: str, color: str = "icon") -> QIcon:
-    """Return the icon `resources/icons/<name>.svg` in a named colour of the theme as it is now.
+    """Return the icon `resources/icons/<name>.svg` in a named colour of the current theme.
 
-    Use `set_icon` for what stays on screen while the theme changes.
+    Use `set_icon` for icons that stay on screen when the theme changes.
     """
     current = theme()
     return _render(
@@ -52,9 +52,9 @@ def set_icon(target: QAction | QAbstractButton, name: str, color: str = "icon") 
 
 
 def set_sign(label: QLabel, name: str, color: str, room: int = 0) -> None:
-    """Show an icon in a label, which follows the theme. A later call replaces it.
+    """Show an icon that follows the theme in a label. A later call replaces the icon.
 
-    It is higher than a line of the label by `room` pixels.
+    The icon is `room` pixels higher than a line of the label.
     """
 
     def apply() -> None:
@@ -65,7 +65,7 @@ def set_sign(label: QLabel, name: str, color: str, room: int = 0) -> None:
 
 
 class DialogIcons(QObject):
-    """Gives Qt's message boxes our icons, as they come to the front."""
+    """Gives Qt's message boxes our icons when they come to the front."""
 
     def __init__(self, app: QGuiApplication, parent: QObject) -> None:
         super().__init__(parent)

@@ -1,6 +1,6 @@
 """Light, dark and high contrast: palette roles and named colours, for the whole application.
 
-The colours are data: `resources/themes/*.toml`, one file a scheme, the same names in each.
+The colours are data: `resources/themes/*.toml`, one file per scheme, with the same names in each.
 """
 
 import tomllib
@@ -42,7 +42,7 @@ _COLOUR_TABLES = ("text", "graphics", "fill", "surface")
 
 @dataclass(frozen=True, slots=True)
 class Colours:
-    """One scheme file, read."""
+    """Content of a scheme file."""
 
     palette: dict[str, QColor]
     disabled: dict[str, QColor]
@@ -83,7 +83,7 @@ def _role(name: str) -> QPalette.ColorRole:
 
 @cache
 def read_colours(scheme: str) -> Colours:
-    """Read `resources/themes/<scheme>.toml`. A bad colour is a `ValueError` naming it."""
+    """Read `resources/themes/<scheme>.toml`. Raise a `ValueError` naming a bad colour."""
     tables = tomllib.loads(resource(f"themes/{scheme}.toml").read_text(encoding="utf-8"))
 
     def colours(table: str) -> dict[str, QColor]:
@@ -98,15 +98,15 @@ def read_colours(scheme: str) -> Colours:
 
 
 class Theme(QObject):
-    """The scheme and the font size in use. There is one, and `theme()` returns it."""
+    """Scheme and font size in use. `theme()` returns the only instance."""
 
-    # Colours or font size are others now; the application's palette and font are set already.
+    # Colours or font size changed; the application's palette and font are already set
     changed = Signal()
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.choice: Scheme = "system"
-        self.font_size = 100  # percent of the system's
+        self.font_size = 100  # percent of the system's font size
         self._system_was_dark = False
         self._system_font = QFont()
         self.scheme = "light"
@@ -123,7 +123,7 @@ class Theme(QObject):
 
     @contextmanager
     def painted_as(self, scheme: str) -> Iterator[None]:
-        """Return the colours of a scheme inside, for a picture. Nothing is repainted."""
+        """Use the colours of a scheme inside the block, for a picture. Repaints nothing."""
         before, self._colours = self._colours, read_colours(scheme)
         try:
             yield
@@ -145,7 +145,7 @@ class Theme(QObject):
         self._show()
 
     def set_scheme(self, choice: Scheme) -> None:
-        """Choose a scheme. `system` follows the desktop, also when that changes later."""
+        """Select a scheme. `system` follows the desktop, including later changes."""
         self.choice = choice
         if self._app is not None:
             # Title bars and native dialogs follow where the platform lets them.
@@ -181,7 +181,7 @@ class Theme(QObject):
                 return "dark"
             case Qt.ColorScheme.Light:
                 return "light"
-            case _:  # the desktop does not report it: its palette does
+            case _:  # the desktop reports no scheme, but its palette shows it
                 return "dark" if self._system_was_dark else "light"
 
     @Slot()
@@ -192,13 +192,13 @@ class Theme(QObject):
         self._colours = read_colours(scheme)
         if self._app is not None:
             palette = self._colours.qpalette()
-            # Set again even when unchanged: the platform may have set its own meanwhile.
+            # Even if the scheme is the same, the platform may have set its own palette meanwhile.
             if changes or self._app.palette() != palette:
                 self._app.setPalette(palette)
                 QToolTip.setPalette(palette)
             sheet = self._colours.style_sheet(scheme, self._app.font(), self.font_size)
             if self._app.styleSheet() != sheet:
-                # Replaced, each widget would be styled once for each that it is in: 0.6 s.
+                # Replacing the sheet directly would style each widget once per ancestor: 0.6 s.
                 self._app.setStyleSheet("")
                 self._app.setStyleSheet(sheet)
         if changes:
@@ -207,18 +207,18 @@ class Theme(QObject):
 
 @cache
 def theme() -> Theme:
-    """The one theme of the application. Without `install` it is the light one."""
+    """Return the only theme of the application. Without `install` it is light."""
     return Theme()
 
 
 def select_scheme(scheme: Scheme) -> None:
-    """Set the scheme from now on, also at the next start."""
+    """Set the scheme, and save it for the next start."""
     theme().set_scheme(scheme)
     Preferences().set(_SCHEME, scheme)
 
 
 def select_font_size(percent: int) -> None:
-    """Set the font size from now on, also at the next start."""
+    """Set the font size, and save it for the next start."""
     theme().set_font_size(percent)
     Preferences().set(_FONT_SIZE, percent)
 
@@ -233,7 +233,7 @@ def restore_choices() -> None:
 
 
 class _Follower(QObject):
-    """Repeats what depends on the theme. Lives as a child of its target."""
+    """Calls `apply` again when the theme changes. Lives as a child of its target."""
 
     apply: Callable[[], object]
 
@@ -248,7 +248,7 @@ class _Follower(QObject):
 
 
 def follow_theme(target: QObject, key: str, apply: Callable[[], object]) -> None:
-    """Call `apply` now and when the theme changes. A later call with the same key replaces it."""
+    """Call `apply` now and when the theme changes. A later call with the same `key` replaces it."""
     options = Qt.FindChildOption.FindDirectChildrenOnly
     follower = target.findChild(_Follower, key, options) or _Follower(target, key)
     follower.apply = apply
@@ -256,7 +256,7 @@ def follow_theme(target: QObject, key: str, apply: Callable[[], object]) -> None
 
 
 def scaled_font(font: QFont, factor: float) -> QFont:
-    """Return a font of another size. Its size may be in points or pixels."""
+    """Return a scaled copy of a font, whose size may be in points or pixels."""
     scaled = QFont(font)
     if font.pointSizeF() > 0:
         scaled.setPointSizeF(font.pointSizeF() * factor)
@@ -272,7 +272,7 @@ def fixed_font() -> QFont:
 
 
 def set_text_color(label: QLabel, name: str) -> None:
-    """Give a label a colour of `style.qss`. Any other name is the ordinary one."""
+    """Set a label's colour by its name in `style.qss`. Any other name: the default colour."""
     set_style_property(label, "textColor", name)
 
 
@@ -287,7 +287,7 @@ def set_look(widget: QWidget, look: str) -> None:
 
 
 def set_style_property(widget: QWidget, name: str, value: object) -> None:
-    """Set a property that the style sheet looks at, also for what is inside the widget."""
+    """Set a property used by the style sheet, and restyle the widget and its children."""
     if widget.property(name) == value:
         return
     widget.setProperty(name, value)

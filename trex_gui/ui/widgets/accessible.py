@@ -17,16 +17,16 @@ class SpokenRange(NamedTuple):
 
 
 class Spoken:
-    """Mixed into a widget whose state is read when a screen reader asks for it.
+    """Mixin for a widget whose state is read when a screen reader requests it.
 
-    Qt's own properties send an event with each change, which is one for each sample here. The
-    state is the description; what `accessibleDescription` or the tool tip say follows it.
+    Qt's own properties send an event with each change, here with each sample. The state is the
+    description, followed by the `accessibleDescription` or the tool tip.
     """
 
     spoken_role = QAccessible.Role.Graphic
 
     def spoken_name(self) -> str:
-        """Return a name that changes. Empty: `accessibleName` is the name."""
+        """Return a changing name. If it is empty, `accessibleName` is the name."""
         return ""
 
     def spoken_state(self) -> str:
@@ -34,15 +34,15 @@ class Spoken:
         return ""
 
     def spoken_range(self) -> SpokenRange | None:
-        """Return the value of a widget that is not a text only."""
+        """Return the value of a widget that shows more than text."""
         return None
 
     def set_spoken_value(self, value: float) -> None:
-        """Take a value from a screen reader. What only shows something ignores it."""
+        """Set a value from a screen reader. A widget without input ignores it."""
 
 
 class _Interface(QAccessibleWidget):
-    """Belongs to its widget, which it holds no reference to."""
+    """Belongs to its widget, but holds no reference to it."""
 
     def state(self) -> QAccessible.State:
         state, widget = super().state(), self.widget()
@@ -60,7 +60,7 @@ class _Interface(QAccessibleWidget):
             shown = widget.spoken_range()
             return f"{shown.value:g}" if shown else widget.spoken_state()
         if kind is QAccessible.Text.Description:
-            said = "" if said == widget.accessibleName() else said  # a tool tip that is the name
+            said = "" if said == widget.accessibleName() else said  # a tool tip may repeat it
             return "\n".join(part for part in (widget.spoken_state(), said) if part)
         return said
 
@@ -71,7 +71,7 @@ class _RangeInterface(_Interface, QAccessibleValueInterface):
         QAccessibleValueInterface.__init__(self)
 
     def interface_cast(self, kind: QAccessible.InterfaceType, /) -> Any:
-        """Return a pointer. What the stubs name, and `None` for a null pointer, crash Qt."""
+        """Return a pointer. The type in the stubs, and `None` for a null pointer, crash Qt."""
         if kind is QAccessible.InterfaceType.ValueInterface:
             return VoidPtr(getCppPointer(self)[-1])
         return super().interface_cast(kind) or VoidPtr(0)

@@ -22,7 +22,7 @@ _NEAR = 0.8  # share of a limit from which a value is near it
 
 
 class LimitState(Enum):
-    """Place of a value below or above its limit: a colour of the theme, if not empty."""
+    """Position of a value relative to its limit: a colour of the theme, or empty."""
 
     BELOW = ""
     NEAR = "warning"
@@ -30,7 +30,7 @@ class LimitState(Enum):
 
 
 def limit_state(value: float | None, limit: float | None) -> LimitState:
-    """Return where a value of at least 0 is. Without a limit it is below."""
+    """Return the state of a value of at least 0. Without a limit it is `BELOW`."""
     if not limit or value is None or value < _NEAR * limit:
         return LimitState.BELOW
     return LimitState.NEAR if value <= limit else LimitState.OVER
@@ -45,7 +45,7 @@ def paint_track(
     *,
     fill: str = "bar",
 ) -> None:
-    """Paint a value as the way from the middle mark to it, or as a needle if there are no marks."""
+    """Paint a value as a bar from the middle mark, or as a needle if there are no marks."""
     color, radius = theme().color, track.height() / 2
 
     def x_of(at: int) -> float:
@@ -68,9 +68,9 @@ def paint_track(
 
 
 class PartBar(Painted):
-    """A part from -1 to 1, from the centre, and its number in percent at the right.
+    """Bar from the centre for a part from -1 to 1, with its percentage at the right.
 
-    Screen readers find its value when they look for it.
+    Screen readers get the value when they request it.
     """
 
     spoken_role = QAccessible.Role.ProgressBar

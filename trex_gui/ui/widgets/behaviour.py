@@ -39,7 +39,7 @@ _LOSSES = {
 class EnterWatch(QObject):
     """Lets Enter press the button with the focus, as Space does, in every window.
 
-    Qt lets it press the default button of a dialog, and no button of any other window.
+    Qt lets Enter press the default button of a dialog, and no button in other windows.
     """
 
     def __init__(self, app: QApplication, parent: QObject) -> None:
@@ -66,10 +66,10 @@ class EnterWatch(QObject):
 class ReusedDialog(QDialog):
     """A dialog that is kept while it is hidden, and opens the same way each time.
 
-    It opens with the focus on its default button: Qt leaves it where it was before.
+    Opens with the focus on its default button. Qt would leave the focus where it was.
     """
 
-    stays_on_stop = False  # an Esc that stops motors does not close it
+    stays_on_stop = False  # True: an Esc that stops motors does not close it
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -90,7 +90,7 @@ class ReusedDialog(QDialog):
 
 
 def paint_placeholder(view: QAbstractItemView, text: str, *, short: str = "") -> None:
-    """Paint a text into an empty view. `short` instead where there is no room for all of it."""
+    """Paint a text into an empty view, or `short` where the text does not fit."""
     box = view.viewport().rect().adjusted(8, 4, -8, -4)
     how = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
     with QPainter(view.viewport()) as painter:
@@ -101,9 +101,9 @@ def paint_placeholder(view: QAbstractItemView, text: str, *, short: str = "") ->
 
 
 def strokes(painter: QPainter) -> Iterator[None]:
-    """Shift the painter for each of the thin lines that make a line one logical pixel wide.
+    """Shift the painter for each thin stroke of a line one logical pixel wide.
 
-    A pen of two pixels takes a hundred times as long along a noisy line.
+    A pen of two pixels would take a hundred times as long for a noisy curve.
     """
     base = painter.worldTransform()
     ratio = painter.deviceTransform().m22() / base.m22()
@@ -121,17 +121,17 @@ def name_headers(view: QAbstractItemView) -> None:
 
 
 def reserve_space(widget: QWidget) -> None:
-    """Let a widget take its room in the layout while it is hidden, too."""
+    """Reserve a widget's space in the layout while it is hidden."""
     policy = widget.sizePolicy()
     policy.setRetainSizeWhenHidden(True)
     widget.setSizePolicy(policy)
 
 
 class PressMonitor(QObject):
-    """Detects that a held control loses the input which would end the hold.
+    """Detects when a held control loses the input that would end the hold.
 
-    A menu or a dialog that opens swallows the release of a mouse button or a key without any
-    event, so the control is also polled while it is held.
+    An opening menu or dialog swallows the release of a mouse button or key without any event, so
+    the control is also polled while it is held.
     """
 
     # The widget lost focus or mouse, was hidden or disabled, or is covered by a menu, a dialog or
@@ -146,7 +146,7 @@ class PressMonitor(QObject):
         widget.installEventFilter(self)
 
     def start(self) -> None:
-        """Watch from now on. Beginning again is fine."""
+        """Start watching, unless already started."""
         if not self._timer.isActive():
             self._was_active = self._widget.isActiveWindow()
             self._timer.start()
@@ -174,22 +174,22 @@ class PressMonitor(QObject):
 
 
 class ConfirmButton(QPushButton):
-    """Takes no click before it has been in sight, as it is now, for the time of a double click.
+    """Ignores clicks until it has been visible, unchanged, for a double-click interval.
 
-    The double click that makes it appear under the pointer cannot press it. Clicks that come too
-    early do not make it wait longer.
+    The double click that makes it appear under the pointer cannot press it. Early clicks do not
+    prolong the wait.
     """
 
     def __init__(self, text: str = "", parent: QWidget | None = None) -> None:
         super().__init__(text, parent)
-        self._appeared = -inf  # when it was shown, or changed what it does; seconds
+        self._appeared = -inf  # seconds; when it was shown, or its function changed
 
     @property
     def takes_clicks(self) -> bool:
         return now() - self._appeared > QApplication.doubleClickInterval() / 1000
 
     def hold_off(self) -> None:
-        """Begin to wait again: the button will do something else from now on."""
+        """Restart the wait, because the button's function changes."""
         self._appeared = now()
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -218,10 +218,10 @@ class RedButton(QPushButton):
 
 
 class HoldButton(QPushButton):
-    """Held with the mouse, a finger, the space bar or Enter.
+    """Button held with the mouse, a finger, the space bar or Enter.
 
-    Every loss of input releases it (`PressMonitor`), and so does a mouse that leaves it. Then it
-    has to be pressed again: a mouse that comes back with its button down does not count.
+    Any loss of input (`PressMonitor`) releases it, and so does a mouse that leaves it. Then the
+    user has to press again: returning with the mouse button down does not count.
     """
 
     hold_started = Signal()
@@ -256,7 +256,7 @@ class HoldButton(QPushButton):
             self._start()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        if self.is_held:  # else Qt would press it again when the mouse comes back
+        if self.is_held:  # else Qt would press the button again when the mouse returns
             if not self.rect().contains(event.position().toPoint()):
                 self._end()
             event.accept()
@@ -280,7 +280,7 @@ WidgetT = TypeVar("WidgetT", bound=QWidget)
 
 
 def focused_wheel(turn: Callable[[WidgetT, QWheelEvent], None]) -> Callable[..., None]:
-    """Return a `wheelEvent` that turns a widget only if it has the focus, else the page scrolls."""
+    """Return a `wheelEvent` that changes only a focused widget. Otherwise the page scrolls."""
 
     def wheel_event(widget: WidgetT, event: QWheelEvent) -> None:
         if widget.hasFocus():
@@ -292,7 +292,7 @@ def focused_wheel(turn: Callable[[WidgetT, QWheelEvent], None]) -> Callable[...,
 
 
 def only_when_visible(slot: Callable[[WidgetT], None]) -> Callable[[WidgetT], None]:
-    """Let a slot do its work only while its widget can be seen.
+    """Run a slot only while its widget is visible.
 
     The widget calls the slot again from its `showEvent`.
     """
@@ -308,8 +308,8 @@ def only_when_visible(slot: Callable[[WidgetT], None]) -> Callable[[WidgetT], No
 def set_typed() -> None:
     """Commit the text of the focused spin box or cell.
 
-    It does so by itself when it loses the focus. But a shortcut or a menu does not take the focus,
-    nor does a button on a Mac.
+    The editor commits by itself when it loses the focus, but a shortcut or a menu does not take
+    the focus, nor does a button on a Mac.
     """
     box = QApplication.focusWidget()
     if box is None:

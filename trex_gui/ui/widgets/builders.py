@@ -1,4 +1,4 @@
-"""Functions that create a named widget with its usual properties, and layouts from their items."""
+"""Functions that create named widgets with usual properties, and layouts from their items."""
 
 import re
 from collections.abc import Callable, Iterable, Iterator
@@ -53,7 +53,7 @@ class Card(QGroupBox):
     def setTitle(self, title: str) -> None:  # noqa: N802 - of Qt
         self._title.setText(title)
         set_style_property(self, "titled", bool(title))
-        self.ensurePolished()  # Qt leaves the room that the style says now
+        self.ensurePolished()  # Qt reserves the space that the present style defines
         super().setTitle(title)  # screen readers need it; the style sheet hides it
 
     def minimumSizeHint(self) -> QSize:
@@ -76,7 +76,7 @@ _BESIDE_TEXT = QMargins(0, 0, 4, 0)
 
 
 class ComboBox(QComboBox):
-    """The wheel changes it as it does a `SpinBox`."""
+    """The wheel changes it only while it has the focus, as in `SpinBox`."""
 
     wheelEvent = focused_wheel(QComboBox.wheelEvent)
 
@@ -85,35 +85,35 @@ class ComboBox(QComboBox):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
 
     def sizeHint(self) -> QSize:
-        """Return the size with the pixels that large texts lack under a style sheet."""
+        """Add the pixels that large text lacks under a style sheet."""
         return super().sizeHint().grownBy(_BESIDE_TEXT)
 
     def minimumSizeHint(self) -> QSize:
         return super().minimumSizeHint().grownBy(_BESIDE_TEXT)
 
 
-Handler = Callable[..., object] | SignalInstance  # what a signal is connected to
-Trigger = Callable[[], object]  # what an action does, checked or not
+Handler = Callable[..., object] | SignalInstance  # target of a signal
+Trigger = Callable[[], object]  # handler of an action, without its checked state
 Part = QWidget | QLayout
 Item = Part | int | tuple[Part, int] | tuple[Part, int, Qt.AlignmentFlag]
-"""A part of a layout, with its stretch and alignment; a number is empty room of that stretch."""
+"""Part of a layout, with its stretch and alignment. A number is empty space of that stretch."""
 
 Margins = int | tuple[int, int, int, int] | None
-"""Pixels at the left, top, right and bottom, or the same at all; `None` leaves those of Qt."""
+"""Pixels at the left, top, right and bottom, or on all sides. `None`: 0 in cards, else Qt's."""
 
 WidgetT = TypeVar("WidgetT", bound=QWidget)
 
 
 def plain(text: str) -> str:
-    """Return a text that Qt shows as it is written, also where it guesses the format.
+    """Return a text that Qt shows literally, even where it guesses the format.
 
-    Tool tips and message boxes do. They would open the files that markup from outside names.
+    Tool tips and message boxes guess it, and would open files that markup from outside names.
     """
     return Qt.convertFromPlainText(text) if Qt.mightBeRichText(text) else text
 
 
 def no_mnemonic(text: str) -> str:
-    """Return a text for a menu or button, which shows each `&` of it."""
+    """Return a text for a menu or button that shows each `&`."""
     return text.replace("&", "&&")
 
 
@@ -146,7 +146,7 @@ def button(
     """Create a push button.
 
     `default`: whether Enter presses it when no button has the focus; `None` leaves it to Qt.
-    `confirms`: it may appear under the pointer, see `ConfirmButton`.
+    `confirms`: the button may appear under the pointer, see `ConfirmButton`.
     """
     kind = ConfirmButton if confirms else QPushButton
     made = named(kind(text, parent), name, accessible=accessible, tip=tip)
@@ -208,11 +208,11 @@ def label(
     size: str = "",
     buddy: QWidget | None = None,
 ) -> QLabel:
-    """Create a label: `wrap` breaks long text into lines, `expand` takes the width that is left.
+    """Create a label. `wrap` breaks long text into lines, `expand` takes the remaining width.
 
-    Its `size` is "title", "heading" or "caption", or that of ordinary text.
+    `size` is "title", "heading" or "caption", or empty for ordinary text.
 
-    A `rich` text is markup: what is not ours in it has to be escaped.
+    A `rich` text is markup, in which text from outside has to be escaped.
     """
     made = QLabel(parent)
     made.setObjectName(name)
@@ -226,7 +226,7 @@ def label(
     if expand:
         made.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
     if wrap:
-        made.setWordWrap(True)  # after the size policy: it makes the height follow from the width
+        made.setWordWrap(True)  # after the size policy: makes the height depend on the width
     if bold:
         set_bold(made)
     if buddy is not None:
@@ -235,7 +235,7 @@ def label(
 
 
 def search_field(parent: QWidget, name: str, accessible: str, hint: str) -> QLineEdit:
-    """Create a field with a button that clears it. Ctrl+F leads there while `parent` is seen."""
+    """Create a field with a clear button. Ctrl+F focuses it while `parent` is visible."""
     made = named(QLineEdit(parent), name, accessible=accessible)
     made.setPlaceholderText(hint)
     made.setClearButtonEnabled(True)
@@ -277,7 +277,7 @@ def combo_box(
 
 
 UNGROUPED = QLocale(QLocale.Language.French)
-"""Locale of spin boxes for whole numbers: others take 1,5 or 1.5 for 15 where numbers are large."""
+"""Locale of spin boxes for whole numbers. Others read 1,5 or 1.5 as 15 where numbers are large."""
 
 
 def spin_box(
@@ -295,7 +295,7 @@ def spin_box(
 ) -> QSpinBox:
     """Create a spin box that reports a typed number when it is complete.
 
-    It shows `value`, or `lowest`; `value` is set before `on_change` is connected.
+    It shows `value`, by default `lowest`, which is set before `on_change` is connected.
     """
     made = named(SpinBox(parent), name, accessible=accessible, tip=tip)
     made.setLocale(UNGROUPED)
@@ -320,7 +320,7 @@ _AROUND_NUMBER = 16  # pixels beside a number without buttons
 
 
 def strip_style(box: QAbstractSpinBox, widest: str) -> None:
-    """Leave out the buttons of a spin box, and make it as narrow as its `widest` text."""
+    """Hide the buttons of a spin box, and make it as narrow as its `widest` text."""
 
     def update_space() -> None:
         box.setMinimumWidth(box.fontMetrics().horizontalAdvance(widest) + _AROUND_NUMBER)
@@ -330,7 +330,7 @@ def strip_style(box: QAbstractSpinBox, widest: str) -> None:
 
 
 class DecimalSpinBox(QDoubleSpinBox):
-    """Takes a point and a comma for the decimal separator, and neither for that of thousands."""
+    """Reads a point or a comma as the decimal separator, never as a thousands separator."""
 
     wheelEvent = focused_wheel(QDoubleSpinBox.wheelEvent)
 
@@ -350,7 +350,7 @@ def double_spin_box(
     step: float = 1.0,
     on_change: Handler | None = None,
 ) -> QDoubleSpinBox:
-    """Create what `spin_box` does, for numbers with decimals. It shows `lowest`."""
+    """Create a spin box for numbers with decimals, like `spin_box`. It shows `lowest`."""
     made = named(DecimalSpinBox(parent), name, accessible=accessible)
     made.setDecimals(decimals)
     made.setRange(lowest, highest)
@@ -363,7 +363,7 @@ TableT = TypeVar("TableT", bound=QTableView)
 
 
 def flat_table(table: TableT, name: str, accessible: str) -> TableT:
-    """Give a table the look of all: striped rows, no grid, the whole row selected. Return it.
+    """Give a table the common look: striped rows, no grid, whole rows selected. Return it.
 
     Its cells are read-only and one row can be selected, unless the caller changes that.
     """
@@ -386,7 +386,7 @@ def flat_table(table: TableT, name: str, accessible: str) -> TableT:
 
 
 def set_row_height(table: QTableView, room: int) -> None:
-    """Make rows higher than a line by `room` pixels, in any font. A later call replaces it."""
+    """Make rows `room` pixels higher than a line, in any font. A later call replaces `room`."""
 
     def apply() -> None:
         table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + room)
@@ -397,7 +397,7 @@ def set_row_height(table: QTableView, room: int) -> None:
 def splitter(
     parent: QWidget, name: str, orientation: Qt.Orientation, *parts: tuple[QWidget, int]
 ) -> QSplitter:
-    """Create a splitter of widgets, each with its stretch. None can be dragged to nothing."""
+    """Create a splitter of widgets, each with its stretch. No widget can be dragged to nothing."""
     made = named(QSplitter(orientation, parent), name)
     made.setChildrenCollapsible(False)
     for index, (widget, stretch) in enumerate(parts):
@@ -423,7 +423,7 @@ def action(
     checkable: bool = False,
     on_trigger: Trigger | None = None,
 ) -> QAction:
-    """Create an action. A widget that shall have its shortcut needs `addAction` as well."""
+    """Create an action. A widget needs `addAction` to have its shortcut."""
     made = QAction(QIcon(), text, parent)
     made.setObjectName(name)
     made.setShortcut(QKeySequence(shortcut))
@@ -437,7 +437,7 @@ def action(
 
 
 def tab_order(*parts: QWidget) -> None:
-    """Let Tab go through these widgets one after the other, and inside each as it was built."""
+    """Let Tab visit these widgets in order, and inside each in the order of creation."""
     for before, after in pairwise(stop for part in parts for stop in _tab_stops(part)):
         QWidget.setTabOrder(before, after)
 
@@ -445,7 +445,7 @@ def tab_order(*parts: QWidget) -> None:
 def _tab_stops(part: QWidget) -> Iterator[QWidget]:
     if part.focusPolicy() & Qt.FocusPolicy.TabFocus:
         yield part
-    if isinstance(part, QTabWidget):  # its tabs are its last child
+    if isinstance(part, QTabWidget):  # its tab bar is its last child
         pages = (part.widget(index) for index in range(part.count()))
         inside = [part.tabBar(), *(page for page in pages if page)]
     elif isinstance(part, QSplitter):  # it changes the order of its children
@@ -458,7 +458,7 @@ def _tab_stops(part: QWidget) -> Iterator[QWidget]:
 
 
 def set_large(*buttons: QPushButton) -> None:
-    """Make buttons that matter most easy to hit, and never too narrow for their text."""
+    """Make important buttons easy to hit, and never too narrow for their text."""
 
     def fit(button: QPushButton, height: int) -> None:
         button.setMinimumSize(max(4 * height, button.sizeHint().width()), height)
@@ -469,21 +469,21 @@ def set_large(*buttons: QPushButton) -> None:
 
 
 def set_bold(widget: QWidget, bold: bool = True) -> None:
-    """Let the style sheet make it bold: it forgets a font of a widget that gets another parent."""
+    """Set bold through the style sheet, which discards the font of a reparented widget."""
     set_style_property(widget, "bold", bold)
 
 
 def row(
     *items: Item, into: QWidget | None = None, margins: Margins = None, spacing: int | None = None
 ) -> QHBoxLayout:
-    """Lay items out side by side: a layout of `into`, or one to put into another."""
+    """Lay items out side by side, as the layout of `into` or for use in another layout."""
     return _filled(QHBoxLayout(into) if into else QHBoxLayout(), items, margins, spacing)
 
 
 def column(
     *items: Item, into: QWidget | None = None, margins: Margins = None, spacing: int | None = None
 ) -> QVBoxLayout:
-    """Lay items out one below the other, as `row` does side by side."""
+    """Lay items out one below the other. Otherwise like `row`."""
     return _filled(QVBoxLayout(into) if into else QVBoxLayout(), items, margins, spacing)
 
 

@@ -1,4 +1,4 @@
-"""Painted parts of a board, not to scale: body, header blocks, jumpers, texts. Body of a robot."""
+"""Painted parts of a board or robot, not to scale: bodies, header blocks, jumpers, texts."""
 
 from collections.abc import Sequence
 
@@ -57,12 +57,12 @@ def paint_block(painter: QPainter, place: QRectF, pins: Sequence[str] = ()) -> N
 
 
 def jumper_size(line: float) -> tuple[float, float]:
-    """Return width and height of a jumper beside text whose lines have this height."""
+    """Return width and height of a jumper beside text of this line height."""
     return 3.6 * line, 1.8 * line
 
 
 def paint_jumper(painter: QPainter, place: QRectF, is_on: bool | None) -> None:
-    """Paint two pins, with the jumper on them or without, dashed where it is not known."""
+    """Paint two pins, with or without a jumper on them. Dashed if unknown (`None`)."""
     style = Qt.PenStyle.DashLine if is_on is None else Qt.PenStyle.SolidLine
     painter.setPen(QPen(theme().color("outline"), 1.5, style))
     painter.setBrush(theme().color("mark") if is_on else Qt.BrushStyle.NoBrush)
@@ -75,18 +75,18 @@ def paint_jumper(painter: QPainter, place: QRectF, is_on: bool | None) -> None:
 
 
 Jumper = tuple[str, bool | None]
-"""Words for a jumper, and whether it is on."""
+"""Text for a jumper, and whether it is on (`None` if unknown)."""
 
 
 def jumpers_size(font: QFont, jumpers: Sequence[Jumper]) -> QSizeF:
-    """Return the size of jumpers below each other, with their texts."""
+    """Return the size of a column of jumpers with their texts."""
     line = QFontMetrics(font).height()
     widest = text_width(font, *(text for text, _ in jumpers)) if jumpers else 0
     return QSizeF(jumper_size(line)[0] + line + widest, _ROW * line * len(jumpers))
 
 
 def paint_jumpers(painter: QPainter, at: QPointF, jumpers: Sequence[Jumper], line: float) -> None:
-    """Paint jumpers below each other with their texts, in rows for lines of this height."""
+    """Paint a column of jumpers with their texts. `line` is the line height of the text."""
     width, height = jumper_size(line)
     for number, (text, is_on) in enumerate(jumpers):
         place = QRectF(at.x(), at.y() + number * _ROW * line, width, height)
@@ -104,7 +104,7 @@ def write(
     bold: bool = False,
     align: Qt.AlignmentFlag = _LEFT,
 ) -> None:
-    """Write one line in a colour of the theme, elided where there is no room."""
+    """Write one line in a colour of the theme, elided where space is short."""
     painter.save()
     painter.setFont(_font(painter.font(), bold=bold))
     painter.setPen(theme().color(color))
@@ -115,9 +115,9 @@ def write(
 
 
 def write_lines(painter: QPainter, place: QRectF, lines: Sequence[str], *, alarm: str = "") -> None:
-    """Write lines below each other, the first one bold, and break those that are too long.
+    """Write lines below each other, the first in bold, and wrap long lines.
 
-    They are centred in `place`. The last one is in the colour `alarm`, if there is one.
+    They are centred vertically in `place`. The last line has the colour `alarm`, if any.
     """
     wrap = Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignTop
     rows = []
@@ -138,7 +138,7 @@ def write_lines(painter: QPainter, place: QRectF, lines: Sequence[str], *, alarm
 
 
 def text_width(font: QFont, *texts: str) -> int:
-    """Return the width of the widest of these texts in bold."""
+    """Return the width of the widest text, in bold."""
     return max(map(QFontMetrics(_font(font, bold=True)).horizontalAdvance, texts))
 
 

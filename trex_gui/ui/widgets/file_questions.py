@@ -1,4 +1,4 @@
-"""Questions before a settings file is overwritten or lost, and the folder of files."""
+"""Questions before a settings file is overwritten or lost, and folders of file dialogs."""
 
 from enum import Enum, auto
 from pathlib import Path
@@ -49,7 +49,7 @@ def may_overwrite(window: QWidget, name: str) -> bool:
 
 
 def may_leave_unfinished(window: QWidget, name: str) -> bool:
-    """Ask before a file is left that a slow disk is still saving."""
+    """Ask before closing a file that a slow disk is still saving."""
     text = tr("{0} is still being saved. Close without waiting? Changes may be lost.")
     return _may(window, tr("Still saving"), text.format(name))
 
@@ -67,7 +67,7 @@ def may_write_fresh(window: QWidget, trouble: str) -> bool:
 
 
 def may_replace(window: QWidget, name: str, why: str) -> bool:
-    """Ask before a file that is something else is replaced."""
+    """Ask before replacing a file. `why` completes a sentence that begins with `name`."""
     return _may(window, tr("Replace the file"), tr("{0} {1} Replace it?").format(name, why))
 
 
@@ -94,7 +94,7 @@ def set_default_folder(folder: Path | None) -> None:
 
 
 def last_folder(key: str = _FOLDER) -> Path:
-    """Return where a file dialog begins. Files of each `key` have a last folder of their own."""
+    """Return the folder in which a file dialog opens. Each `key` has its own last folder."""
     documents = QStandardPaths.StandardLocation.DocumentsLocation
     last = Preferences().path(key, QStandardPaths.writableLocation(documents))
     return default_folder() or last
@@ -107,7 +107,7 @@ def remember_folder(path: Path, key: str = _FOLDER) -> None:
 def prompt_to_open(
     window: QWidget, title: str, filters: str = "", key: str = _FOLDER
 ) -> Path | None:
-    """Let the user choose a file, by default of settings, in the last folder first.
+    """Let the user choose a file, by default a settings file, starting in the last folder.
 
     `title` may be the text of the menu entry.
     """
@@ -127,8 +127,8 @@ def prompt_to_save(
 ) -> Path | None:
     """Let the user choose where to save a file, by default a settings file.
 
-    `title` may be the text of the menu entry. A name without a suffix gets `suffix`; if that is
-    `required`, a name with another one, too.
+    `title` may be the text of the menu entry. A name without a suffix gets `suffix`. If
+    `required`, a name with another suffix gets it, too.
     """
     title, kinds = title_of(title), filters or file_filter()
     chosen, _ = QFileDialog.getSaveFileName(window, title, str(proposal), kinds)

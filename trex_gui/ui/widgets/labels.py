@@ -30,7 +30,7 @@ _TITLE_SIZE, _LONG_TITLE = 1.6, 48  # times the size of the font, characters
 
 
 class Note(QLabel):
-    """Wrapped text that keeps the room of `lines` lines, so that nothing jumps below it.
+    """Wrapped text that reserves `lines` lines, so that nothing below it jumps.
 
     With 0 lines it is hidden while it has no text.
     """
@@ -49,7 +49,7 @@ class Note(QLabel):
         )
 
     def show_note(self, text: str, *, alarming: bool = False, color: str = "warning") -> None:
-        """Show a text. An alarming one is bold and in this theme colour."""
+        """Show a text. An alarming text is bold, in the theme colour `color`."""
         if self.text() != text:
             self.setText(text)
         if self._hides:
@@ -59,7 +59,7 @@ class Note(QLabel):
 
 
 class ElidedLabel(QLabel):
-    """Plain text whose end may be elided, unless it wraps. The tool tip has all of it.
+    """Plain text whose end may be elided, unless it wraps. The tool tip has the whole text.
 
     It is always wide enough for the text `at_least`.
     """
@@ -95,7 +95,7 @@ class ElidedLabel(QLabel):
 
 
 class Sign(QLabel):
-    """A small icon that follows the theme. Without a name it keeps its room."""
+    """Small icon that follows the theme. Without a name it is empty, but keeps its space."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -122,7 +122,7 @@ class Sign(QLabel):
 
 
 class LinkLabel(QLabel):
-    """Wrapped text with links that Tab goes through, each of which is announced."""
+    """Wrapped text with links. Tab visits the links, and each is announced."""
 
     def __init__(self, name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -136,14 +136,14 @@ class LinkLabel(QLabel):
 
     def focusNextPrevChild(self, forward: bool) -> bool:
         moved = super().focusNextPrevChild(forward)
-        if moved and self.hasSelectedText():  # the link
+        if moved and self.hasSelectedText():  # the link is selected
             said = QAccessibleAnnouncementEvent(self, self.selectedText())
             QAccessible.updateAccessibility(said)
         return moved
 
 
 class LiveLabel(QLabel, Spoken):
-    """Shows a value that changes all the time. A screen reader hears `accessibleName: text`.
+    """Shows a value that changes all the time. A screen reader reads `accessibleName: text`.
 
     Other labels send an event with each text, or hide their text behind an accessible name.
     """
@@ -187,7 +187,7 @@ class PageHead(QWidget):
         row((texts, 1), *controls, into=self, margins=0)
 
     def show_title(self, text: str) -> None:
-        """Show a title, a long one in a smaller size in the same place."""
+        """Show a title. A long title is smaller, in the same space."""
         self.title.show_text(text)
         large = QFontMetrics(scaled_font(self.font(), _TITLE_SIZE))
         self.title.setFixedHeight(large.height() + 2)
@@ -199,9 +199,9 @@ class PageHead(QWidget):
 
 
 class LegendKey(ElidedLabel):
-    """Names a curve. `color` is a name of the theme. Without a style it is a dot.
+    """Sample and name of a curve. `color` is a name of the theme. Without a style, a dot.
 
-    It is elided only where its size policy ignores how wide it is.
+    The name is elided only where the size policy ignores its width.
     """
 
     def __init__(

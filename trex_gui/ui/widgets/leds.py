@@ -1,4 +1,4 @@
-"""LEDs as they look on a board: lit, dark, or in one of their patterns."""
+"""LEDs as they look on a board: lit, dark, or in a pattern."""
 
 import re
 from collections.abc import Sequence
@@ -14,14 +14,14 @@ from trex_gui.ui.widgets.builders import column, plain, row
 from trex_gui.ui.widgets.labels import ElidedLabel
 from trex_gui.ui.widgets.painted import Animation, Painted, Painter
 
-_FAST = 8.0  # flashes a second of a fast flash
+_FAST = 8.0  # flashes per second of a fast flash
 _PATTERN = re.compile(r"(blink|alternate|short flash) (\d+)/s")
-_SHORT = 0.15  # share of its time that a short flash is lit
-_PACKETS = 17.0  # irregular steps a second of a LED that lights with each packet
+_SHORT = 0.15  # share of its period in which a short flash is lit
+_PACKETS = 17.0  # irregular steps per second of an LED that lights with each packet
 
 
 def is_lit(pattern: str, seconds: float, *, second: bool = False) -> bool:
-    """Return whether a LED is lit. `second` is the other one of an alternating pair."""
+    """Return whether an LED is lit. `second`: it is the second LED of an alternating pair."""
     if pattern == "fast flash":
         return seconds * _FAST % 1 < 0.5
     if pattern == "with packets":
@@ -38,12 +38,12 @@ def is_lit(pattern: str, seconds: float, *, second: bool = False) -> bool:
 def paint_lamp(
     painter: QPainter, middle: QPointF, radius: float, color: str, *, is_known: bool = True
 ) -> None:
-    """Paint a LED, lit in a colour of the theme, or dark without one, dashed if not known."""
+    """Paint an LED, lit in a colour of the theme or dark without a colour. Dashed if unknown."""
     style = Qt.PenStyle.SolidLine if is_known else Qt.PenStyle.DashLine
     painter.setPen(QPen(theme().color(color or "track_edge"), 1.5, style))
     painter.setBrush(theme().color(color or "track_off"))
     painter.drawEllipse(middle, radius, radius)
-    if color:  # a glint: a lit lamp differs from a dark one without its colour
+    if color:  # a glint, to tell lit lamps from dark lamps without colour
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(Qt.GlobalColor.white)
         painter.drawEllipse(middle - QPointF(radius, radius) * 0.3, radius / 4, radius / 4)
@@ -93,7 +93,7 @@ class Leds(QWidget):
     def show_patterns(
         self, shown: tuple[str, str], words: Sequence[str] = ("", ""), meaning: str = ""
     ) -> None:
-        """Show a pattern on each LED, with words beside it. `meaning` is said instead of them."""
+        """Show a pattern and words for each LED. Screen readers and tool tips prefer `meaning`."""
         self._shown = shown
         names = tr("Red"), tr("Green")
         for lamp, label, name, text in zip(self.lamps, self._labels, names, words, strict=True):
@@ -105,7 +105,7 @@ class Leds(QWidget):
         self._run()
 
     def show_moment(self, seconds: float) -> None:
-        """Show the lamps as they are so long after the pattern began, until the next frame."""
+        """Show the lamps at a time after the start of the pattern, until the next frame."""
         for index, lamp in enumerate(self.lamps):
             lamp.set_lit(is_lit(self._shown[index], seconds, second=index == 1))
 

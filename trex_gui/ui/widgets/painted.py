@@ -1,4 +1,4 @@
-"""Painted widgets, sliders and numbers keep left and right in right-to-left languages."""
+"""Bases of painted widgets, which are not mirrored in right-to-left languages."""
 
 from collections.abc import Callable
 
@@ -11,19 +11,19 @@ from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.accessible import Spoken
 
 _FRAME_MS = 40
-_LONGEST_FRAME = 0.2  # seconds: a window that was held up does not jump
+_LONGEST_FRAME = 0.2  # seconds: after a delay of the window, nothing jumps
 
 
 def never_mirror(target: QWidget | QGraphicsWidget | QPainter) -> None:
-    """Keep the ends of a slider, and the sign before a number."""
+    """Keep the ends of a slider, and the sign before a number, in right-to-left languages."""
     target.setLayoutDirection(Qt.LayoutDirection.LeftToRight)
 
 
 class Animation:
-    """Frames of a drawing, none while nothing moves, it is hidden or the system wants no motion."""
+    """Frames of a drawing. None while it is still or hidden, or the system disables animation."""
 
     def __init__(self, widget: QWidget, step: Callable[[float], object]) -> None:
-        """`step` takes the seconds since the frame before."""
+        """`step` gets the seconds since the previous frame."""
         self._widget, self._step = widget, step
         self._timer = new_timer(widget, _FRAME_MS, self._on_frame)
         self._at = 0.0
@@ -34,7 +34,7 @@ class Animation:
         return self._widget.style().styleHint(duration, None, self._widget) > 0
 
     def run(self, moves: bool) -> None:
-        """Make frames from now on if something moves. To be called again when it is shown."""
+        """Start frames if something moves, else stop. Call again when the widget is shown."""
         if not (moves and self.is_wanted and self._widget.isVisible()):
             self._timer.stop()
         elif not self._timer.isActive():
@@ -50,7 +50,7 @@ class Animation:
 
 
 class Painter(QPainter):
-    """Painter that does not follow the direction of the application. Edges are smooth."""
+    """Painter that ignores the application's layout direction. By default edges are smooth."""
 
     def __init__(self, device: QPaintDevice, *, smooth: bool = True) -> None:
         super().__init__(device)

@@ -10,14 +10,14 @@ from trex_gui.ui.theme.theme import theme
 _FRAME = QMargins(8, 40, 8, 8)
 """Pixels for title bar and borders, which are unknown until a window is shown.
 
-Windows 11 has 31 above and 8 at the sides, GNOME 37, KDE 30, macOS 28.
+Windows 11 has 31 at the top and 8 at the sides. GNOME has 37 at the top, KDE 30, macOS 28.
 """
 
 
 def fitted(wanted: QRect, available: QRect) -> QRect:
-    """Return a window's rectangle, without its frame, shrunk and moved into the part of a screen.
+    """Shrink and move a window's rectangle so that its frame fits into `available`.
 
-    The frame then is inside `available`, too.
+    The rectangle of the window is without the frame.
     """
     room = available.marginsRemoved(_FRAME)
     size = wanted.size().boundedTo(room.size())
@@ -30,19 +30,19 @@ def fitted(wanted: QRect, available: QRect) -> QRect:
 def fit_on_screen(window: QWidget) -> None:
     """Fit a window into the screen whenever it is shown.
 
-    At first it is in the middle of its parent, or of the screen; then where it was closed.
+    It first appears in the middle of its parent, or of the screen, and later where it was closed.
     """
     _Placement(window)
 
 
 def restore_geometry(window: QWidget, key: str, width: int, height: int) -> None:
-    """Place a window as `save_geometry` has stored it, else give it this size at most."""
+    """Restore the geometry saved by `save_geometry`, else use this size (`resize_with_font`)."""
     resize_with_font(window, width, height)
     window.restoreGeometry(Preferences().data(f"{key}/geometry"))
 
 
 def resize_with_font(window: QWidget, width: int, height: int) -> None:
-    """Give a window a size in pixels at 100 %. With larger fonts it is larger."""
+    """Resize a window to a size in pixels at 100 %, scaled up for larger fonts."""
     scale = max(theme().font_size, 100) / 100
     window.resize(round(width * scale), round(height * scale))
 
@@ -54,8 +54,8 @@ def save_geometry(window: QWidget, key: str) -> None:
 class _Placement(QObject):
     """Remembers where a window was closed.
 
-    Nobody else does: a window manager may move a window by its frame while it is hidden, and Qt
-    places a dialog by a frame that it did not know the first time.
+    A window manager may move a hidden window by its frame, and Qt places a dialog by a frame whose
+    size it did not know the first time.
     """
 
     def __init__(self, window: QWidget) -> None:
@@ -66,7 +66,7 @@ class _Placement(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         window = self._window
-        # Before this the window may not be asked: it gets events while it is being destroyed, too.
+        # Check first, without calling the window: it gets events even while being destroyed.
         if watched is not window or event.spontaneous():
             return False
         if not window.isMaximized() and not window.isFullScreen():
@@ -80,7 +80,7 @@ class _Placement(QObject):
 
     def _first_place(self) -> QRect:
         place, parent = self._window.geometry(), self._window.parentWidget()
-        if not self._window.testAttribute(Qt.WidgetAttribute.WA_Moved):  # nor restored
+        if not self._window.testAttribute(Qt.WidgetAttribute.WA_Moved):  # not moved or restored
             whole = self._window.screen().availableGeometry()
             place.moveCenter((parent.window().frameGeometry() if parent else whole).center())
         return place

@@ -1,4 +1,4 @@
-"""A page that scrolls where a screen is too low for it, and else looks as without."""
+"""Page that scrolls only where the screen is too small for it."""
 
 from collections.abc import Callable
 
@@ -7,15 +7,15 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
 
 _LINES = 4
-_CHARACTERS = 24  # of average width, where it scrolls sideways
-_WIDEST = 664  # pixels that it may need: what a screen of 1024 has beside places and demo panel
+_CHARACTERS = 24  # of average width: minimum width of a box that scrolls sideways
+_WIDEST = 664  # pixels, largest minimum width: space beside places and demo panel at 1024
 
 
 class ScrollBox(QScrollArea):
-    """Shows a widget as high as there is room, or as it needs at least for its width.
+    """Gives a widget the visible height, and scrolls it if it needs more for its width.
 
-    Qt's own way with `widgetResizable` would scroll what could still shrink: it gives text that
-    wraps the height that it likes best.
+    With `widgetResizable`, Qt would also scroll content that can still shrink, because it gives
+    wrapped text its preferred height.
     """
 
     def __init__(
@@ -25,11 +25,10 @@ class ScrollBox(QScrollArea):
         *,
         sideways: bool = False,
     ) -> None:
-        """`content` may make the widget in a parent: one that moves here is styled twice.
+        """`content`: a widget, or a function that creates it in a parent, to style it only once.
 
-        `sideways`: it can be narrower than the content, and then scrolls that way, too.
-
-        Without it that happens only where large fonts make a page wider than a small screen.
+        `sideways`: the box may be narrower than the content, and then also scrolls sideways.
+        Otherwise this happens only where large fonts make a page wider than a small screen.
         """
         super().__init__(parent)
         if not isinstance(content, QWidget):
@@ -45,7 +44,7 @@ class ScrollBox(QScrollArea):
         self.viewport().setAutoFillBackground(False)
 
     def sizeHint(self) -> QSize:
-        """As high as the content is by itself at the width that there is."""
+        """Return the content's size hint, with its preferred height at the available width."""
         hint, layout = self.content.sizeHint(), self.content.layout()
         if layout is not None and layout.hasHeightForWidth() and self.isVisible():
             room = self.maximumViewportSize()
@@ -75,7 +74,7 @@ class ScrollBox(QScrollArea):
         return super().eventFilter(watched, event)
 
     def _fit(self) -> None:
-        if self._fitting:  # a scroll bar comes or goes
+        if self._fitting:  # a scroll bar is being shown or hidden
             return
         self._fitting = True
         room = self.maximumViewportSize()

@@ -1,4 +1,4 @@
-"""Sliders: a painted groove, one that reports being held, one with a rest position."""
+"""Sliders with a painted groove: a base class, a held slider, a slider with a rest position."""
 
 from PySide6.QtCore import QRect, QSignalBlocker, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QAccessible, QMouseEvent, QPainter, QPaintEvent, QPen
@@ -11,10 +11,10 @@ from trex_gui.ui.widgets.painted import Painter, never_mirror
 
 
 class PaintedSlider(QSlider, Spoken):
-    """Subclasses paint the groove, and the area below the handle."""
+    """Slider whose subclasses paint the groove, and the area below the handle."""
 
     spoken_role = QAccessible.Role.Slider
-    positions_per_unit = 1.0  # of the unit in which users and screen readers see the value
+    positions_per_unit = 1.0  # in the unit that users see and screen readers read
     room_below = 0  # pixels of height below groove and handle
 
     wheelEvent = focused_wheel(QSlider.wheelEvent)
@@ -40,7 +40,7 @@ class PaintedSlider(QSlider, Spoken):
         self.setValue(round(value * self.positions_per_unit))
 
     def initStyleOption(self, option: QStyleOptionSlider) -> None:
-        """Keep groove and handle, painted or clicked on, above the area below."""
+        """Reserve `room_below` under groove and handle, in painting and for clicks."""
         super().initStyleOption(option)
         option.rect = self.rect().adjusted(0, 0, 0, -self.room_below)
 
@@ -55,13 +55,13 @@ class PaintedSlider(QSlider, Spoken):
             self.paint_groove(painter, handle)
             self.style().drawComplexControl(slider, option, painter, self)
             self.paint_below(painter, handle)
-            if self.hasFocus():  # after a click, too: arrow keys move it
+            if self.hasFocus():  # after a click, too: arrow keys move the handle
                 painter.setPen(QPen(theme().color("highlight"), 2))
                 painter.setBrush(Qt.BrushStyle.NoBrush)
                 painter.drawRoundedRect(handle.adjusted(1, 1, -1, -1), 2, 2)
 
     def x_of(self, value: int, handle: QRect) -> int:
-        """Return where the middle of a handle of this size is at a value."""
+        """Return the x of the middle of a handle of this size at a value."""
         room = self.width() - handle.width()
         return handle.width() // 2 + QStyle.sliderPositionFromValue(
             self.minimum(), self.maximum(), value, room
@@ -69,7 +69,7 @@ class PaintedSlider(QSlider, Spoken):
 
 
 class PressSlider(PaintedSlider):
-    """Pressed with the left button only. Released, too, when `PressMonitor` reports a loss.
+    """Slider held with the left button only. A loss of input (`PressMonitor`) releases it, too.
 
     `held` is whether the user presses it.
     """
@@ -100,7 +100,7 @@ class PressSlider(PaintedSlider):
             self.grabbed.emit()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Press with the left button only: a middle one would make Qt jump to where it is."""
+        """Press with the left button only. At a middle click Qt would jump to the mouse."""
         event.ignore()
         if event.button() is Qt.MouseButton.LeftButton:
             self.grab_handle()
@@ -108,7 +108,7 @@ class PressSlider(PaintedSlider):
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if self.isSliderDown() and not event.buttons() & Qt.MouseButton.LeftButton:
-            self.release()  # that of the button was not reported
+            self.release()  # the release of the button was not reported
         if self.held:  # a released handle must not follow the mouse
             super().mouseMoveEvent(event)
 
@@ -120,9 +120,9 @@ class PressSlider(PaintedSlider):
 
 
 class StickSlider(PaintedSlider):
-    """Horizontal. `rest` is where its fill begins.
+    """Horizontal slider whose fill begins at `rest`.
 
-    `follow` shows a value without disturbing a drag; `valueChanged` is a change by the user.
+    `follow` shows a value without disturbing a drag. `valueChanged` is a change by the user.
     """
 
     def __init__(
@@ -138,7 +138,7 @@ class StickSlider(PaintedSlider):
         return "" if self.value_label is None else self.value_label.text()
 
     def follow(self, value: int) -> None:
-        """Show a value that the user did not choose, unless they hold the handle."""
+        """Show a value that the user did not set, unless the user holds the handle."""
         if not self.isSliderDown() and value != self.value():
             with QSignalBlocker(self):
                 self.setValue(value)

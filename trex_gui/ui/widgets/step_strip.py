@@ -1,4 +1,4 @@
-"""The numbered steps of a dialog in a row."""
+"""Row of the numbered steps of a dialog."""
 
 from collections.abc import Collection, Sequence
 
@@ -16,7 +16,7 @@ _LEAST_LINE = 16
 
 
 class StepStrip(Painted):
-    """Ticks the steps that are done. Names all steps, or the current one where space is short."""
+    """Ticks the steps that are done. Names only the current step where space is short."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -27,9 +27,9 @@ class StepStrip(Painted):
         follow_theme(self, "room", self.updateGeometry)
 
     def show_steps(self, steps: Sequence[str], now: int, undone: Collection[str] = ()) -> None:
-        """`now` may be the number of steps, when all are done.
+        """`now`: index of the current step, or the number of steps once all are done.
 
-        `undone`: steps that are not done although a later one is shown.
+        `undone`: steps that are not done although a later step is shown.
         """
         if (steps, now, undone) == (self._steps, self._now, self._undone):
             return

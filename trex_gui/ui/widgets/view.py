@@ -1,4 +1,4 @@
-"""Base of the pages of *Diagnostics*, which the head of the place searches and copies."""
+"""Base of the *Diagnostics* pages, which the head of the place searches and copies."""
 
 from collections.abc import Iterable, Sequence
 
@@ -17,9 +17,9 @@ def copy_lines(lines: Iterable[str], notifier: Notifier) -> None:
 
 
 class View(QWidget):
-    summarized = Signal(str)  # one line about what is shown, whenever it is refreshed
+    summarized = Signal(str)  # one-line summary of the content, at each refresh
 
-    searched = ""  # text without blanks around it, in lower case
+    searched = ""  # search text, stripped, in lower case
 
     @Slot(str)
     def search(self, text: str) -> None:
@@ -30,11 +30,11 @@ class View(QWidget):
         return self.searched in text.casefold()
 
     def refresh(self) -> None:
-        """Show what there is now, if the page is visible."""
+        """Show the current content, if the page is visible."""
         raise NotImplementedError
 
     def lines(self) -> Sequence[str]:
-        """Return what is shown, to be copied."""
+        """Return the displayed lines, to be copied."""
         raise NotImplementedError
 
     def showEvent(self, event: QShowEvent) -> None:

@@ -17,9 +17,9 @@ log = logging.getLogger(__name__)
 _PROGRESS_INTERVAL = 0.05
 
 _WORK, _YIELD = 0.01, 0.001
-"""Seconds of work between pauses, and seconds of each pause, for session and GUI thread.
+"""Seconds of work between pauses, and of each pause, in which session and GUI threads run.
 
-Python switches threads only every 5 ms, too rarely for their many short turns.
+Python switches threads only every 5 ms, too rarely for the many short turns of these threads.
 """
 
 ProgressCallback = Callable[[float], None]  # receives the share done, 0 to 1
@@ -40,8 +40,8 @@ class Done:
 class FileWorker(WorkerThread):
     """Runs one function, which receives a function to report its progress.
 
-    Objects that the function uses belong to this thread until it ends. Its owner keeps it until
-    then.
+    Objects that the function uses belong to this thread until it ends. The owner keeps the
+    worker until then.
     """
 
     progressed = Signal(float)  # share done, 0 to 1
@@ -93,7 +93,7 @@ class FileWorker(WorkerThread):
 
 
 class FileTask(QObject):
-    """Runs one piece of work at a time in a `FileWorker`."""
+    """Runs one function at a time in a `FileWorker`."""
 
     progressed = Signal(float)  # share done, 0 to 1
     done = Signal(object)  # a `Done` for each start, unless `close` came first
@@ -101,7 +101,7 @@ class FileTask(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._worker: FileWorker | None = None
-        self._abandoned: FileWorker | None = None  # a disk blocked it when this was closed
+        self._abandoned: FileWorker | None = None  # blocked by a disk during `close`
 
     @property
     def is_running(self) -> bool:

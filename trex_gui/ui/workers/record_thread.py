@@ -30,7 +30,7 @@ _SHUTDOWN_TIMEOUT_MS = 3000
 
 
 class RecordWorker(WorkerThread, Generic[RecordT]):
-    """Writes one recording. Ends with its backlog or on an error."""
+    """Writes one recording. Ends at the end of the backlog or on an error."""
 
     progressed = Signal(object)  # bytes written so far
 
@@ -88,9 +88,9 @@ class RecordThread(QObject, Generic[RecordT]):
     """
 
     changed = Signal()  # `recording`, `can_record`, `size` or `lost`
-    ended = Signal(object)  # a recording is complete; its `Path`
+    ended = Signal(object)  # the `Path` of a completed recording
     ended_early = Signal(str)  # why the recording ended by itself, for the user
-    failed = Signal(str)  # why it cannot be written, for the user
+    failed = Signal(str)  # why the recording cannot be written, for the user
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -100,7 +100,7 @@ class RecordThread(QObject, Generic[RecordT]):
         self._backlog: Backlog[RecordT] = Backlog(runtime().condition())
         self._started = 0.0
         self._closing = False
-        self._abandoned = False  # the program waits for a disk once
+        self._abandoned = False  # a shutdown has timed out: the next does not wait
 
     @property
     def is_available(self) -> bool:
@@ -133,7 +133,7 @@ class RecordThread(QObject, Generic[RecordT]):
         first: Sequence[RecordT | Marker] = (),
         prepare: Callable[[], object] = lambda: None,
     ) -> None:
-        """Record into a new file. `prepare` is called before it is made, in the thread."""
+        """Record into a new file. `prepare` is called before, in the new thread."""
 
         def open_writer() -> RecordingWriter[HeaderT, RecordT]:
             prepare()
@@ -171,12 +171,12 @@ class RecordThread(QObject, Generic[RecordT]):
             self.changed.emit()
 
     def end_because(self, message: str) -> None:
-        """End the recording and report why. `{0}` in the message is its file."""
+        """End the recording and report why. `{0}` in the message is the file."""
         self.stop()
         self.ended_early.emit(message.format(self.path))
 
     def shut_down(self) -> bool:
-        """End the recording at the end of the program, waiting for the disk for a while.
+        """End the recording at the end of the program. Wait for the disk for a while.
 
         Return whether its thread has ended.
         """

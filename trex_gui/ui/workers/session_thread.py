@@ -16,7 +16,7 @@ from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan, release_orph
 NO_HANDLER = 0  # number of a request without a handler for its outcome
 _TIMEOUT_MS = 1000
 _WRITING_TIMEOUT_MS = 3000
-"""Longest wait of `shut_down`: line settings and polynomial must be stored together."""
+"""Longest wait of `shut_down`. Line settings and polynomial must be stored together."""
 
 
 class Session(Protocol):
@@ -26,13 +26,13 @@ class Session(Protocol):
 
 
 MakeSession = Callable[[RequestQueue, Callable[[object], None]], Session]
-"""Makes a session from the queue of its requests and the function that receives its reports."""
+"""Creates a session from its request queue and the function that receives its reports."""
 
 
 class LineWorker(WorkerThread):
     """Runs one line session.
 
-    `submit` and `close` may be called from any thread. Its owner keeps it until it has ended.
+    `submit` and `close` may be called from any thread. The owner keeps the worker until its end.
     """
 
     # A report of the session, emitted in the new thread. The last one is `Closed`.
@@ -61,16 +61,16 @@ class SessionThread(QObject):
 
     started = Signal()
     reported = Signal(object)  # a report other than `Outcome` and `Closed`
-    # The port is closed; the `Closed` of the session. After an internal error `may_move` is true if
+    # The `Closed` of a session whose port is closed. After an internal error `may_move` is true if
     # any motor was driven. Not emitted for a session that ends within `shut_down`.
     closed = Signal(object)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.log = TrafficLog()  # traffic log, filled if `traffic_log.logged` opens the line
+        self.log = TrafficLog()  # filled if `traffic.logged` opens the line
         self._worker: LineWorker | None = None
         self._late: LineWorker | None = None  # shut down; its last report still counts
-        self._ending: list[LineWorker] = []  # orphaned, or between last report and end
+        self._ending: list[LineWorker] = []  # workers, orphaned or between last report and end
         self.last: Closed | None = None
         self._may_move = False
         self._ids = itertools.count(1)
@@ -92,7 +92,7 @@ class SessionThread(QObject):
         return self._worker is not None
 
     def start(self, make_session: MakeSession, *, may_move: bool) -> None:
-        """Start a session. `may_move` says that motors may be turning from an earlier one."""
+        """Start a session. `may_move` says that motors may be turning from an earlier session."""
         self._may_move = may_move
         self._late = self.last = None
         self._worker = LineWorker(make_session)
@@ -110,9 +110,9 @@ class SessionThread(QObject):
         return True
 
     def submit_now(self, *requests: object) -> None:
-        """Queue requests that start no motor, all for the same session, if there is one.
+        """Queue requests that start no motor, all for the same session, if a session is open.
 
-        For emergencies, from any thread: meanwhile the session may end and another one start.
+        For emergencies, from any thread. Meanwhile the session may end and another session start.
         """
         if (worker := self._worker) is not None:
             for request in requests:
@@ -175,7 +175,7 @@ class SessionThread(QObject):
     def _on_reported(self, report: object) -> None:
         worker = self.sender()
         if worker is None or worker not in {self._worker, self._late}:
-            return  # from an orphaned session; another one may have started
+            return  # from an orphaned session; another session may have started
         match report:
             case Outcome():
                 self.answer(report)
@@ -189,7 +189,7 @@ class SessionThread(QObject):
                 self.reported.emit(report)
 
     def answer(self, outcome: Outcome) -> None:
-        """Pass an outcome on to who has made the request."""
+        """Pass an outcome to the handler of its request."""
         self._writes.discard(outcome.id)
         if then := self._waiting.pop(outcome.id, None):
             then(outcome)

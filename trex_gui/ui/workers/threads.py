@@ -1,7 +1,7 @@
-"""Worker threads: their base class, those that outlive their owner, and garbage collection.
+"""Worker threads: base class, threads that outlive their owner, and garbage collection.
 
-Qt aborts when a running thread is destroyed. An owner therefore hands a thread that does not end in
-time to `adopt_orphan`. While one is running, the process must not exit normally.
+Qt aborts when a running thread is destroyed. Therefore an owner passes a thread that does not end
+in time to `adopt_orphan`. While such a thread is running, the process must not exit normally.
 """
 
 import gc
@@ -15,10 +15,10 @@ _COLLECT_INTERVAL_MS = 1000
 
 
 class WorkerThread(QThread):
-    """A thread that starts and ends with the runtime.
+    """Thread that the runtime starts and waits for.
 
-    The object lives in the GUI thread; only `run` executes in the new one. Connect its signals with
-    `Qt.ConnectionType.QueuedConnection`.
+    The object lives in the GUI thread; only `run` executes in the new thread. Connect its signals
+    with `Qt.ConnectionType.QueuedConnection`.
     """
 
     def start(self, priority: QThread.Priority = QThread.Priority.InheritPriority) -> None:
@@ -27,7 +27,7 @@ class WorkerThread(QThread):
     def wait(self, milliseconds: int = FOREVER) -> bool:  # type: ignore[override]
         """Wait for the end of the thread and return whether it ended in time.
 
-        Takes no `QDeadlineTimer`, unlike Qt's, which would run on another clock.
+        Unlike Qt's `wait`, it takes no `QDeadlineTimer`, which would run on another clock.
         """
         return runtime().wait(self, milliseconds)
 
@@ -36,7 +36,7 @@ _orphans: list[WorkerThread] = []
 
 
 def adopt_orphan(thread: WorkerThread) -> None:
-    """Keep a thread until it has ended. Its owner may be destroyed from now on.
+    """Retain a thread until it has ended. From now on its owner may be destroyed.
 
     Call this in the thread in which the object lives.
     """
@@ -56,9 +56,9 @@ def have_orphans_ended() -> bool:
 
 
 class GuiThreadCollector(QObject):
-    """Runs Python's garbage collector in the GUI thread only, as long as it lives.
+    """Runs Python's garbage collector only in the GUI thread, while this object exists.
 
-    Python collects in whichever thread creates enough objects, usually that of a busy line. A
+    Python collects in whichever thread creates enough objects, usually the thread of a busy line. A
     widget that is destroyed outside the GUI thread crashes the process.
     """
 
@@ -71,9 +71,9 @@ class GuiThreadCollector(QObject):
         self._timer.start()
 
     def exempt_present(self) -> None:
-        """Collect, and never examine again what is left: what the program consists of.
+        """Collect garbage. Exempt all objects that are left from later collections.
 
-        Its 100,000 objects would block the GUI thread for 50 ms at each full collection.
+        The program's 100,000 objects would block the GUI thread for 50 ms at each full collection.
         """
         gc.collect()
         gc.freeze()

@@ -14,7 +14,7 @@ from trex_gui.ui.notifier import Notifier
 
 
 class AracnaController(DeviceController[PortSettings]):
-    """Sends nothing more where other devices stop: a motion that runs ends by itself."""
+    """Sends nothing more where other devices stop. A running motion ends by itself."""
 
     def __init__(
         self,

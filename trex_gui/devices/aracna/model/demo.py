@@ -1,4 +1,4 @@
-"""The simulated robot as its panel operates it: state, power, servos, cable."""
+"""The simulated robot for its panel: state, power, servos, cable."""
 
 import json
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ class FirmwareState(Enum):
 
 @dataclass(frozen=True, slots=True)
 class DemoServo:
-    """State of one servo, as `show` reports it: not `alive` if `dead` or without power."""
+    """State of one servo, from `show`. A servo that is `dead` or without power is not `alive`."""
 
     position: int
     goal: int
@@ -61,7 +61,7 @@ class RobotSnapshot:
 
     @property
     def is_held_up(self) -> bool:
-        """Return whether the firmware waits for servos, none of which can move."""
+        """Return whether the firmware waits only for servos that cannot move."""
         waits = any(servo.dead or (servo.moving and servo.cannot_move) for servo in self.servos)
         return (
             self.state is FirmwareState.MOVING
@@ -101,11 +101,11 @@ class DemoRobot(DemoDevice[RobotSnapshot]):
         self._send(f"servo {motor} {'block' if blocked else 'free'}")
 
     def set_load(self, motor: int, part: float) -> None:
-        """Let a servo lose this share of its speed, 0-1."""
+        """Slow a servo down by a share of its speed, 0-1."""
         self._send_newest(f"load {motor}", f"servo {motor} load {part:.2f}")
 
     def lose(self, what: str) -> None:
-        """Lose `what` of the next transfer, once: the rest of the control line."""
+        """Lose a part of the next transfer, once. `what` is the rest of the control line."""
         self._send(f"line {what}")
 
     def repair(self) -> None:

@@ -42,10 +42,10 @@ class ItemKey:
 
 
 class Library(QObject):
-    """One project. Each edit replaces it and is one undo step.
+    """One project. Each edit replaces the project, and is one undo step.
 
     Edits raise `BadRequest`, and change nothing, for an unknown or invalid name, a name that is
-    taken, or a position outside 0-1023. Saving keeps the undo steps.
+    taken, or a position outside 0-1023. Saving retains the undo steps.
     """
 
     changed = Signal()  # poses, sequences, the file, or whether it is saved
@@ -55,8 +55,8 @@ class Library(QObject):
         self.undo = QUndoStack(self)
         self.project = self._saved = Project(poses=BUILT_IN_POSES)
         self.path: Path | None = None
-        self.on_disk: bytes | None = None  # what the file held when it was opened or saved
-        self._opened = object()  # another one for each file
+        self.on_disk: bytes | None = None  # content of the file when it was opened or saved
+        self._opened = object()  # a different object for each file
 
     @property
     def name(self) -> str:
@@ -77,18 +77,18 @@ class Library(QObject):
 
     @Slot()
     def new(self) -> None:
-        """Start with the built-in poses and no file."""
+        """Start a project with the built-in poses and no file."""
         self._load(Project(poses=BUILT_IN_POSES), None, None)
 
     def set_file(self, path: Path, file: PoseFile) -> None:
         self._load(file.project, path, file.data)
 
     def content(self) -> Content:
-        """Return what Save writes now. Edits made while that is being saved stay unsaved."""
+        """Return the content to save. Edits made during the save stay unsaved."""
         text, project, opened = write_ppr(self.project), self.project, self._opened
 
         def record_saved(path: Path) -> None:
-            if opened is self._opened:  # else another file is shown by now
+            if opened is self._opened:  # else another file was opened meanwhile
                 self.path, self._saved = path, project
                 self.on_disk = text.encode("utf-8")
                 self.changed.emit()
@@ -105,7 +105,7 @@ class Library(QObject):
     # --- Edits of poses and sequences ---------------------------------------------------
 
     def rename(self, kind: ItemKind, name: str, new_name: str) -> None:
-        """Rename an item. Steps follow a renamed pose."""
+        """Rename an item. Steps are updated to a renamed pose."""
         items, place = self._find(kind, name)
         new_name = checked_name(new_name, [item.name for item in items if item.name != name])
         after = self._with(kind, place, [replace(items[place], name=new_name)])
@@ -122,12 +122,12 @@ class Library(QObject):
         return str(copy.name)
 
     def delete(self, kind: ItemKind, name: str) -> None:
-        """Delete an item. Sequences keep the names of deleted poses."""
+        """Delete an item. Sequences retain the names of deleted poses."""
         _, place = self._find(kind, name)
         self._edit(tr("Delete {0}").format(name), self._with(kind, place, []))
 
     def move(self, kind: ItemKind, name: str, place: int) -> None:
-        """Move an item to a place in the order, from 0. One beyond the end is the end."""
+        """Move an item to a place in the order, from 0. A place beyond the end is the end."""
         items, old = self._find(kind, name)
         others = [*items[:old], *items[old + 1 :]]
         others.insert(min(max(place, 0), len(others)), items[old])
@@ -159,9 +159,9 @@ class Library(QObject):
         self._edit(tr("Change sequence {0}").format(name), after, run)
 
     def add_gait(self, gait: Gait) -> str:
-        """Append a gait as a sequence, with those of its poses that are missing. Return its name.
+        """Append a gait as a sequence, with its missing poses. Return the sequence's name.
 
-        Poses with the same name and other positions stay, and the gait's own get another name.
+        If a pose has the same name but other positions, it stays, and the gait's pose is renamed.
         """
         poses, names = list(self.project.poses), {}
         for own in gait.poses:
@@ -189,7 +189,7 @@ class Library(QObject):
         raise BadRequest(f"there is nothing called {name}")
 
     def _with(self, kind: ItemKind, place: int, replacement: Many[Any]) -> Project:
-        """Return the project with other items in place of one."""
+        """Return the project with an item replaced by other items."""
         items: tuple[Any, ...] = getattr(self.project, kind.value)
         return self._with_items(kind, (*items[:place], *replacement, *items[place + 1 :]))
 
@@ -208,7 +208,7 @@ class Library(QObject):
 
 
 def _with_poses(sequence: Sequence, names: Mapping[str, str]) -> Sequence:
-    """Return a sequence whose steps name other poses."""
+    """Return a sequence with the pose names in its steps replaced."""
     steps = tuple(
         replace(step, pose_name=names.get(step.pose_name, step.pose_name))
         for step in sequence.steps

@@ -1,4 +1,4 @@
-"""Recording a robot, and playing its recordings back."""
+"""Recording of a robot, and playback of its recordings."""
 
 import math
 from collections.abc import Iterable, Sequence
@@ -31,13 +31,13 @@ from trex_gui.ui.runtime import now
 from trex_gui.ui.workers.record_thread import RecordThread
 
 COLORS = ("motor1", "motor2", "good", "dirty", "danger", "muted", "warning", "plot_text")
-"""Theme colours of the curves, motor 0 first; each curve has its number, too."""
+"""Theme colours of the curves, motor 0 first. Each curve also shows its number."""
 
 MAX_ROWS = 2_000_000
-"""Rows that are drawn: two hours of a sequence at the robot's highest rate, 144 MB."""
+"""Most rows to draw: two hours of a sequence at the robot's highest rate, 144 MB."""
 
 _NO_GAP = math.inf
-"""The robot reports positions only while it moves; between motions they do not change."""
+"""No gaps: the robot reports positions only while it moves, and they change only then."""
 
 _Row = tuple[float, ...]  # a time (s) and a position for each motor (degrees; NaN if unknown)
 
@@ -45,8 +45,8 @@ _Row = tuple[float, ...]  # a time (s) and a position for each motor (degrees; N
 class AracnaRecorder(RecordThread[Record]):
     """Records the session of a robot into one file at a time.
 
-    A recording ends with the connection, and when the robot returns with another number of motors,
-    since its columns would be wrong. It continues while the robot does not respond.
+    A recording ends with the connection, or if the robot returns with another number of motors,
+    since the columns would be wrong. It continues while the robot does not respond.
     """
 
     def __init__(self, robot: Robot) -> None:
@@ -73,7 +73,7 @@ class AracnaRecorder(RecordThread[Record]):
 
     @Slot()
     def stop(self) -> None:
-        """End the recording with a marker, which keeps its length if nothing has happened."""
+        """End the recording with a marker, so that an uneventful recording has its full length."""
         self.put(marker(now(), EventKind.NOTE.value, tr("The recording ends here.")))
         super().stop()
 
@@ -134,12 +134,12 @@ def _trace(motor: int) -> TraceInfo:
 
 
 def _rows(state: RobotState, records: Iterable[Record]) -> list[_Row]:
-    """Return a row at the start of a motion, for each answer, and for events between motions.
+    """Return rows for the start of a motion, for each reply, and for events between motions.
 
-    From the start of a motion to its answer a motor's curve is straight; its real path is unknown.
+    From the start of a motion to its reply, a motor's curve is straight. Its real path is unknown.
     """
     rows = list[_Row]()
-    motion = list[tuple[int, int]]()  # place of each row of a motion, and how many had answered
+    motion = list[tuple[int, int]]()  # by row of a motion: place, and count of replies
     for record in records:
         state.update(record)
         match record:
@@ -160,7 +160,7 @@ def _rows(state: RobotState, records: Iterable[Record]) -> list[_Row]:
 
 
 def _straighten(rows: list[_Row], motion: Sequence[tuple[int, int]]) -> None:
-    """Draw each motor straight to its own answer."""
+    """Make each motor's curve straight from the start to its own reply."""
     if len(motion) < 3:
         return
     table = np.array([rows[place] for place, _ in motion])

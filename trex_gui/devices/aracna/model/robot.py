@@ -1,4 +1,4 @@
-"""The robot of a window: its connection, what it has reported, and what the user requests."""
+"""The robot of a window: its connection, its reported state, and the user's requests."""
 
 from collections import deque
 from collections.abc import Sequence
@@ -47,21 +47,21 @@ from trex_gui.ui.translations import error_sentence, error_text
 from trex_gui.ui.workers.session_thread import MakeSession
 
 FIRST_SPEED = 100
-"""Speed of every servo unless the user has chosen others: 67 degrees per second.
+"""Speed of every servo until the user changes it: 67 degrees per second.
 
 Positions are unknown before the first motion, and a servo that was just switched on is unlimited.
 """
 
 
 class Robot(DeviceConnection[PortSettings]):
-    """One robot, or none. Sends nothing unprompted but what the session needs.
+    """One robot, or none. Only the session sends anything unprompted.
 
     Positions and speeds are tuples with one value for each motor, motor 0 first, in the servo's
-    units. `reported` reaches its listeners after the report was taken into `state`.
+    units. `reported` reaches its listeners after `state` includes the report.
     """
 
     link_changed = Signal()  # `link` and `status`; `changed` has been emitted before
-    halted = Signal()  # the user has stopped everything; pressed controls must be released
+    halted = Signal()  # after a halt; pressed controls must be released
     rejected = Signal(str)  # why a command was not carried out; also sent to the notifier
 
     def __init__(self, notifier: Notifier | None = None) -> None:
@@ -72,9 +72,9 @@ class Robot(DeviceConnection[PortSettings]):
         self.limits = JointLimits(self)
         self.targets = Targets(self.limits, self)
         self.speeds = (FIRST_SPEED,) * MOTORS  # for the next motion
-        self.speeds_chosen = False  # the user has chosen them
+        self.speeds_chosen = False  # by the user
         self.events = EventLog(self)
-        self._replies = deque[float](maxlen=10)  # times of the last ones, while dragging
+        self._replies = deque[float](maxlen=10)  # times of the last replies, while dragging
         self._pending_moves = 0
         self._pending_speeds = 0
         self._is_holding = False  # targets follow the present positions after a halt
@@ -87,13 +87,13 @@ class Robot(DeviceConnection[PortSettings]):
 
     @property
     def rate(self) -> float | None:
-        """Commands answered per second while dragging. `None` before there are three replies."""
+        """Commands answered per second while dragging. `None` before the third reply."""
         if len(self._replies) < 3 or self._replies[-1] <= self._replies[0]:
             return None
         return (len(self._replies) - 1) / (self._replies[-1] - self._replies[0])
 
     def remaining(self) -> float:
-        """Return the seconds until the running motion should end, observed or not. 0 for none."""
+        """Return the seconds until a motion should end, observed or not. 0 if none is running."""
         until = self.state.moving_until
         return 0.0 if until is None else max(until - now(), 0.0)
 
@@ -116,7 +116,7 @@ class Robot(DeviceConnection[PortSettings]):
         self.link_changed.emit()
 
     def _reset(self, motors: int) -> None:
-        """Forget the robot, except for when a motion that may be running should end."""
+        """Reset to an unknown robot. Retain the time when a running motion should end."""
         self.state = RobotState(motors, unobserved_until=self.state.moving_until)
         self._replies.clear()
         self.dragging = self._is_holding = False
@@ -175,13 +175,13 @@ class Robot(DeviceConnection[PortSettings]):
 
     @Slot()
     def _send_limits(self) -> None:
-        """Let the session enforce the newest limits, also on the playing sequence."""
+        """Send the newest limits to the session, which also applies them to a playing sequence."""
         self.submit(SetLimits(self.limits.first(self.state.motors)))
 
     # --- Commands -----------------------------------------------------------------------
 
     def move(self, goals: Sequence[int]) -> bool:
-        """Move every motor to a goal, after a running motion. Return whether the goals are sent."""
+        """Move every motor to a goal, after a running motion. Return whether it was requested."""
         if not self._can_move():
             return False
         cropped = self.limits.crop(goals)
@@ -192,7 +192,7 @@ class Robot(DeviceConnection[PortSettings]):
         return self._request_move(cropped, dragged=False)
 
     def _request_move(self, goals: tuple[int, ...], *, dragged: bool) -> bool:
-        """Send goals after a running motion, unless newer ones replace them until then."""
+        """Send goals after a running motion, unless newer goals replace them before."""
         speeds, self._is_holding = self.speeds, False
         is_sent = self.request(
             lambda number: Move(number, goals, speeds, dragged), self._on_move_done
@@ -208,7 +208,7 @@ class Robot(DeviceConnection[PortSettings]):
             self.changed.emit()
 
     def drag(self, goals: Sequence[int]) -> None:
-        """Send goals as soon as the robot is ready. Only the newest ones count."""
+        """Send goals as soon as the robot is ready. Newer goals replace waiting ones."""
         if self.dragging and self.link is ConnectionState.CONNECTED:
             self._request_move(self.limits.crop(goals), dragged=True)
 
@@ -236,7 +236,7 @@ class Robot(DeviceConnection[PortSettings]):
             self.request(lambda number: SetLed(number, on), self._on_led_done)
 
     def play(self, play: Play) -> bool:
-        """Play steps, which the session crops to the limits. Return whether they are sent.
+        """Play steps, which the session crops to the limits. Return whether it was requested.
 
         From unknown positions the robot first goes slowly to the start.
         """
@@ -257,7 +257,7 @@ class Robot(DeviceConnection[PortSettings]):
         return True
 
     def _with_slow_start(self, play: Play) -> Play:
-        """Prepend a step to the start: the whole travel at the first speed, at any time scale."""
+        """Prepend a slow step to the start: time for the whole travel at `FIRST_SPEED`."""
         first = (*play.blend_in, *play.steps)[0]
         seconds = travel_seconds(HIGHEST, FIRST_SPEED) / play.time_scale
         slow = Step(first.goals, seconds, tr("slowly to the start"))
@@ -272,7 +272,7 @@ class Robot(DeviceConnection[PortSettings]):
             self.submit(SetTimeScale(factor))
 
     def halt(self) -> None:
-        """Send nothing more. A running motion continues: nothing on this link stops it."""
+        """Send nothing more. A running motion continues: no command stops it."""
         if not self.is_open or self.link is ConnectionState.DISCONNECTING:
             return
         is_active = self.state.moving is not None or self.state.play is not None
@@ -294,9 +294,9 @@ class Robot(DeviceConnection[PortSettings]):
         self.submit_now(*((Halt(), Close()) if ending else (Halt(),)))
 
     def stop_because(self, reason: str) -> str:
-        """Halt for a `reason`, a clause without a full stop. Return what that means.
+        """Halt for a `reason`, a clause without a full stop. Return the effect as a text.
 
-        Empty if no robot is connected and no motion of an earlier connection runs.
+        The text is empty if no robot is connected and no motion of an earlier connection runs.
         """
         ending = ending_text(left) if (left := self.remaining()) > 0 else ""
         if self.link is ConnectionState.DISCONNECTED:
@@ -309,7 +309,7 @@ class Robot(DeviceConnection[PortSettings]):
 
     @property
     def is_at_rest(self) -> bool:
-        """Return whether nothing moves or is about to, as far as a connected robot tells."""
+        """Return whether a connected robot is known to be at rest, with no motion pending."""
         state = self.state
         is_busy = state.moving is not None or state.play is not None or state.may_be_moving
         is_about_to = self.dragging or self._pending_moves > 0
@@ -322,7 +322,7 @@ class Robot(DeviceConnection[PortSettings]):
 
     @property
     def move_blocker(self) -> str:
-        """Reason that the robot cannot be moved now. Empty if it can."""
+        """Reason why the robot cannot be moved now. Empty if it can."""
         if self.link is not ConnectionState.CONNECTED:
             return tr("No robot is connected.")
         if self.state.play is not None:
@@ -345,7 +345,7 @@ class Robot(DeviceConnection[PortSettings]):
 
     def _on_speeds_done(self, outcome: Outcome) -> None:
         self._pending_speeds = max(self._pending_speeds - 1, 0)
-        if outcome.error is not None and not self._pending_speeds:  # else newer ones replaced it
+        if outcome.error is not None and not self._pending_speeds:  # else newer speeds replaced it
             self._reject_because(tr("Speeds not set: {0}"), outcome.error)
 
     def _on_led_done(self, outcome: Outcome) -> None:

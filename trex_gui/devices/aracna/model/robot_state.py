@@ -1,4 +1,4 @@
-"""The state of the robot as its session or a recording reports it. No Qt, no clock of its own."""
+"""State of the robot, as its session or a recording reports it. Uses neither Qt nor a clock."""
 
 from dataclasses import dataclass, field
 
@@ -22,20 +22,20 @@ from trex_gui.devices.aracna.session.messages import (
 
 @dataclass(slots=True)
 class RobotState:
-    """The newest of everything. Times are on the session's clock."""
+    """Newest reported values. Times are on the session's clock."""
 
     motors: int
     version: int | None = None
     present: tuple[int | None, ...] = ()  # position of each motor; `None` where unknown
-    goals: tuple[int, ...] | None = None  # sent last
-    moving: Moving | None = None  # the `.c` that is not answered yet
+    goals: tuple[int, ...] | None = None  # last sent
+    moving: Moving | None = None  # the `.c` that has no reply yet
     moved: Moved | None = None
     awaited_motor: int = 0
     stuck: Stuck | None = None
     uncertain: bool = False  # whether a motion that is no longer observed may still be running
-    unobserved_until: float | None = None  # when such a motion should end; kept when it is over
+    unobserved_until: float | None = None  # when that motion should end; retained after its end
     speeds: SpeedsHeld | None = None
-    led: bool | None = None  # of the debug LED; `None` until the robot was asked to switch it
+    led: bool | None = None  # debug LED; `None` until it was first switched
     play: Play | None = None
     step: StepBegun | None = None  # the running step; `None` before the first
     stats: LineStats = field(default_factory=LineStats)
@@ -67,7 +67,7 @@ class RobotState:
                 self.uncertain, self.step = self.goals is not None, None
             case Connected(version=version):
                 self.version = version
-                # a robot that answers `.q` waits for no motor. Servos may move all the same:
+                # A robot that answers `.q` waits for no motor. Servos may still be moving:
                 # opening the port may have reset the board, which does not stop them.
                 self._stop_observing()
             case StepBegun():
@@ -97,7 +97,7 @@ class RobotState:
 
     @property
     def reply_lost(self) -> bool:
-        """Return whether the last reply to a `.c` was lost, or no servo has answered."""
+        """Return whether the last reply to a `.c` was lost, or no servo replied."""
         return self.moved is not None and set(self.moved.present) == {UNREADABLE}
 
     @property
@@ -107,7 +107,7 @@ class RobotState:
 
     @property
     def speed_error(self) -> RobotError | None:
-        """The speeds that servos did not take, as of the last reply to a `.v`."""
+        """Error for speeds that servos did not accept, from the last reply to a `.v`."""
         speeds = self.speeds
         return None if speeds is None else rejected_speeds(speeds.requested, speeds.held)
 
@@ -129,7 +129,7 @@ class RobotState:
 
     @property
     def may_be_moving(self) -> bool:
-        """Return whether no motion is observed and no reply has shown that all motors have stopped.
+        """Return whether a motion may run unobserved: no reply has shown that all motors stopped.
 
         This includes the time before the first reply: another host may have moved the robot.
         """

@@ -11,7 +11,7 @@ _KEY = "aracna/limits"
 
 
 class JointLimits(QObject):
-    """The limits of each joint, saved in the settings. The firmware enforces none."""
+    """The limits of each joint, saved in the settings. The firmware enforces no limits."""
 
     changed = Signal()
 
@@ -21,7 +21,7 @@ class JointLimits(QObject):
         self._all = self._read()
 
     def of(self, motor: int) -> Limits:
-        """Return the limits of a motor (0-). The default is that of its kind."""
+        """Return the limits of a motor (from 0). The default depends on its joint."""
         if motor < len(self._all):
             return self._all[motor]
         return factory_limits(motor + 1)[motor]
@@ -34,7 +34,7 @@ class JointLimits(QObject):
         return self._all == factory_limits(len(self._all))
 
     def set(self, motor: int, low: int, high: int) -> None:
-        """Set the limits of a joint. BadRequest if they are not in order, or outside 0-1023."""
+        """Set the limits of a joint. BadRequest if out of order or outside 0-1023."""
         limits = Limits(low, high)
         if motor >= len(self._all):
             self._all += factory_limits(motor + 1)[len(self._all) :]
@@ -66,7 +66,7 @@ class JointLimits(QObject):
 
 
 class Targets(QObject):
-    """The goal of each motor that the sliders show, sent or not. Always within the limits."""
+    """Goals of the motors on the sliders, sent or not. Always within the limits."""
 
     changed = Signal()
 
@@ -77,7 +77,7 @@ class Targets(QObject):
         limits.changed.connect(self._on_limits_changed)
 
     def set_count(self, motors: int) -> None:
-        """Set the number of motors. New ones are in the centre."""
+        """Set the number of motors. New motors are in the centre."""
         missing = (CENTRE,) * (motors - len(self.goals))
         self.set_all((*self.goals[:motors], *missing))
 

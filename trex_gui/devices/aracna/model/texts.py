@@ -13,7 +13,7 @@ from trex_gui.ui.translations import error_text
 
 
 def joint_text(motor: int) -> str:
-    """Return motor and joint, such as `0 inner`. Only the motor where the joint is unknown."""
+    """Return motor and joint, such as `0 inner`. An unknown joint is left out."""
     if motor >= MOTORS:
         return str(motor)
     return f"{motor} {tr('outer') if motor % 2 else tr('inner')}"
@@ -52,7 +52,7 @@ def missed_goals_text(state: RobotState) -> str:
 
 
 def difference_text(state: RobotState, motor: int, *, is_observed: bool = True) -> tuple[str, bool]:
-    """Return how far a motor is from its goal, or what is wrong, and whether that is alarming."""
+    """Return a motor's difference from its goal, or its problem, and whether it is alarming."""
     present = state.present[motor]
     difference = ""
     if present is not None and state.goals is not None:
@@ -71,7 +71,7 @@ def difference_text(state: RobotState, motor: int, *, is_observed: bool = True) 
 
 
 def activity_text(state: RobotState, left: float) -> tuple[str, bool]:
-    """Return what a robot is doing as far as it tells, and whether the user should beware.
+    """Return the reported activity of a robot, and whether the user should beware.
 
     `left`: seconds until a motion should end.
     """
@@ -106,7 +106,7 @@ def _playing_text(state: RobotState) -> str:
     if step.part != "steps":
         return tr("Playing blend-in.") if step.part == "in" else tr("Playing blend-out.")
     number, round_ = step.index + 1, step.round + 1
-    if play is None:  # in a recording, which has only the steps
+    if play is None:  # a recording has only the steps
         return tr("Playing step {0}, round {1}.").format(number, round_)
     text = tr("Playing step {0} of {1} “{2}”, round {3} of {4}.")
     name = play.steps[step.index].name
@@ -114,7 +114,7 @@ def _playing_text(state: RobotState) -> str:
 
 
 def waiting_text(motor: int | None) -> str:
-    """Return why a stuck robot reads nothing. `motor` is the awaited one, if it is known."""
+    """Return why a stuck robot reads nothing. `motor` is the awaited motor, if known."""
     if motor is None:
         return tr("The robot does not respond.")
     return tr(ErrorCode.MOTOR_STUCK.value).format(motor)
@@ -140,7 +140,7 @@ def cropped_goals_text(goals: Sequence[int], cropped: Sequence[int]) -> str:
 
 
 def event_of(report: object, state: RobotState) -> tuple[EventKind, str] | None:
-    """Return the event for a report that `state` has taken, if it is worth logging."""
+    """Return the event for a report if it is worth logging. `state` includes the report."""
     match report:
         case Restarted():
             text = tr("The board has restarted. Its servos continue to their goals.")

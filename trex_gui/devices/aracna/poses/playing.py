@@ -1,6 +1,6 @@
-"""Steps that are sent for a sequence or gait: within the joints' limits, and how long they take.
+"""Steps of a sequence or gait: their goals within the joints' limits, and their durations.
 
-A servo without load needs its distance over its speed; nothing makes it faster than its ceiling.
+A servo without load takes its distance divided by its speed, which cannot exceed its ceiling.
 """
 
 from collections.abc import Iterable
@@ -21,7 +21,7 @@ COMMAND_SECONDS = 0.1
 def steps_of(
     played: Sequence, poses: Iterable[Pose], limits: Many[Limits], time_scale: float = 1.0
 ) -> tuple[Step, ...]:
-    """Return the steps of a sequence or gait for as many motors as `limits`, cropped to them.
+    """Return the steps of a sequence or gait, cropped to `limits`, which has one entry per motor.
 
     BadRequest: there are no steps, or poses are not defined.
     """
@@ -34,7 +34,7 @@ def steps_of(
 def limited_motors(
     played: Sequence, poses: Iterable[Pose], limits: Many[Limits]
 ) -> dict[int, list[int]]:
-    """Return the motors that `steps_of` crops, by step. Raises as it does."""
+    """Return the motors that `steps_of` crops, by step. Raises as `steps_of` does."""
     found = {}
     for number, (pose, _) in enumerate(stages_of(played, poses)):
         pairs = enumerate(zip(pose.first(len(limits)), limits, strict=True))
@@ -44,7 +44,7 @@ def limited_motors(
 
 
 def mismatch(poses: Iterable[Pose], motors: int) -> str:
-    """Return a sentence if poses are not for so many motors."""
+    """Return a sentence if poses have another number of motors, else an empty text."""
     counts = {len(pose.positions) for pose in poses} - {motors}
     if not counts:
         return ""
@@ -55,14 +55,14 @@ def mismatch(poses: Iterable[Pose], motors: int) -> str:
 
 
 def cropped(pose: Pose, limits: Many[Limits]) -> tuple[int, ...]:
-    """Return a pose's positions as they may be sent, one for each motor."""
+    """Return the positions of a pose within the limits, one for each motor."""
     return crop(pose.first(len(limits)), limits)
 
 
 def blend_in(
     played: Sequence, poses: Iterable[Pose], limits: Many[Limits], present: Present = ()
 ) -> tuple[Step, ...]:
-    """Return the slow step to the start. None if it starts anywhere, or the robot is there.
+    """Return the slow step to the start. Empty if any start will do, or the robot is there.
 
     A cyclic gait starts in its last pose, a sequence in its first. Raises as `steps_of` does.
     """
@@ -77,7 +77,7 @@ def blend_in(
 
 
 def blend_out(limits: Many[Limits], poses: Iterable[Pose] = ()) -> tuple[Step, ...]:
-    """Return the slow step to `stand`: that of `poses`, else the built-in one."""
+    """Return the slow step to the pose `stand` of `poses`, else to the built-in `stand`."""
     stand = next((pose for pose in poses if pose.name == STAND.name), STAND)
     return (Step(cropped(stand, limits), SLOW_SECONDS, stand.name),)
 
@@ -85,10 +85,10 @@ def blend_out(limits: Many[Limits], poses: Iterable[Pose] = ()) -> tuple[Step, .
 def late_motors(
     steps: Many[Step], start: Present = (), *, again: bool = False
 ) -> dict[int, dict[int, float]]:
-    """Return the seconds that motors need which are too slow, by step and motor.
+    """Return the seconds needed by motors that are too slow, by step and motor.
 
-    From an unknown position no motor is. With `again` the first step is also checked from the end
-    of the last one.
+    A motor at an unknown position never counts as too slow. With `again`, the first step is also
+    checked from the end of the last step.
     """
     late = [_late_in(step, before) for before, step in _with_starts(steps, start)]
     if again:
@@ -97,7 +97,7 @@ def late_motors(
 
 
 def estimated_seconds(steps: Many[Step], start: Present = ()) -> float:
-    """Return the time for all steps: of each its own, or that of its slowest motor."""
+    """Return the time for all steps. Each takes its own time, or its slowest motor's if longer."""
     return sum(
         max(step.seconds, COMMAND_SECONDS, *_late_in(step, before).values())
         for before, step in _with_starts(steps, start)

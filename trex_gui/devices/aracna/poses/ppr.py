@@ -1,4 +1,4 @@
-"""`.ppr` files: poses and sequences as the editor PyPose keeps them, one item a line.
+"""`.ppr` files: poses and sequences of the editor PyPose, one item per line.
 
     Name:count:resolution:resolution...
     Pose=name:512, 512, ...
@@ -7,11 +7,11 @@
 
 Ref: CreativeMachinesLab/aracna `RaspberryPypose/project.py`. There the last of two items with the
 same name wins, missing positions are 512, wrong resolutions are 1024, and a line without prefix is
-a pose of an older version. `Nuke` belongs to code for legged robots that PyPose generated; it is
-kept. Blanks around a name are ignored: PyPose strips the names in steps, and does not find a pose
-with blanks around its name.
+a pose of an older version. `Nuke` belongs to code for legged robots that PyPose generated, and is
+retained. Blanks around a name are ignored, because PyPose strips the names in steps, and so does
+not find a pose with blanks around its name.
 
-Lines that cannot be read are kept as they are, and written back.
+Lines that cannot be read are written back unchanged.
 """
 
 import re
@@ -74,11 +74,11 @@ def read_file(path: Path) -> PoseFile:
 
 
 def read_ppr(text: str) -> tuple[Project, tuple[Finding, ...]]:
-    """Return the project in a text, which is never rejected, and findings for each line.
+    """Return the project in a text, and findings for each line. No text is rejected.
 
-    An error marks a line that is not used; a warning, something that was assumed.
+    An error marks a line that is not used, and a warning marks an assumption.
     """
-    separator = "\r" if "\r" in text and "\n" not in text else "\n"  # "\r": of an old Macintosh
+    separator = "\r" if "\r" in text and "\n" not in text else "\n"  # "\r": from an old Macintosh
     lines = text.split(separator)
     line_end = "\r\n" if lines[0].endswith("\r") else separator
     if lines[-1] == "":
@@ -107,7 +107,7 @@ def read_ppr(text: str) -> tuple[Project, tuple[Finding, ...]]:
 
 
 def write_ppr(project: Project) -> str:
-    """Return the text of a pose file, as PyPose would write it. Short poses are filled up."""
+    """Return the text of a pose file in PyPose's format. Short poses are padded."""
     lines = [":".join([project.name, str(project.motors), *map(str, project.resolutions)])]
     for pose in project.poses:
         positions = pose.first(max(project.motors, len(pose.positions)))
@@ -123,7 +123,7 @@ def _joined(values: Iterable[object]) -> str:
 
 
 class _Reader:
-    """Reads the lines of one file. Items are kept with their line numbers."""
+    """Reads the lines of one file. Items are stored with their line numbers."""
 
     def __init__(self) -> None:
         self.poses: list[tuple[int, Pose]] = []
@@ -179,9 +179,9 @@ class _Reader:
         self.poses.append((number, pose))
 
     def with_unique_names(self, items: list[tuple[int, ItemT]], kind: str) -> tuple[ItemT, ...]:
-        """Return the items. Of several with one name the last keeps it.
+        """Return the items with unique names. Of several with one name, the last retains it.
 
-        One without blanks around its name goes first: steps can only mean that one.
+        An item without blanks around its name has priority, because steps can refer only to it.
         """
         taken = {item.name for _, item in items}
         by_priority = sorted(items, key=lambda placed: (placed[0] not in self._padded, placed[0]))
@@ -236,7 +236,7 @@ def _name(line: str, no_colon: str, kind: str) -> tuple[str, str]:
 
 
 def _fields(values: str) -> list[str]:
-    """Split values. A comma after the last one is ignored."""
+    """Split values. A comma after the last value is ignored."""
     fields = values.split(",")
     if not fields[-1].strip():
         fields.pop()

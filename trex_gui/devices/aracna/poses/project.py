@@ -1,4 +1,4 @@
-"""Poses, sequences of them and their names, as one pose file holds them."""
+"""Content of a pose file: poses, sequences of poses, and their names."""
 
 from collections.abc import Collection, Iterable
 from collections.abc import Set as AbstractSet
@@ -19,7 +19,7 @@ _SEPARATORS = ":,|"  # characters that separate names and values in a pose file
 
 @dataclass(frozen=True, slots=True)
 class Pose:
-    """Positions (0-1023, motor 0 first) under a name without colon or line end, else BadRequest."""
+    """Named positions (0-1023, motor 0 first). BadRequest: a colon or line end in the name."""
 
     name: str
     positions: tuple[int, ...]
@@ -29,14 +29,14 @@ class Pose:
             raise BadRequest(f"no pose: {self!r}")
 
     def first(self, motors: int) -> tuple[int, ...]:
-        """Return the positions of so many motors. Missing ones are in the centre."""
+        """Return positions for a number of motors. Missing positions are in the centre."""
         missing = max(motors - len(self.positions), 0)
         return self.positions[:motors] + (CENTRE,) * missing
 
 
 @dataclass(frozen=True, slots=True)
 class SequenceStep:
-    """Reach a named pose in so many milliseconds, 1 to an hour, else BadRequest."""
+    """Named pose and the time to reach it. BadRequest: not 1 ms to an hour, or an unusable name."""
 
     pose_name: str
     milliseconds: int = DEFAULT_MS
@@ -49,7 +49,7 @@ class SequenceStep:
 
 @dataclass(frozen=True, slots=True)
 class Sequence:
-    """Steps under a name without colon or line end, else BadRequest."""
+    """Named steps. BadRequest: a colon or line end in the name."""
 
     name: str
     steps: tuple[SequenceStep, ...] = ()
@@ -73,7 +73,7 @@ class Project:
     """Poses and sequences of one robot.
 
     Attributes:
-        resolutions: positions that each servo distinguishes; as many as there are motors.
+        resolutions: number of positions that a servo distinguishes, one for each motor.
         poses, sequences: in the order of the file, with unique names. Sequences may name poses that
             are not defined.
     """
@@ -82,7 +82,7 @@ class Project:
     resolutions: tuple[int, ...] = (RESOLUTION,) * MOTORS
     poses: tuple[Pose, ...] = ()
     sequences: tuple[Sequence, ...] = ()
-    rest: tuple[str, ...] = ()  # other lines as they are; they are written back at the end
+    rest: tuple[str, ...] = ()  # other lines, which are written back unchanged at the end
     line_end: str = "\n"
 
     @property
@@ -101,7 +101,7 @@ class Project:
 
 
 def is_usable_in_step(pose_name: str) -> bool:
-    """Return whether a step of a file can name a pose: commas and bars separate steps there."""
+    """Return whether a step of a file can name a pose. Commas and bars separate steps."""
     return not any(sign in pose_name for sign in ",|\r\n")
 
 
@@ -110,7 +110,7 @@ def _is_name(name: str) -> bool:
 
 
 def free_name(name: str, taken: Iterable[str]) -> str:
-    """Return the name, with the first free number if it is taken."""
+    """Return the name, with the first free number added if it is taken."""
     others = set(taken)
     return free_number(name, others)[0] if name in others else name
 
@@ -124,7 +124,7 @@ def free_number(name: str, taken: AbstractSet[str], first: int = 2) -> tuple[str
 
 
 def checked_name(name: str, taken: Iterable[str]) -> str:
-    """Return a name without blanks around it. BadRequest if it is taken or not possible."""
+    """Return a name without blanks around it. BadRequest if it is taken or invalid."""
     found = name.strip()
     is_possible = found.isprintable() and not any(sign in _SEPARATORS for sign in found)
     if not is_possible or not 0 < len(found) <= _LONGEST_NAME:

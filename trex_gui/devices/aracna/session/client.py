@@ -1,11 +1,11 @@
 """One command in flight on a line to the robot.
 
-The reply to `.c` arrives motor by motor, so nothing here blocks until it is complete: the session
-sends a command, listens in short slices, and receives events.
+The reply to `.c` arrives motor by motor, so no call waits until it is complete. The session sends
+a command, listens in short slices, and receives events.
 
-Only a single `.q` may be sent behind an unanswered command: its three bytes survive in the chip
-while the firmware is busy. Its reply shows that the firmware is free again; a late reply to the
-command itself comes first.
+Only a single `.q` may be sent after an unanswered command: its three bytes survive in the chip
+while the firmware is busy. The reply to `.q` shows that the firmware is free again. A late reply
+to the command itself comes first.
 """
 
 from collections.abc import Sequence
@@ -38,12 +38,12 @@ from trex_gui.devices.aracna.session.messages import LineStats, Passed, Stuck
 
 LINE = SerialFormat(commands.BAUD)
 
-REPLY_TIMEOUT = 1.0  # seconds for `.q` and `.v`; the slowest takes 0.06 s on a wire
+REPLY_TIMEOUT = 1.0  # seconds for `.q` and `.v`; the slowest reply takes 0.06 s on a wire
 QUERY_RETRY = 5.0
-"""Seconds after which `.q` is repeated behind a reply that stopped halfway. The chip keeps one `.q`
-and answers it once, however often it was sent."""
+"""Seconds until `.q` is repeated after a reply that stopped halfway. The chip holds one `.q` and
+answers it once, however often it was sent."""
 
-_KEPT = 48  # bytes kept of unrecognized data, for error messages
+_KEPT = 48  # bytes of unrecognized data to save for error messages
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +67,7 @@ class Answered:
 
 @dataclass(frozen=True, slots=True)
 class ReplyLost:
-    """No reply will come. `robot_free`: the robot has answered a `.q` sent behind the command."""
+    """No reply will come. `robot_free`: the robot has answered a `.q` sent after the command."""
 
     command: SentCommand
     error: RobotError
@@ -77,7 +77,7 @@ class ReplyLost:
 
 @dataclass(frozen=True, slots=True)
 class Voided:
-    """The firmware has started: a pending command (`None`: there was none) is not answered."""
+    """The firmware has started, so the pending command, if any, gets no reply."""
 
     command: SentCommand | None
     time: float
@@ -90,7 +90,7 @@ class AracnaClient:
     def __init__(self, transport: Transport, settings: PortSettings) -> None:
         self.transport = transport
         self.settings = settings.at(LINE)
-        self.motors = 0  # how many values a command has; 0 before the first `.q` reply
+        self.motors = 0  # values of a command; 0 before the first reply to `.q`
         self.pending: SentCommand | None = None
         self.received = b""  # the first bytes that arrived, for a diagnosis
         self.stats = LineStats()
@@ -98,7 +98,7 @@ class AracnaClient:
         self._reader = Reader()
         self._arrived: tuple[int, ...] | None = None
         self._is_late = False
-        self._query_deadline: float | None = None  # of a `.q` behind the pending command
+        self._query_deadline: float | None = None  # of a `.q` sent after the pending command
 
     @property
     def extra_time(self) -> float:
@@ -107,18 +107,18 @@ class AracnaClient:
 
     @property
     def awaited_motor(self) -> int | None:
-        """The motor that an arriving `.c` reply is waiting for. `None` if none is arriving."""
+        """Motor that an arriving `.c` reply is waiting for. `None` if no such reply is arriving."""
         arrived = self._reader.arrived
         return None if arrived is None else len(arrived)
 
     # --- Commands -----------------------------------------------------------------------
-    # Each raises PortUnavailable when the line is gone, and BadRequest while one is pending.
+    # Each raises PortUnavailable if the line is gone, and BadRequest while a command is pending.
 
     def query(self, timeout: float = REPLY_TIMEOUT) -> None:
         self._send("q", (), commands.QUERY, timeout)
 
     def set_speeds(self, values: Sequence[int]) -> None:
-        """Set every servo's speed, one value of 0-1023 for each motor (BadRequest otherwise)."""
+        """Set the speeds of all servos. BadRequest: not one value of 0-1023 for each motor."""
         line = commands.speeds(values, self.motors)
         self._send("v", tuple(values), line, REPLY_TIMEOUT)
 
@@ -126,7 +126,7 @@ class AracnaClient:
         self._send("l", (int(on),), commands.led(on=on), REPLY_TIMEOUT)
 
     def move(self, goals: Sequence[int], timeout: float) -> None:
-        """Move every motor, one goal of 0-1023 for each (BadRequest otherwise)."""
+        """Move all motors. BadRequest: not one goal of 0-1023 for each motor."""
         line = commands.positions(goals, self.motors)
         self._send("c", tuple(goals), line, timeout)
 
@@ -145,12 +145,12 @@ class AracnaClient:
     # --- Replies ------------------------------------------------------------------------
 
     def listen(self, seconds: float = 0.0) -> list[CommandEvent]:
-        """Return what has happened, waiting up to `seconds` for the first byte."""
+        """Return new events. Wait up to `seconds` for the first byte."""
         data = self.transport.read(1, seconds) if seconds > 0 else b""
-        checked = self.transport.clock()  # what had not arrived by then was late
+        checked = self.transport.clock()  # data that arrives after this time is late
         try:
             data += self.transport.discard()
-        except BadReply:  # endless data is no reply; some of it identifies the sender
+        except BadReply:  # endless data is no reply, but a part of it identifies the sender
             data += self.transport.read(_KEPT, 0.0)
         now = self.transport.clock()
         self.received = (self.received + data)[:_KEPT]
@@ -187,7 +187,7 @@ class AracnaClient:
         return isinstance(reply, ANSWERS[command.letter])
 
     def _query_behind(self, now: float) -> SentCommand | None:
-        """Return the `.q` that was sent behind a late command and is answered next, if any."""
+        """Return the `.q` that was sent after a late command, if any. Its reply comes next."""
         if self._query_deadline is None:
             return None
         self._query_deadline = None
@@ -198,7 +198,7 @@ class AracnaClient:
         if self.pending is None or self.pending.letter != "c" or arrived in {None, self._arrived}:
             return []
         self._arrived = arrived
-        if self._is_late:  # the next motor may not arrive either
+        if self._is_late:  # the next motor may be late, too
             self._is_late = False
             elapsed = now - self.pending.sent + REPLY_TIMEOUT + self.extra_time
             self.pending = replace(self.pending, timeout=max(self.pending.timeout, elapsed))

@@ -16,15 +16,15 @@ from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.protocol import commands
 
 TOLERANCE = 12
-"""Position units between goal and reply that count as none: 3.5 degrees.
+"""Largest difference between goal and reply that counts as reached, in position units: 3.5 degrees.
 
-A free servo stops on its goal: its compliance margin is 0 unless somebody wrote another one. A
-load keeps it off, or it has lost power on its way.
+A free servo stops on its goal, unless its compliance margin was changed from 0. A greater
+difference means a load on the servo, or a loss of power on its way.
 """
 
 FAR = 50
-"""The same for a motor that has failed, as in the authors' self-test: it is blocked, or servo power
-was off."""
+"""Difference beyond which a motor has failed, as in the authors' self-test: it is blocked, or servo
+power was off."""
 
 
 @unique
@@ -86,7 +86,7 @@ class RobotBusyError(RobotError, BadRequest):
 
 
 class RobotNoReplyError(RobotError, NoReply):
-    """The robot, or one of its servos, does not answer or respond as requested."""
+    """The robot or one of its servos does not reply, or does not comply."""
 
 
 class RobotBadReplyError(RobotError, BadReply):
@@ -94,11 +94,11 @@ class RobotBadReplyError(RobotError, BadReply):
 
 
 class RobotInternalError(RobotError, InternalError):
-    """The session failed. What is known of its error is the only field."""
+    """The session failed. The only field is the known detail of its error."""
 
 
 def diagnose(settings: PortSettings, received: bytes) -> RobotError:
-    """Return why no Aracna was found, judged by the first bytes received."""
+    """Return the error for a missing Aracna, judged by the first bytes received."""
     where, query = settings.text(), commands.QUERY.strip()
     if not received.strip(b"\r\n"):
         return RobotNoReplyError(ErrorCode.NO_ROBOT, where)
@@ -110,7 +110,7 @@ def diagnose(settings: PortSettings, received: bytes) -> RobotError:
 
 
 def suggests_scan(error: BaseException) -> bool:
-    """Return whether another device, or none, may be on the port: a scan may find it."""
+    """Return whether a scan may help: another device, or none, may be on the port."""
     return isinstance(error, RobotError) and error.code in {
         ErrorCode.NO_ROBOT,
         ErrorCode.OTHER_DEVICE,
@@ -132,7 +132,7 @@ def missed_goals(
 
 
 def rejected_speeds(requested: tuple[int, ...], held: tuple[int, ...]) -> RobotError | None:
-    """Return the error for speeds that servos did not take. `None` if all did."""
+    """Return the error for speeds that servos did not accept. `None` if all did."""
     if held != requested and all(speed < 0 for speed in held):
         return RobotNoReplyError(ErrorCode.NO_SERVO_POWER)
     wrong = tuple(
@@ -146,7 +146,7 @@ def rejected_speeds(requested: tuple[int, ...], held: tuple[int, ...]) -> RobotE
 
 
 def printable(data: bytes) -> str:
-    """Return printable bytes as text, others as up to 12 hexadecimal numbers."""
+    """Return bytes as text if all are printable, else up to 12 as hexadecimal numbers."""
     data = data.strip(b"\r\n")
     if data and all(0x20 <= byte < 0x7F for byte in data):
         return data.decode("ascii")

@@ -17,11 +17,11 @@ from trex_gui.devices.aracna.session.messages import (
 )
 
 Job = Move | SetSpeeds | SetLed
-"""A request with one outcome: one command, and before a `Move` possibly its speeds."""
+"""A request with one outcome. It is one command, for a `Move` possibly after its speeds."""
 
 
 class JobQueue:
-    """Queued jobs in order, and the one in flight.
+    """Queued jobs in order, and the job in flight.
 
     Every job gets exactly one outcome, reported here. `is_setting_speeds`: only the speeds of the
     motion in flight were sent.
@@ -41,7 +41,7 @@ class JobQueue:
         return bool(self._queued)
 
     def add(self, job: Job) -> None:
-        """Queue a job in place of older speeds or goals. Queued motions wait for new speeds."""
+        """Queue a job in place of older speeds or goals. New speeds precede queued motions."""
         older = [each for each in self._queued if type(each) is type(job)]
         for each in older if isinstance(job, Move | SetSpeeds) else ():
             self._queued.remove(each)
@@ -69,7 +69,7 @@ class JobQueue:
             self.finish(error=error)
 
     def on_speeds_set(self) -> None:
-        """Send the motion in flight next, unless a newer one has replaced it."""
+        """Send the motion in flight next, unless a newer motion has replaced it."""
         job, self._in_flight = self._in_flight, None
         self.is_setting_speeds = False
         if job is not None and any(isinstance(each, Move) for each in self._queued):
@@ -91,7 +91,7 @@ class JobQueue:
             self._report(Outcome(request.id, error=error))
 
     def drop(self, reason: StudioError) -> None:
-        """Drop everything queued, and a motion in flight of which only the speeds were sent."""
+        """Drop queued jobs, and a motion in flight if only its speeds were sent."""
         if self.is_setting_speeds:
             self.finish(error=reason)
         jobs, self._queued = self._queued, deque()

@@ -1,4 +1,4 @@
-"""Schedule of queries to the robot, and the decision that it does not respond. Pure."""
+"""Schedule of queries to the robot, and the decision that it does not respond."""
 
 from enum import Enum, auto
 
@@ -6,11 +6,11 @@ KEEPALIVE_INTERVAL = 2.0  # seconds without a reply after which an idle robot is
 QUERY_INTERVAL = 0.5  # seconds between two queries while a reply is awaited
 RECONNECT_INTERVAL = 1.0  # seconds between two queries to a robot that is not responding
 BOOT_TIME = 1.1
-"""Seconds after `.h` in which the firmware reads nothing: one of blinking, and a margin."""
+"""Seconds after `.h` in which the firmware reads nothing: 1 s of blinking, and a margin."""
 
 BOOT_TIMEOUT = 6.0  # seconds allowed for a restart: a boot loader may delay it
 CONNECT_TIMEOUT = 15.0
-"""Seconds after which a robot that only reports its start is given up when connecting."""
+"""Seconds after which connecting fails if the robot only reports its start."""
 
 
 class QueryReason(Enum):
@@ -25,7 +25,7 @@ class QueryReason(Enum):
 class LivenessMonitor:
     """Decides when to send `.q`.
 
-    `reason`: why a reply to it is awaited; `None` while the robot responds.
+    `reason`: why a reply to `.q` is awaited, or `None` while the robot responds.
     """
 
     def __init__(self, now: float) -> None:
@@ -40,7 +40,7 @@ class LivenessMonitor:
         return self.reason in {None, QueryReason.UNCERTAIN}
 
     def on_missing_reply(self, now: float) -> None:
-        """Query before anything else is sent."""
+        """Schedule a query before anything else is sent."""
         if self.reason is None:
             self.reason = QueryReason.UNCERTAIN
             self._query_at = now
@@ -56,7 +56,7 @@ class LivenessMonitor:
             self.reason = QueryReason.RESTARTED
 
     def set_not_responding(self, now: float) -> None:
-        """Query at long intervals from now on."""
+        """Schedule queries at long intervals from now on."""
         self.reason = QueryReason.NOT_RESPONDING
         self._query_at = now + RECONNECT_INTERVAL
 
@@ -73,7 +73,7 @@ class LivenessMonitor:
             self._query_at = now + RECONNECT_INTERVAL - QUERY_INTERVAL
 
     def seconds_to_query(self, now: float) -> float:
-        """Return how long until a query is due, if the line is free. 0 if it is."""
+        """Return the seconds until a query is due, if the line is free. 0 if it is already due."""
         return max(0.0, (self._keepalive_at if self.reason is None else self._query_at) - now)
 
     def timed_out(self, now: float) -> bool:

@@ -1,4 +1,4 @@
-"""Requests to an Aracna session and its reports: small frozen values.
+"""Requests to an Aracna session, and its reports, as small frozen values.
 
 Positions and speeds are tuples with one value for each motor, motor 0 first: positions 0-1023 in
 the servo's units, speeds 0-1023 (0: unlimited). Times are seconds on the session's clock.
@@ -19,7 +19,7 @@ from trex_gui.devices.aracna.protocol.joints import Limits
 class SetSpeeds:
     """Set every servo's speed. The value of its `Outcome` is the `SpeedsHeld`.
 
-    It replaces a queued one, and queued motions with speeds take the new ones.
+    It replaces a queued `SetSpeeds`. Queued motions with speeds use the new speeds.
     """
 
     id: int
@@ -28,7 +28,7 @@ class SetSpeeds:
 
 @dataclass(frozen=True, slots=True)
 class SetLed:
-    """Switch the board's debug LED. The value of its `Outcome` is whether it is on then."""
+    """Switch the board's debug LED. The value of its `Outcome` is whether it is on afterwards."""
 
     id: int
     on: bool
@@ -36,11 +36,11 @@ class SetLed:
 
 @dataclass(frozen=True, slots=True)
 class Move:
-    """Move every motor to a goal, instead of a queued one. Its `Outcome` has the `Moved`.
+    """Move every motor to a goal, in place of a queued `Move`. Its `Outcome` has the `Moved`.
 
-    With `speeds` it runs at these or not at all: they are sent first unless the servos are known to
-    hold them, and its outcome is an error if a servo does not take its speed. `dragged`: one of
-    many in a row, between which the speeds are not sent again.
+    With `speeds`, the motion runs at these speeds or not at all. They are sent first unless the
+    servos are known to hold them. The outcome is an error if a servo does not accept its speed.
+    `dragged`: one of many moves in a row, which do not send speeds that are still trusted.
     """
 
     id: int
@@ -69,7 +69,7 @@ class Step:
 class Play:
     """Play steps `rounds` times (0: endless), between the blends. `PlayEnded` follows.
 
-    Aborted steps are not followed by the blend-out. `time_scale` 2 is half as fast.
+    If the steps are aborted, there is no blend-out. `time_scale` 2 is half as fast.
     """
 
     id: int
@@ -96,7 +96,7 @@ class EndPlay:
 class Halt:
     """Send nothing more: drop queued requests and the playing sequence.
 
-    A running motion continues to its goal; nothing on this link stops it.
+    A running motion continues to its goal. No command stops it.
     """
 
 
@@ -109,17 +109,17 @@ Request = SetSpeeds | SetLed | SetLimits | Move | Play | SetTimeScale | EndPlay 
 class LineStats:
     """Counts since the robot's first reply. Reported once a second at most, when they change."""
 
-    requests: int = 0  # commands sent, including a pending one
+    requests: int = 0  # sent commands, including a pending command
     replies: int = 0
     timeouts: int = 0
     corrupted: int = 0  # commands whose reply was lost or unusable
-    unrecognized: int = 0  # lines that are no reply of an Aracna
+    unrecognized: int = 0  # lines that are not replies of an Aracna
     restarts: int = 0
-    slowest: float = 0.0  # the longest round trip in seconds, motions excluded
+    slowest: float = 0.0  # longest round trip in seconds, without motions
 
     @property
     def finished(self) -> tuple[int, ...]:
-        """The counts that a command on its way does not change."""
+        """Counts that do not include a pending command."""
         return self.replies, self.timeouts, self.corrupted, self.unrecognized, self.restarts
 
 
@@ -133,7 +133,7 @@ class Connected:
 
 @dataclass(frozen=True, slots=True)
 class Restarted:
-    """The board has restarted (`.h`): pending requests are void, servos continue."""
+    """The board has restarted (`.h`): pending requests are void, but servos continue."""
 
     time: float
     voided: bool
@@ -141,7 +141,7 @@ class Restarted:
 
 @dataclass(frozen=True, slots=True)
 class Moving:
-    """A `.c` was sent. Its reply should take `expected` seconds. Starts may be unknown (`None`)."""
+    """A `.c` was sent. Its reply should take `expected` seconds. Unknown starts are `None`."""
 
     time: float
     goals: tuple[int, ...]
@@ -151,7 +151,7 @@ class Moving:
 
 @dataclass(frozen=True, slots=True)
 class Passed:
-    """The reply to a `.c` so far: `present` of the motors before the awaited one."""
+    """The reply to a `.c` so far. `present` has the motors before the awaited motor."""
 
     time: float
     present: tuple[int, ...]
@@ -159,7 +159,7 @@ class Passed:
 
 @dataclass(frozen=True, slots=True)
 class Moved:
-    """The reply to a `.c`: the position of each motor, -1 if it could not be read or was lost."""
+    """The reply to a `.c`. `present` has the position of each motor, -1 if unreadable or lost."""
 
     time: float
     goals: tuple[int, ...]
@@ -169,7 +169,7 @@ class Moved:
 
 @dataclass(frozen=True, slots=True)
 class SpeedsHeld:
-    """The reply to a `.v`: the speed that each servo holds, -1 if it does not answer."""
+    """The reply to a `.v`. `held` has the speed of each servo, -1 if it does not respond."""
 
     time: float
     requested: tuple[int, ...]
@@ -180,9 +180,9 @@ class SpeedsHeld:
 class Stuck:
     """The reply to a `.c` is late: the robot waits for `motor`. `None` if nothing has arrived.
 
-    The firmware waits forever for a servo that is blocked or does not answer. Reported once for
-    each command; `Moved` may still follow. Queued requests are dropped, and motions are rejected
-    until the robot has answered.
+    The firmware waits forever for a servo that is blocked or does not respond. Reported once
+    for each command; `Moved` may still follow. Queued requests are dropped, and requests
+    that need an idle robot are rejected until it has answered.
     """
 
     time: float
@@ -199,9 +199,9 @@ class NotResponding:
 
 @dataclass(frozen=True, slots=True)
 class StepBegun:
-    """A step begins, `late` seconds behind schedule.
+    """A step starts, `late` seconds behind schedule.
 
-    `index` within `part` (`in`, `steps` or `out`), and `round`, are from 0.
+    `index` within `part` (`in`, `steps` or `out`) and `round` count from 0.
     """
 
     time: float

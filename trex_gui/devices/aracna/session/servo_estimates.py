@@ -1,6 +1,6 @@
-"""Estimates of each servo's position and speed, and of how long a motion takes.
+"""Estimates of each servo's position and speed, and of the time for a motion.
 
-Neither can be queried: they are known only from the replies to `.c` and `.v`.
+Position and speed cannot be queried. They are known only from the replies to `.c` and `.v`.
 """
 
 from collections.abc import Sequence
@@ -9,10 +9,10 @@ from trex_gui.devices.aracna.protocol.joints import HIGHEST, Limits, crop, speed
 from trex_gui.devices.aracna.session.errors import missed_goals
 
 ASSUMED_SPEED = 100
-"""Assumed while a speed is unknown: slow, so that no reply is considered late too early."""
+"""Speed assumed while it is unknown: slow, so that no reply is considered late too early."""
 
 SET_SPEEDS_TIME = 0.055
-"""Seconds that a `.v` takes at most: a pause of 25 ms, and reading back each servo's register."""
+"""Longest time of a `.v` in seconds: a pause of 25 ms, and reading back each servo's register."""
 
 TRUST = 2.0
 """Seconds for which the speeds in a `.v` reply count as known while dragging or playing.
@@ -21,11 +21,11 @@ A servo that lost power is unlimited afterwards, and only the reply to a `.v` sh
 are sent again this often, which takes `SET_SPEEDS_TIME`.
 """
 
-TRUST_BEFORE_MOVE = 0.5  # the same before a single `Move`
+TRUST_BEFORE_MOVE = 0.5  # as `TRUST`, but before a single `Move`
 
-_TOO_FAST = 1.05  # a speed may exceed the needed one by this factor before it is set again
-_ARRIVED = 5  # units off its goal at which a motor needs no motion
-MARGIN, ALLOWANCE = 1.25, 1.0  # a motion may take a quarter and a second longer than without load
+_TOO_FAST = 1.05  # a speed may exceed the needed speed by this factor before it is set again
+_ARRIVED = 5  # units from its goal up to which a motor needs no motion
+MARGIN, ALLOWANCE = 1.25, 1.0  # a motion may take 25 % plus 1 s longer than without load
 
 
 class ServoEstimates:
@@ -36,7 +36,7 @@ class ServoEstimates:
         self.reset(motors)
 
     def reset(self, motors: int) -> None:
-        """Forget everything but the limits: another robot answers."""
+        """Reset all but the limits, for another robot."""
         self.present: tuple[int | None, ...] = (None,) * motors
         self.speeds: tuple[int | None, ...] = (None,) * motors
         self._speeds_reported_at = 0.0
@@ -48,11 +48,11 @@ class ServoEstimates:
         self.present = (None,) * len(self.present)
 
     def clear_speeds(self) -> None:
-        """A servo may have lost power, or a new speed is unconfirmed."""
+        """Clear speeds: a servo may have lost power, or a new speed is unconfirmed."""
         self.speeds = (None,) * len(self.speeds)
 
     def clear(self) -> None:
-        """All servos may have lost power."""
+        """Clear positions and speeds: all servos may have lost power."""
         self.clear_positions()
         self.clear_speeds()
 
@@ -61,10 +61,10 @@ class ServoEstimates:
             self.clear_speeds()
 
     def on_positions(self, goals: Sequence[int], present: Sequence[int], now: float) -> None:
-        """Take the reply to a `.c`.
+        """Record the reply to a `.c`.
 
-        A motor that cannot be read, or is off its goal, makes all speeds doubtful: it may have
-        lost power on its way. So does a long motion.
+        All speeds become unknown if a motor cannot be read or has missed its goal: it may have
+        lost power on its way. They also become unknown after a long motion.
         """
         self.expire_speeds(now)
         if missed_goals(goals, present):
@@ -78,8 +78,8 @@ class ServoEstimates:
     def seconds_to(self, goals: Sequence[int]) -> float:
         """Return the time of the slowest motor, without load.
 
-        From an unknown position the longest distance counts; an unknown speed counts as the
-        slowest known one, `ASSUMED_SPEED` at most.
+        From an unknown position the longest distance counts. An unknown speed counts as the
+        slowest known speed, `ASSUMED_SPEED` at most.
         """
         slowest = min([ASSUMED_SPEED, *(speed for speed in self.speeds if speed)])
         return max(
@@ -88,10 +88,10 @@ class ServoEstimates:
         )
 
     def speeds_to(self, goals: Sequence[int], seconds: float) -> tuple[int, ...] | None:
-        """Return speeds at which every motor arrives in time. `None`: the present ones fit.
+        """Return speeds at which every motor arrives in time. `None` if the present speeds will do.
 
-        Includes the time for setting them. A motor that has arrived keeps its speed. One whose
-        position is unknown gets `ASSUMED_SPEED` at most.
+        The time includes setting the speeds. A motor that has arrived keeps its speed. A motor at
+        an unknown position gets `ASSUMED_SPEED` at most.
         """
         remaining = max(seconds - SET_SPEEDS_TIME, seconds / 2)
         speeds: list[int] = []
@@ -114,5 +114,5 @@ def move_timeout(expected: float) -> float:
 
 
 def _distance(start: int | None, goal: int) -> int:
-    """Return the distance, or the longest possible one."""
+    """Return the distance, or the longest possible distance if `start` is unknown."""
     return max(goal, HIGHEST - goal) if start is None else abs(goal - start)

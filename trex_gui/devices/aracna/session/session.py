@@ -1,9 +1,9 @@
 """The loop that owns a line to the robot: requests in, reports out, one command in flight.
 
-It uses neither threads nor Qt. Unprompted it sends only `.q`, the one line that is also harmless to
-a TReX at any settings, which may be on the port. (With a newline before it, a TReX at 38400 baud
-with odd parity may take both for a command.) This link has no stop: `Halt` can only send nothing
-more.
+It uses neither threads nor Qt. Unprompted it sends only `.q`, because a TReX may be on the port,
+and no other line is harmless to a TReX at any settings. (With a newline before `.q`, a TReX at
+38400 baud with odd parity may take both for a command.) The robot has no stop command: after
+`Halt`, the loop only sends nothing more.
 """
 
 from collections.abc import Callable
@@ -68,7 +68,7 @@ from trex_gui.devices.aracna.session.servo_estimates import (
 
 STATS_INTERVAL = 1.0  # seconds between two reports of the line's statistics
 _SLICE = 0.02  # seconds to wait for reply bytes before checking for requests
-_IDLE = 0.05  # seconds to wait for requests before checking the line: a `.h` may arrive
+_IDLE = 0.05  # seconds to wait for requests before checking the line for a `.h`
 
 
 class AracnaSession:
@@ -147,7 +147,7 @@ class AracnaSession:
         elif liveness.reason is not None:
             if query_due:
                 self._client.query(QUERY_INTERVAL)
-        elif self._jobs.has_queued:  # before the sequence, so sent before it
+        elif self._jobs.has_queued:  # requested before the sequence started
             self._jobs.send_next(self._send)
         elif self._player.seconds_to_next(now) <= 0:
             self._play(now)
@@ -193,7 +193,7 @@ class AracnaSession:
             raise RobotNoReplyError(ErrorCode.STUCK)
 
     def _drop(self, now: float, why: Ending, reason: StudioError) -> None:
-        """Drop all queued requests. After a halt the one in flight continues."""
+        """Drop all queued requests. After a halt, the command in flight continues."""
         is_halt = why is Ending.HALTED
         if not is_halt:
             self._jobs.finish(error=reason)
@@ -203,16 +203,16 @@ class AracnaSession:
     # --- Sending ------------------------------------------------------------------------
 
     def _send(self, job: Job) -> bool:
-        """Send a job, or first the speeds of a motion. Return whether it was only those.
+        """Send a job, or first the speeds of a motion. Return whether only speeds were sent.
 
-        BadRequest: not one value of 0-1023 for each motor.
+        BadRequest: the values are not 0-1023, or not as many as the motors.
         """
         match job:
             case Move(goals=goals, speeds=speeds, dragged=dragged):
                 trust = TRUST if dragged else TRUST_BEFORE_MOVE
                 self._servos.expire_speeds(self._now(), trust)
                 if speeds is not None and speeds != self._servos.speeds:
-                    commands.positions(self._servos.crop(goals), self._client.motors)  # checks them
+                    commands.positions(self._servos.crop(goals), self._client.motors)  # checks
                     self._client.set_speeds(speeds)
                     return True
                 self._move(goals)
@@ -279,7 +279,7 @@ class AracnaSession:
                 self._jobs.finish(on)
 
     def _on_speeds(self, speeds: SpeedsHeld) -> None:
-        """Start a motion only if every servo has taken its speed."""
+        """Start a motion only if every servo has accepted its speed."""
         error = rejected_speeds(speeds.requested, speeds.held)
         if self._jobs.is_setting_speeds:
             if error is None:
@@ -303,7 +303,7 @@ class AracnaSession:
             self._report(Connected(reply.version, motors))
 
     def _on_stuck(self, stuck: Stuck) -> None:
-        """Drop what is queued: it must not start when a servo recovers, perhaps in an hour."""
+        """Drop queued requests. They must not start when a servo recovers, perhaps in an hour."""
         self._is_stuck = True
         self._servos.clear_speeds()  # a servo without power loses its speed
         self._report(stuck)
@@ -343,13 +343,13 @@ class AracnaSession:
             return
         voided = self._player.is_playing or bool(self._jobs)
         voided |= command is not None and command.letter != "q"
-        # Servos keep position and speed over a reset but not over a power cut; `.h` reports both.
+        # Servos keep position and speed over a reset but not over a power cut; `.h` follows both.
         self._servos.clear()
         self._report(Restarted(now, voided))
         self._drop(now, Ending.RESTARTED, RobotError(ErrorCode.RESTARTED))
 
     def _set_not_responding(self, error: StudioError) -> None:
-        """Report that the robot does not respond. Raise why, if none has ever answered."""
+        """Report that the robot does not respond. Raise the diagnosis if it never has."""
         if self._liveness.reason is QueryReason.CONNECTING:
             raise diagnose(self._settings, self._client.received)
         now = self._now()

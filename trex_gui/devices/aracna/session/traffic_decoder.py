@@ -25,18 +25,18 @@ _COMMANDS = {
 
 class AracnaDecoder(Decoder):
     def shown(self, data: bytes) -> str:
-        r"""Text. Line ends as `\r` and `\n`, other bytes as `\x00`."""
+        r"""Return bytes as text, with line ends as `\r` and `\n`, and other bytes as `\x00`."""
         return data.decode("latin-1").encode("unicode_escape").decode("ascii")
 
     def bytes_of(self, shown: str) -> bytes:
         return shown.encode("ascii").decode("unicode_escape").encode("latin-1")
 
     def is_routine(self, sent: bytes) -> bool:
-        """Return whether it is the keep-alive query."""
+        """Return whether the line is the keep-alive query."""
         return sent == b".q\n"
 
     def may_move(self, sent: bytes) -> bool:
-        """Return whether a line commands positions by its second character: the first is free."""
+        """Return whether a line commands positions. Its first character does not matter."""
         return any(line[1:2] == b"c" for line in sent.split(b"\n"))
 
     def is_whole(self, transaction: Transaction) -> bool:
@@ -48,7 +48,7 @@ class AracnaDecoder(Decoder):
         return any(line.startswith((last, b".h")) for line in lines)
 
     def goes_with(self, transaction: Transaction, sent: bytes) -> bool:
-        """Return whether it is a query behind a command that has no reply yet."""
+        """Return whether a line is a query after a command that has no reply yet."""
         is_late = transaction.sent[:2] in {b".c", b".v", b".l"} and not self.is_whole(transaction)
         return sent == b".q\n" and is_late
 
@@ -97,7 +97,7 @@ class AracnaDecoder(Decoder):
 
 
 def _answers(reply: Reply, sent: bytes) -> bool:
-    """Return whether it is the reply to this command, or voids it. An empty line has none."""
+    """Return whether a reply answers or voids a command. True for an empty line."""
     kind = ANSWERS.get(sent[1:2].decode("latin-1"))
     return kind is None or isinstance(reply, kind | Hello)
 

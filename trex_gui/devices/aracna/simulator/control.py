@@ -141,7 +141,7 @@ _COMMANDS: dict[str, Command] = {
 
 
 def simulate(*, motors: int | None = None, paced: bool = True, seed: int = 0) -> Simulation:
-    """Create a robot. By default it has as many motors as it can."""
+    """Create a robot, by default with the highest number of motors."""
     line = AracnaLine(motors or MOTORS, paced=paced, seed=seed)
     return Simulation(line, partial(control, line))
 

@@ -1,7 +1,7 @@
 """The board's firmware as a generator that waits where the chip waits.
 
 Ref: CreativeMachinesLab/aracna, `aracna-embedded-code` of 25 Sep 2012, as it is described. It
-knows no clock: it yields what it waits for.
+has no clock: it yields a `Request` for each wait.
 """
 
 from collections import Counter
@@ -11,17 +11,17 @@ from enum import Enum
 
 from trex_gui.devices.aracna.simulator.servos import Register, Servo
 
-BUFFER = 59  # characters of a line, newline included; the sixtieth byte ends the string
+BUFFER = 59  # characters of a line with its newline; the sixtieth byte ends the string
 BLINKING = 1.0  # seconds of blinking after `.h`, in which nothing is read
-_BLINKS = 10  # toggles of the LED in that time; an even number leaves it off
+_BLINKS = 10  # toggles of the LED while blinking; an even number leaves it off
 PARSING = 0.000038  # seconds from the end of a line to its reply, observed
 SPEED_PAUSE = 0.025  # seconds between writing the speeds and reading them back
 WRITING = 0.0005
-"""Seconds of a packet that writes; inferred, as `READING`, from the round trips: 42 to 55 ms for
+"""Seconds of a packet that writes. Inferred, like `READING`, from the round trips: 42 to 55 ms for
 `.v`, 33 to 37 ms for `.c` without motion."""
 
 READING = 0.00095  # seconds of a packet that reads, with or without a reply
-_BATCH = 0.05  # seconds of polls that are simulated together when none of them can be the last one
+_BATCH = 0.05  # seconds of polls that are simulated together if none can be the last
 
 
 _ARRAY = 4
@@ -70,7 +70,7 @@ class Firmware:
     """The firmware and its state. `boots` counts its starts."""
 
     def __init__(self, servos: Sequence[Servo], version: int, boot_loader: float) -> None:
-        """Create a board without power. `boot_loader` is in seconds before `.h`."""
+        """Create a board without power. `boot_loader`: seconds before `.h`."""
         self.servos = tuple(servos)
         self.version = version
         self.reports_motors = True  # false before 22 Sep 2012
@@ -161,7 +161,7 @@ class Firmware:
 
     @staticmethod
     def _await(servo: Servo) -> Program:
-        """Poll the moving flag until it is 0. -1 is no reply."""
+        """Poll the moving flag until it is 0. It is -1 if the servo does not reply."""
         while True:
             yield Pause(READING)
             if servo.read(Register.MOVING) == 0:
@@ -186,11 +186,11 @@ def _values(line: bytes, motors: int) -> list[int]:
 
     The firmware's parser does not check for the end of the line. It reads until it has met a comma
     or newline for each motor, and collects characters in an array of four bytes without a bound.
-    Characters after the last motor's value are ignored, and so are invalid values, by the servos.
+    Characters after the last motor's value are ignored. The servos ignore invalid values.
 
     Raises:
-        Restart: a value is missing, or a field has eleven characters or more. Ten are answered
-            by the authors' binary once in two; here always.
+        Restart: a value is missing, or a field has eleven characters or more. With ten, the
+            authors' binary replies in half of the cases, the simulator always.
     """
     fields: list[bytes] = []
     begin = 2

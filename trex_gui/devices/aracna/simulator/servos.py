@@ -10,7 +10,7 @@ from enum import Enum
 from trex_gui.devices.aracna.protocol.joints import CEILING, HIGHEST, UNITS_PER_SECOND
 
 FAILED = -1  # value that the board's library returns for a servo without reply
-_EPSILON = 1e-9  # seconds; swallows the rounding of summed times
+_EPSILON = 1e-9  # seconds; tolerance for the rounding of summed times
 
 
 class Register(Enum):
@@ -23,37 +23,37 @@ class Servo:
     """One servo.
 
     Attributes:
-        alive: whether it responds. A dead servo stops, and continues its motion when it is alive
-            again (assumed).
+        alive: whether the servo responds. A dead servo stops, and continues its motion when it is
+            alive again (assumed).
     """
 
     def __init__(self, position: float = 512) -> None:
         self.position = float(position)  # in units; a fraction while it moves
-        self.goal = round(position)  # the last goal it accepted, 0-1023
+        self.goal = round(position)  # last accepted goal, 0-1023
         self.speed = 0  # speed register, 0-1023; 0 is the highest speed
-        self.torque = False  # whether it holds; off from power-up to the first goal
+        self.torque = False  # whether the servo holds; off from power-up to the first goal
         self.powered = True
         self.alive = True
-        self.blocked = False  # whether something holds it: then it stays "moving" until it is free
-        self.load = 0.0  # share of its speed that it loses, 0-1
+        self.blocked = False  # blocked from outside: stays "moving" until free
+        self.load = 0.0  # share by which the load reduces the speed, 0-1
         # Units from the goal at which it stops: the compliance margin. Ref: AX-12 control table,
         # initial value 0; the firmware never writes it.
         self.margin = 0
         self.to_fail: Counter[Register] = Counter()  # number of reads of a register that fail next
 
     def write_goal(self, value: int) -> None:
-        """Write a goal. One above 1023 is rejected."""
+        """Write a goal. A value above 1023 is rejected."""
         if self.answers and 0 <= value <= HIGHEST:
             self.goal = value
             self.torque = True
 
     def write_speed(self, value: int) -> None:
-        """Write a speed. One above 1023 is rejected."""
+        """Write a speed. A value above 1023 is rejected."""
         if self.answers and 0 <= value <= HIGHEST:
             self.speed = value
 
     def read(self, register: Register) -> int:
-        """Return a register, or -1 for no reply."""
+        """Return the value of a register, or -1 for no reply."""
         if not self.answers:
             return FAILED
         if self.to_fail[register] > 0:
@@ -71,12 +71,12 @@ class Servo:
 
     @property
     def moving(self) -> bool:
-        """Return whether it has not reached its goal, even if it is blocked or dead."""
+        """Return whether the goal is not reached, even if the servo is blocked or dead."""
         return self.torque and abs(self.goal - self.position) > self.margin
 
     @property
     def rate(self) -> float:
-        """Units per second in motion. 0 while it cannot move."""
+        """Units per second in motion. 0 while the servo cannot move."""
         if not self.answers or self.blocked:
             return 0.0
         speed = min(self.speed or CEILING, CEILING)
@@ -84,7 +84,7 @@ class Servo:
 
     @property
     def remaining(self) -> float:
-        """Seconds until it stops. Infinite while it cannot move."""
+        """Seconds until the servo stops. Infinite while it cannot move."""
         if not self.moving:
             return 0.0
         distance = abs(self.goal - self.position) - self.margin
@@ -100,7 +100,7 @@ class Servo:
             self.position += math.copysign(self.rate * seconds, self.goal - self.position)
 
     def set_power(self, *, on: bool) -> None:
-        """Switch servo power. Without it everything but the position is lost."""
+        """Switch servo power. Without it, all but the position is lost."""
         if self.powered and not on:
             self.speed = 0
             self.torque = False

@@ -1,4 +1,4 @@
-"""Figures of a bench test, from its readings alone. Pure."""
+"""Figures of a bench test, computed only from its readings."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -8,10 +8,10 @@ from statistics import fmean
 from trex_gui.devices.trex.bench.run import Run
 
 LONGEST_GAP = 0.5  # seconds between two readings over which no charge is counted
-BAND = 0.1  # how far from the steady current, as a share of it, counts as settled by default
-_TAIL = 0.3  # the share of a constant setpoint, at its end, whose current counts as steady
+BAND = 0.1  # default deviation that counts as settled, as a share of the steady current
+_TAIL = 0.3  # final share of a constant setpoint, whose current counts as steady
 _SHORTEST_PLATEAU = 0.4  # seconds of a constant setpoint, with ten readings in its tail
-_NOISE_COUNTS = 2  # counts from which a reading is a current; one alone may be noise
+_NOISE_COUNTS = 2  # least reading that is a current; a single count may be noise
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,10 +20,10 @@ class Figures:
 
     peak: float | None = None  # highest reading, A
     mean: float | None = None  # A, from the first setpoint until the motor began to brake
-    charge: float | None = None  # mAh, in the same time
+    charge: float | None = None  # mAh, over the same time as `mean`
     steady: float | None = None  # A at the end of the first constant setpoint
-    # s from the first setpoint until the current came within a share of `steady`, or two counts
-    # where that is more, and stayed there: an inrush passes the steady current on its way up
+    # s from the first setpoint until the current stayed within a share of `steady`, at least two
+    # counts. To come within it is not enough: an inrush passes the steady current on its way up.
     settled: float | None = None
     delay: float | None = None  # s from the first setpoint to the first reading that is a current
 
@@ -57,7 +57,7 @@ def figures(run: Run, band: float = BAND) -> Figures:
 
 
 def _flow(readings: Sequence[tuple[float, float]]) -> tuple[float | None, float]:
-    """Return the mean in A and the charge in mAh. Gaps count for neither."""
+    """Return the mean in A and the charge in mAh. Gaps are left out of both."""
     seconds = coulombs = 0.0
     for (start, before), (end, after) in pairwise(readings):
         if end - start <= LONGEST_GAP:

@@ -1,6 +1,6 @@
-"""A bench test as a text file that a spreadsheet reads, and back.
+"""Reading and writing of bench tests as text files for spreadsheets.
 
-The facts of the test come first, one `# name: value` on each line; then a table:
+The facts of the test come first, one `# name: value` on each line. Then follows a table:
 
 ```
 time_s,setpoint,current_a
@@ -8,8 +8,8 @@ time_s,setpoint,current_a
 0.0113,40,5.85
 ```
 
-A row is a setpoint (no current) or a reading, in the order of time. Speeds are -127 to 127,
-times are seconds since the first setpoint.
+Each row is a setpoint (no current) or a reading, in the order of time. Speeds are -127 to 127.
+Times are in seconds since the first setpoint.
 """
 
 import csv
@@ -26,7 +26,7 @@ from trex_gui.core.files import load
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.bench.run import End, Profile, Run, Shape
 
-_LARGEST_FILE = 10_000_000  # bytes; two minutes of readings are half a megabyte
+_LARGEST_FILE = 10_000_000  # bytes; two minutes of readings take less than half a megabyte
 _TITLE = "# TReX Studio bench test"
 _COLUMNS = ["time_s", "setpoint", "current_a"]
 _SETTING = "stored "
@@ -48,7 +48,7 @@ def load_run(path: Path) -> Run:
 
 
 def to_csv(run: Run) -> str:
-    """Return a test as text. Times keep a tenth of a millisecond, currents a tenth of a mA."""
+    """Return a test as text. Times are rounded to 0.1 ms, currents to 0.1 mA."""
     lines = [_TITLE, *(f"# {name}: {value}" for name, value in _facts(run))]
     out = io.StringIO("\n".join(lines) + "\n")
     out.seek(0, io.SEEK_END)
@@ -81,7 +81,7 @@ def _facts(run: Run) -> Iterable[tuple[str, str]]:
 
 
 def from_csv(text: str) -> Run:
-    """Return the test that `to_csv` wrote. BenchFileError for another or a damaged text."""
+    """Return the test that `to_csv` wrote. BenchFileError for any other text."""
     lines = text.removeprefix("\ufeff").splitlines()
     if not lines or lines[0].strip() != _TITLE:
         raise BenchFileError(tr("line 1: a bench test begins with {0!r}").format(_TITLE))
@@ -135,7 +135,7 @@ def _fact(facts: dict[str, str], name: str, read: Callable[[str], ValueT]) -> Va
 
 
 def _number(text: str) -> float:
-    """Return a number that can be drawn: neither NaN nor infinite."""
+    """Return a finite number, which can be drawn. ValueError otherwise."""
     value = float(text)
     if not math.isfinite(value):
         raise ValueError(text)

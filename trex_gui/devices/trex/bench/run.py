@@ -1,4 +1,4 @@
-"""A bench test: its plan, its profile, and the measurements. Pure."""
+"""A bench test: its plan, its profile, and its measurements."""
 
 import math
 from bisect import bisect_right
@@ -12,12 +12,12 @@ from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import Number, tr, tr_noop
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 
-SHORTEST = 0.2  # seconds that a test or a period lasts at least: ten steps of the profile
-LONGEST = 120.0  # seconds that a test lasts at most; the user holds a button all the while
+SHORTEST = 0.2  # least seconds of a test or a period: ten steps of the profile
+LONGEST = 120.0  # most seconds of a test; the user holds a button throughout
 
 
 class Shape(Enum):
-    """The shape of a profile. The values are those of saved files."""
+    """The shape of a profile. Saved files contain the values."""
 
     STEP = "step"
     RAMP = "ramp"
@@ -44,12 +44,12 @@ class Profile:
     # Step: the speed at once, then constant. Ramp: rises linearly for one `period`, then constant.
     # Reverse: half a period forward, half backward, repeatedly. Sine.
     shape: Shape = Shape.STEP
-    speed: int = 40  # the highest speed, -127 to 127 and not 0; negative starts backward
-    duration: float = 3.0  # seconds in all
+    speed: int = 40  # highest speed, -127 to 127 and not 0; a negative speed starts backward
+    duration: float = 3.0  # total seconds
     period: float = 1.0  # seconds; see `shape`
 
     def __post_init__(self) -> None:
-        """Raise `ValueError` with the limits if a value is outside them."""
+        """Raise `ValueError` with the limits if a value exceeds them."""
         limits = Number(SHORTEST), Number(LONGEST)
         if self.speed == 0 or not -FULL_SCALE <= self.speed <= FULL_SCALE:
             text = tr("the speed of a bench test is −{0} to {0} and not 0, not {1}")
@@ -85,7 +85,7 @@ class Profile:
         return replace(self, speed=ceiling if self.speed > 0 else -ceiling)
 
     def plateau(self, end: float) -> tuple[float, float] | None:
-        """Return the first span of constant speed in a test until `end`. `None` without one."""
+        """Return the first span of constant speed in a test until `end`, or `None`."""
         if self.shape is Shape.SINE:
             return None
         first = self.period if self.shape is Shape.RAMP else 0.0
@@ -111,11 +111,11 @@ class Plan:
     profile: Profile = field(default_factory=Profile)
     accelerate: bool = True  # through the board's ramp, brake duration and limit, or at once
     abort_current: float = 10.0  # A; one reading above it stops everything
-    abort_at_limit: bool = False  # whether the board's own current limit stops everything, too
+    abort_at_limit: bool = False  # whether reaching the board's current limit stops everything, too
 
 
 class End(Enum):
-    """Result of a test. The values are those of saved files."""
+    """Result of a test. Saved files contain the values."""
 
     COMPLETE = "complete"
     RELEASED = "released"
@@ -133,15 +133,15 @@ class Run:
     ampere: float  # A per count of the current measurement
     started: datetime  # local date and time
     end: End
-    reason: str = ""  # why it was aborted, for the user
-    ended: float  # when the motor began to brake
-    setpoints: Sequence[tuple[float, int]]  # time and signed speed of each
-    currents: Sequence[tuple[float, float]]  # time and A of each reading, also after the end
+    reason: str = ""  # for the user: why the test was aborted
+    ended: float  # when the motor started to brake
+    setpoints: Sequence[tuple[float, int]]  # time and signed speed
+    currents: Sequence[tuple[float, float]]  # time and A, also after the end
     settings: Sequence[tuple[str, str]] = ()  # the motor's stored parameters as texts
 
     @property
     def title(self) -> str:
-        """A short name for the user, such as `step +60, 3 s`."""
+        """Short name for the user, such as `step +60, 3 s`."""
         profile = self.profile
         speed = signed_text(profile.speed)
         return tr(_TITLES[profile.shape]).format(speed, f"{Number(profile.duration):g}")
@@ -151,7 +151,7 @@ class Run:
         return self.setpoints[index - 1][1] if index and seconds <= self.ended else 0
 
     def current_at(self, seconds: float) -> float | None:
-        """Return the last reading in A at a moment. `None` before the first and after the last."""
+        """Return the last reading in A at a moment. `None` outside the readings."""
         index = bisect_right(self.currents, seconds, key=itemgetter(0))
         if not index or seconds > self.currents[-1][0]:
             return None

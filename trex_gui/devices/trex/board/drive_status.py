@@ -19,16 +19,16 @@ from trex_gui.devices.trex.driving.timeout_stop import turning_text
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DriveInputs:
     board: BoardInputs | None = None  # what the board reports; `None` while that is unknown
-    # Why nothing is known of a board: none, silent, being connected; `None` while it responds
+    # Reason for an unknown board: none, silent, being connected; `None` while it responds
     link: DriveBlocker | None = None
     may_move: bool = False  # whether motors were driven and no stop was confirmed since
-    driven: frozenset[int] = frozenset()  # those motors, as far as they are known
-    # A warning about a board that may still be driven, with another one at the line
+    driven: frozenset[int] = frozenset()  # motors that were driven, as far as known
+    # Warning that a board may still be driven, while another board is on the line
     lost_board: str = ""
     silence_remedy: str = ""  # what to do if the board is lost while it is driven
     other_driver: str = ""  # the user who drives a served board in place of this program
-    other_speeds: tuple[int, int, int] = (0, 0, 0)  # that this user has set
-    lacks_board: int | None = None  # number of one in the group that cannot be driven
+    other_speeds: tuple[int, int, int] = (0, 0, 0)  # speeds that this user has set
+    lacks_board: int | None = None  # number of a board in the group that cannot be driven
     reaches_several: bool = False  # whether a command would reach several boards
     locked_for: float = 0.0  # seconds
     is_available: bool = True
@@ -50,9 +50,9 @@ class SetpointSource(Enum):
 
     UNKNOWN = auto()
     JOINT = auto()  # motor 1: both drivers work as one motor
-    SAFE_START = auto()  # it holds the motor, whatever the channel commands
+    SAFE_START = auto()  # safe-start holds the motor, whatever the channel commands
     CHANNEL = auto()
-    NOT_ARMED = auto()  # serial commands would, but none is sent
+    NOT_ARMED = auto()  # serial commands control the motor, but none is sent
     SERIAL = auto()
     OTHER_DRIVER = auto()  # serial commands of another user of a served board
 
@@ -102,7 +102,7 @@ _SILENT_WHILE_DRIVEN = tr_noop("The board does not respond; the stop is being re
 
 
 def drive_statuses(now: DriveInputs) -> tuple[DriveStatus, ...]:
-    """Return every reason why the motors do what they do, those that stop them first."""
+    """Return every reason for the state of the motors. Reasons that stop them come first."""
     if now.link is DriveBlocker.NO_BOARD and (now.may_move or now.lost_board):
         return (_lost(now),)
     if now.link is DriveBlocker.SILENT:
@@ -116,7 +116,7 @@ def drive_statuses(now: DriveInputs) -> tuple[DriveStatus, ...]:
 
 
 def _own_reasons(now: DriveInputs, *, by_serial: bool) -> Iterator[Reason]:
-    """Yield why this program sends nothing, or that it does. Nothing where channels drive."""
+    """Yield the reason why this program drives, or does not. Empty while channels drive."""
     if now.armed:
         yield Reason(DriveBlocker.RUNNING)
     elif now.may_move:

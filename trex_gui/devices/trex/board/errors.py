@@ -1,4 +1,4 @@
-"""Every error bit of a board: how often it was reported, and when last.
+"""Error bits of a board, with the count and last time of their reports.
 
 Reading a latched bit clears it, so every bit that was read is counted here. The board latches it
 again for as long as its cause lasts.
@@ -28,10 +28,10 @@ class ErrorEntry:
     remedy: str
     count: int = 0
     last: datetime | None = None  # date and time of the last report; `None` without one
-    seen_at: float = -math.inf  # the same in seconds of the program's monotonic clock
+    seen_at: float = -math.inf  # time of the last report on the monotonic clock, in seconds
     is_doubtful: bool = False  # the last report may be a corrupted reply
     is_uncleared: bool = False  # reported since the user cleared the errors
-    is_earlier: bool = False  # latched before the connection, which is not counted
+    is_earlier: bool = False  # latched before the connection, and not counted
 
 
 def error_names(entries: Sequence[ErrorEntry]) -> str:
@@ -76,7 +76,7 @@ UNSEEN = (
 
 ACTIVE_FOR = 1.0
 """Seconds after its last report for which an error is active: the status is read ten times a
-second, and again and again says what lasts."""
+second, and reports a lasting error each time."""
 
 
 def is_latched(bit: Status | UartError, latched: LatchedStatus) -> bool:
@@ -91,15 +91,15 @@ class ErrorCounts:
 
     def __init__(self, changed: Callable[[], None] = lambda: None) -> None:
         """`changed` is called when a bit was reported, and when errors were cleared or reset."""
-        self.entries = UNSEEN  # of motor 1, of motor 2, UART error and its kinds
+        self.entries = UNSEEN  # motor 1, motor 2, then UART error and its kinds
         self._changed = changed
-        self._others: dict[str, tuple[ErrorEntry, ...]] = {}  # of boards that are not selected
+        self._others: dict[str, tuple[ErrorEntry, ...]] = {}  # entries of unselected boards
 
     @property
     def occurred(self) -> list[ErrorEntry]:
-        """The errors that were reported, or latched before connecting, the newest first.
+        """Errors that were reported, or latched before connecting, newest first.
 
-        The bit that announces UART errors is left out beside them.
+        The bit that announces UART errors is left out if their kinds are listed.
         """
         found = [one for one in self.entries if one.count or one.is_earlier]
         details = [one for one in found if isinstance(one.bit, UartError)]
@@ -120,7 +120,7 @@ class ErrorCounts:
     def recent(self, motor: int, now: float) -> list[ErrorEntry]:
         """Return the entries about motor 1 or 2 that are at most three seconds old.
 
-        Serial timeouts and other UART errors concern both: they may have shut it down.
+        Serial timeouts and other UART errors are about both motors: they may have stopped them.
         """
         return [
             entry
@@ -134,7 +134,7 @@ class ErrorCounts:
     ) -> None:
         """Count the bits of a status. `is_doubtful`: its reply may have been corrupted.
 
-        Bits that are older than the connection are only noted.
+        Bits that were latched before the connection are only marked.
         """
         today = utc.astimezone()
 
@@ -156,13 +156,13 @@ class ErrorCounts:
         self._changed()
 
     def select(self, before: str, board: str) -> None:
-        """Show the counts of another board on the line. Keep those of the one `before`."""
+        """Show the counts of another board on the line. Retain the counts of the board `before`."""
         self._others[before] = self.entries
         self.entries = self._others.pop(board, UNSEEN)
         self._changed()
 
     def clear(self, bit: Status | UartError) -> None:
-        """Take an error as known. Its count stays, and it is reported again if it is active."""
+        """Mark an error as known. Its count stays, and an active error is reported again."""
         other = Status.UART_ERROR if isinstance(bit, UartError) else bit
         self.entries = tuple(  # identity, since bits of both bytes have the same numbers
             replace(entry, is_uncleared=False) if entry.bit is bit or entry.bit is other else entry
@@ -171,6 +171,6 @@ class ErrorCounts:
         self._changed()
 
     def reset(self) -> None:
-        """Forget every count and time, too."""
+        """Reset every count and time, too."""
         self.entries = UNSEEN
         self._changed()

@@ -9,7 +9,7 @@ from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.protocol.flags import STATUS_MEANING, UART_MEANING, Status, UartError
 from trex_gui.devices.trex.session.messages import Connected, ReadReason
 
-GOES_ON = 1.0  # seconds in which a repeated bit is one event: a fault repeats ten a second
+GOES_ON = 1.0  # seconds in which a repeated bit is one event: a fault repeats ten times a second
 
 _KINDS: dict[Status, EventKind] = {
     Status.MOTOR1_FAULT: EventKind.FAULT,
@@ -20,13 +20,13 @@ _KINDS: dict[Status, EventKind] = {
 
 
 class StatusEvents:
-    """Makes events of latched bits. A bit that goes on is one event."""
+    """Creates events from latched bits. A bit that persists is one event."""
 
     def __init__(self) -> None:
         self._seen: dict[str, float] = {}
 
     def of(self, latched: LatchedStatus, before: Iterable[ErrorEntry]) -> Iterator[Event]:
-        """Yield the events of a status. A serial error is one again only once it is cleared."""
+        """Yield the events of a status. A serial error makes no new event until it is cleared."""
         if latched.is_earlier:
             yield _earlier(latched)
             return
@@ -49,7 +49,7 @@ class StatusEvents:
 
 def _earlier(latched: LatchedStatus) -> Event:
     bits = [entry for entry in UNSEEN if is_latched(entry.bit, latched)]
-    # The kinds of UART errors say more than that there was one.
+    # The kinds of UART errors say more than the bit that announces them.
     has_kinds = bool(latched.uart)
     names = [tr(e.name) for e in bits if not (has_kinds and e.bit is Status.UART_ERROR)]
     text = tr("Latched before connecting, perhaps by the search for the board: {0}")
@@ -57,7 +57,7 @@ def _earlier(latched: LatchedStatus) -> Event:
 
 
 def read_event(report: Connected, now: float) -> Event | None:
-    """Return what it means that a board was read. `None` if the user has requested that."""
+    """Return the event of a reading of the board. `None` if the user requested the reading."""
     is_problem = report.occasion is ReadReason.SETTING_CHANGED
     match report.occasion:
         case ReadReason.OPENED:

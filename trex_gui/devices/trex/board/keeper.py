@@ -1,4 +1,4 @@
-"""The files of a board for programs without a window, and its writes over an open line."""
+"""Files of a board for programs without a window, and writes to it over an open line."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -33,7 +33,7 @@ Say = Callable[[str], None]
 
 
 def read_record(board: BoardIdentity, warn: Say) -> BoardRecord | None:
-    """Return what this computer keeps of a board. `None`: nothing, or it is damaged (warns)."""
+    """Return the saved record of a board. `None` if it is missing, or damaged (warns)."""
     try:
         return BoardRecords().load(board)
     except SettingsError as error:
@@ -45,7 +45,7 @@ class Keeper:
     """Snapshots, record and accepted values of a board. Files are read when first needed."""
 
     def __init__(self, say: Say, warn: Say) -> None:
-        """`say` takes sentences about what was kept, `warn` those about what was not."""
+        """`say` receives sentences about saved files, `warn` about files that were not saved."""
         self._say, self._warn = say, warn
         self._records = BoardRecords()
         self._is_failing = False
@@ -53,7 +53,7 @@ class Keeper:
         self.memory = BoardMemory(self)
 
     def load(self) -> None:
-        """Read the record of the board, if that was not done yet."""
+        """Read the record of the board, unless it was read before."""
         board, self._sought = self._sought, None
         if board is not None:
             self.memory.handle_record(board, read_record(board, self._warn))
@@ -66,7 +66,7 @@ class Keeper:
         parameters: Sequence[tuple[str, int]],
         calibrations: Sequence[tuple[CalibrationKey, Calibration]] = (),
     ) -> WriteTransaction:
-        """Prepare a write: take the snapshot, then expect nothing of these values.
+        """Prepare a write: save a snapshot, then expect nothing of these values.
 
         Raises:
             SettingsError: the snapshot cannot be saved; nothing must be written.
@@ -93,7 +93,7 @@ class Keeper:
         progress: Progress = lambda _done, _total, _what: None,
         cancelled: Callable[[], bool] = lambda: False,
     ) -> tuple[WriteResult, ...]:
-        """Save a snapshot, write, and remember what was applied. See `write_all`.
+        """Save a snapshot, write, and record the applied values. See `write_all`.
 
         Nothing is written after a BadRequest: another board on the line has the device number.
         """
@@ -118,10 +118,10 @@ class Keeper:
     def restored_afterwards(
         self, client: TrexClient, state: DeviceState, reason: str
     ) -> Iterator[Callable[[ParameterSpec, int], int]]:
-        """Save a snapshot, give what tries a value, and restore the board, whatever happens.
+        """Save a snapshot, yield a function that tries a value, and always restore the board.
 
-        Meanwhile the record of the board expects what was stored before: if this program dies, or
-        the line is gone, the next connection shows what differs.
+        Meanwhile the record of the board expects the previous values. If this program dies, or the
+        line is gone, the next connection shows the differences.
         """
         before, record = settings_of(state), self.memory.record
         assert record is not None  # noqa: S101 - it was loaded
@@ -132,7 +132,7 @@ class Keeper:
             try:
                 found = read_everything(client.request, has_crc=client.has_crc)
                 rows = [row for row in compare(settings_of(found), before).rows if row.changed]
-                if found.signature != state.signature or len(rows) > 3:  # one, and stray writes
+                if found.signature != state.signature or len(rows) > 3:  # a value, stray writes
                     raise OtherBoard(ErrorCode.TOO_MANY_DIFFER, len(rows))
                 wanted = values_to_write(rows)
                 for result in write_all(
@@ -185,7 +185,7 @@ class Keeper:
 
     @contextmanager
     def _saving(self, what: str) -> Iterator[None]:
-        """Say once that files cannot be saved: the board is written all the same."""
+        """Warn once that files cannot be saved. The board is written all the same."""
         try:
             yield
         except SettingsError as error:

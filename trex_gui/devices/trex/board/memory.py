@@ -1,6 +1,6 @@
-"""Record of the connected board on this computer: see `BoardRecord`. It does no I/O.
+"""Record of the connected board on this computer, without I/O. See `BoardRecord`.
 
-What is to be read and saved goes to its `Files`.
+`Files` reads and saves it.
 """
 
 from collections.abc import Callable, Collection, Mapping
@@ -23,17 +23,17 @@ DOUBTED = tr_noop(
     "when it was at another USB adapter or socket. If this is another board, give it "
     "a device number of its own: boards with the same number share what is kept."
 )
-"""For `Files.doubt`: takes the name of the model, and when the record was saved."""
+"""For `Files.doubt`: {0} is the name of the model, {1} the date of the record."""
 
 
 class Files(Protocol):
-    """Requests of a `BoardMemory` to its face, done at once or later."""
+    """Requests of a `BoardMemory` to its user interface, handled at once or later."""
 
     def find(self, board: BoardIdentity, /) -> None:
         """Read the record of a board, and call `handle_record`."""
 
     def find_lost(self, board: BoardIdentity, adapter: str) -> None:
-        """Find what was applied at an adapter to a board with another number. `set_lost`."""
+        """Find the record of a board with another number at an adapter. Call `set_lost`."""
 
     def save(self, board: BoardIdentity, record: BoardRecord | None, /) -> None:
         """Replace the record of a board. `None` removes it."""
@@ -41,29 +41,29 @@ class Files(Protocol):
     def move(
         self, old: BoardIdentity, new: BoardIdentity, record: BoardRecord, /, *, keeps_old: bool
     ) -> None:
-        """Save a record under another identity. A file of another board that has it is renamed.
+        """Save a record under another identity. Rename another board's file of that identity.
 
-        With `keeps_old` the old file stays as well: it may be of another board.
+        With `keeps_old` the old file stays as well, because it may be of another board.
         """
 
     def add_accepted(self, kind: Signature, values: Mapping[str, int], /) -> None:
-        """Remember values beyond inferred limits that boards of this kind store."""
+        """Save values beyond inferred limits that boards of this kind store."""
 
     def doubt(self, record: BoardRecord) -> None:
         """Warn that the record may be of another board, which was at another adapter."""
 
     def show_notes(self, notes: Mapping[str, str] | None, board: BoardIdentity) -> None:
-        """Show the notes of a board. `None`: of another one, whose notes are not known yet."""
+        """Show the notes of a board. `None`: another board, whose notes are not known yet."""
 
     def record_change(self) -> None:
-        """Show what the memory knows now."""
+        """Show the present state of the memory."""
 
 
 _Change = Callable[[BoardRecord], BoardRecord]
 
 
 class BoardMemory:
-    """Follows what is read, written and noted of a board in its record.
+    """Updates the record of a board after reading, writing and taking notes.
 
     Methods take the time in UTC.
     """
@@ -71,17 +71,17 @@ class BoardMemory:
     def __init__(self, files: Files) -> None:
         self._files = files
         self.record: BoardRecord | None = None  # `None` until it was found
-        # In what the board differs from what was applied last, the board at the left. A simulated
-        # board never does: it is a new one each time.
+        # Differences of the board (left) from the settings applied last. A simulated board has
+        # none, because it is a new board each time.
         self.differing = Comparison(())
         self._board: BoardIdentity | None = None
         self._stored: Settings | None = None  # what the board stores, while it is connected
-        self._source = InputSource.RC  # the active one
+        self._source = InputSource.RC  # the active input source
         self._adapter = ""
-        self._lost: BoardRecord | None = None  # of the board that this may be, without its number
+        self._lost: BoardRecord | None = None  # of the board that may have lost its number
         self._is_doubted = False  # the record may be of another board
         self._is_renamed = False  # the next start of the board resets its number
-        self._later: list[_Change] = []  # what happened before the record was found
+        self._later: list[_Change] = []  # changes before the record was found
 
     # --- What is known ------------------------------------------------------------------
 
@@ -96,10 +96,10 @@ class BoardMemory:
 
     @property
     def expected(self) -> BoardRecord | None:
-        """The record with what the board should store. `None`: not known.
+        """Record of the settings that the board should store. `None` if unknown.
 
-        A board that lost its settings has lost its device number, too: one to which nothing was
-        applied may be the board that was at the same adapter before.
+        A board that lost its settings has lost its device number, too. So a board to which nothing
+        was applied may be the board that was at the same adapter before.
         """
         is_new = self.record is not None and self.record.applied is None
         return self._lost if is_new and self._lost is not None else self.record
@@ -112,7 +112,7 @@ class BoardMemory:
         return self.expected.applied_to(self._stored)
 
     def with_hidden(self, stored: Settings) -> tuple[Settings, list[str]]:
-        """Return what the board stores with the calibrations that it hides, and their age."""
+        """Return stored settings with the calibrations that the board hides, and their age."""
         if self.record is None:
             return stored, []
         return self.record.with_hidden(stored, self._source)
@@ -129,9 +129,9 @@ class BoardMemory:
         is_simulated: bool = False,
         adapter: str = "",
     ) -> None:
-        """Take what was read. The record is found anew for another board, or `opened`.
+        """Set the board that was read. Find its record if it is another board, or `opened`.
 
-        `adapter` is the key of the one that the board is at; empty if that is not known.
+        `adapter` is the key of the board's adapter, empty if unknown.
         """
         self._stored, self._source, self._adapter = stored, source, adapter
         board = BoardIdentity.of(stored, is_simulated=is_simulated)
@@ -149,12 +149,12 @@ class BoardMemory:
         self._change(lambda record: record.after_reading(stored, source, now))
 
     def close_board(self) -> None:
-        """Compare no more: the line was closed."""
+        """Stop comparing, because the line was closed."""
         self._stored = None
         self._compare()
 
     def _rename(self, board: BoardIdentity) -> None:
-        """Follow another device number of the same board."""
+        """Move the record to a new device number of the same board."""
         if self._board is None or board == self._board or self.record is None:
             return
         lost, self._lost = self._lost, None
@@ -171,20 +171,20 @@ class BoardMemory:
     # --- Writes -------------------------------------------------------------------------
 
     def start_writing(self, keys: Collection[str]) -> None:
-        """Expect nothing of these values until it is known which ones were stored."""
+        """Expect nothing of these values until the stored values are known."""
         self._change(lambda record: record.before_writing(keys))
 
     def record_written(
         self, stored: Settings, source: InputSource, uncertain: Collection[str], now: datetime
     ) -> None:
-        """Take what the board stores after a write that began. Some values may be `uncertain`."""
+        """Record the settings stored after a write. Some values may be `uncertain`."""
         self._stored, self._source = stored, source
         if self._board is not None:
             self._rename(BoardIdentity.of(stored, is_simulated=self._board.is_simulated))
         self._change(lambda record: record.after_writing(stored, source, uncertain, now))
 
     def restore(self, record: BoardRecord) -> None:
-        """Expect again what was expected before writes that were undone."""
+        """Restore the record from before writes that were undone."""
         self._change(lambda _record: record)
 
     def record_reset(self) -> None:
@@ -194,20 +194,20 @@ class BoardMemory:
         self._change(BoardRecord.after_reset)
 
     def record_accepted(self, kind: Signature, values: Mapping[str, int]) -> None:
-        """Take values beyond inferred limits. A simulated board says nothing about real ones."""
+        """Record values beyond inferred limits. Ignore a simulated board."""
         if values and self._board is not None and not self._board.is_simulated:
             self._files.add_accepted(kind, values)
 
     # --- Decisions ----------------------------------------------------------------------
 
     def accept(self, now: datetime) -> None:
-        """Take what the board stores in place of what was applied."""
+        """Accept the stored settings in place of the applied settings."""
         stored, source = self._stored, self._source
         if stored is not None:
             self._change(lambda record: record.accepting(stored, source, now))
 
     def record_trial(self, trial: TimeoutTrial) -> None:
-        """Save what the user saw of the serial timeout of this board."""
+        """Save the user's trial of the serial timeout of this board."""
         self._change(lambda record: replace(record, trial=trial))
 
     def set_notes(self, notes: Mapping[str, str]) -> None:
@@ -250,7 +250,7 @@ class BoardMemory:
             self._compare()
 
     def _record_adapter(self, found: BoardRecord) -> None:
-        """Say that a record may be of another board, if its board was at another adapter."""
+        """Save the adapter. If it was another, warn that the record may be of another board."""
         adapter = self._adapter
         self._is_doubted = bool(adapter and found.adapter) and adapter != found.adapter
         if not adapter or adapter == found.adapter:

@@ -9,19 +9,19 @@ from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.telemetry import Currents
 from trex_gui.devices.trex.driving.board_reasons import NOISE_COUNTS
 
-_WINDOW = 10.0  # seconds that count, on the session's clock
+_WINDOW = 10.0  # least time to judge, in seconds on the session's clock
 _FEWEST = 500
-"""Transactions that count at least: 3 s at 19200 baud. Three failures in a row, after which a
-board counts as not responding, are no noise, and stay below `_NOISY` of these."""
+"""Least number of transactions to judge: 3 s at 19200 baud. Three failures in a row, after which a
+board counts as not responding, are no noise, and stay below `_NOISY` of this number."""
 
 _INTERVAL = 2.0  # seconds between two judgements: words that change more often cannot be read
 
 _NOISY, _GOOD = 0.01, 0.005
-"""Shares of failures from which on a line is noisy, and below which it is good again.
+"""Share of failures from which a line is noisy, and share below which it is good again.
 
 A line that damages 1 % of the bytes loses 1.3 % of the transactions (measured with the simulated
-board), since without CRC most damaged replies look like others. It damages one motor command of
-four bytes in 25, and one bit can make that another command.
+board), since without CRC most damaged replies look valid. It damages one motor command of four
+bytes in 25, and one bit can turn it into another command.
 """
 
 _STRAY_BYTES = 10  # bytes that belong to no reply and count as one failure: the longest reply
@@ -43,21 +43,21 @@ class ConnectionQuality:
     def __init__(self) -> None:
         self.is_noisy: bool | None = None  # `None` until enough was measured
         self.lost = 0.0  # share of transactions without a reply or with a corrupted one
-        self.seconds = 0.0  # how long was judged, 10 or more; less at first
+        self.seconds = 0.0  # length of the judged time, 10 or more; less at first
         self.rate = 0.0  # transactions a second in that time; 0 until it is known
         self._marks = deque[_Mark]()
         self._failures = 0  # transactions that failed, as last reported
         self._failed_at = -math.inf
 
     def reset(self) -> bool:
-        """Begin to measure again. Return whether that changed the judgement."""
+        """Start measuring again. Return whether the judgement changed."""
         changed = self.is_noisy is not None
         self.is_noisy, self.lost, self.seconds, self.rate = None, 0.0, 0.0, 0.0
         self._marks.clear()
         return changed
 
     def update(self, time: float, counters: Counters) -> bool:
-        """Take what was counted since the line was opened. Return whether the judgement changed.
+        """Judge the counts since the line was opened. Return whether the judgement changed.
 
         `time` is on the session's clock, in seconds.
         """
@@ -86,7 +86,7 @@ class ConnectionQuality:
         return (self.is_noisy, round(self.lost, 3)) != before
 
     def has_failed_lately(self, time: float, counters: Counters) -> bool:
-        """Return whether what was read may be corrupted. `time` in seconds, on any one clock."""
+        """Return whether recent readings may be corrupted. `time`: seconds of any one clock."""
         failures = counters.missing + counters.corrupted
         if failures > self._failures:
             self._failed_at = time
@@ -95,14 +95,14 @@ class ConnectionQuality:
 
 
 class SpikeFilter:
-    """Drops currents that no sample beside them confirms, which corrupted replies make."""
+    """Drops currents that no neighbouring sample confirms: corrupted replies cause them."""
 
     def __init__(self) -> None:
         self._last: Currents | None = None
         self._held: Currents | None = None  # waits for the next sample
 
     def passed(self, sample: Currents, *, is_doubtful: bool) -> list[Currents]:
-        """Return the samples to be shown now: a doubtful jump is held until the next sample."""
+        """Return the samples to show now. A doubtful jump is held until the next sample."""
         last, held = self._last, self._held
         confirmed = [held] if held and last and _is_between(held, last, sample) else []
         last = held if confirmed else last
@@ -121,7 +121,7 @@ def _is_between(sample: Currents, first: Currents, second: Currents) -> bool:
 
 
 def quality_text(quality: ConnectionQuality) -> str:
-    """Return how many requests were answered lately, and what that means."""
+    """Return the share of recent requests that were answered, as a judgement in words."""
     if quality.is_noisy is None:
         return tr("being measured …")
     text = tr("noisy: {0:.1f} % of the requests of the last {1:.0f} s answered")

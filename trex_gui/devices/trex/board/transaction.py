@@ -1,4 +1,4 @@
-"""The one way in which settings are written: prepare, write, verify, finish."""
+"""Steps of every write of settings: prepare, write, verify, finish."""
 
 from collections.abc import Sequence
 from datetime import datetime
@@ -17,10 +17,10 @@ Values = tuple[tuple[tuple[str, int], ...], tuple[tuple[CalibrationKey, Calibrat
 
 
 class WriteTransaction:
-    """One write. Each face takes the snapshot, begins, writes and verifies, and finishes.
+    """One write of settings. Callers save the snapshot, start, write and verify, then finish.
 
-    Where a write has no end, because the line or the program is gone, the record of the board
-    expects nothing of its values: the next connection shows what became of them.
+    If a write never finishes, because the line or the program is gone, the record of the board
+    expects nothing of the written values. The next connection shows what the board stores.
     """
 
     def __init__(
@@ -41,26 +41,26 @@ class WriteTransaction:
         self._memory = memory
         self._reason = reason
         self._adapter = "" if link is None else link.label
-        # Taken now: a thread may save them while the memory goes on.
+        # Read now: a thread may save the snapshot while the memory changes.
         self._stored, self._remarks = memory.with_hidden(settings_of(state))
 
     def save_snapshot(self, history: SettingsHistory) -> Snapshot:
-        """Save all that the board stores, and what it hides.
+        """Save all settings that the board stores, and the calibrations that it hides.
 
         Raises:
-            SettingsError: that failed; nothing must be written.
+            SettingsError: saving failed; nothing must be written.
         """
         return history.save(
             self._stored, adapter=self._adapter, reason=self._reason, remarks=self._remarks
         )
 
     def start(self) -> None:
-        """Call it before the first byte."""
+        """Expect nothing of the values to write. Call this before the first byte."""
         parameters, calibrations = self.values
         self._memory.start_writing({key for key, _ in (*parameters, *calibrations)})
 
     def finish(self, results: Sequence[WriteResult], state: DeviceState, now: datetime) -> None:
-        """Remember what was verified, and what the board stores now. `now` is in UTC."""
+        """Record the verified values, and the settings that the board stores. `now` is in UTC."""
         uncertain = {result.key for result in results if result.error is not None}
         self._memory.record_written(settings_of(state), state.source, uncertain, now)
         if any(result.key == ParameterKey.FACTORY_RESET for result in results):

@@ -12,28 +12,28 @@ from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
 from trex_gui.devices.trex.protocol.flags import InputSource
 
 SAMPLING_SECONDS = 1.5  # some 75 values of a board that renews them 50 times a second
-_LEAST_SAMPLES = 15  # a slow line needs longer for as many
+_LEAST_SAMPLES = 15  # a slow line needs more time for them
 _SHOWN_LEAST = 0.1  # seconds that are shown as left while a sample is missing
-_JUDGED_FROM = 5  # samples from which on a problem is worth reporting
+_JUDGED_FROM = 5  # least samples to report a problem
 _MOST_INVALID = 0.05  # share of samples without a signal; the board bridges 100 ms by itself
 _MOST_SPIKES = 0.03  # share of lone wild values that is still good
-_SPIKE_LENGTH = 2  # samples that a wild pulse makes at most: it may be read twice
-_BESIDE = 3  # samples to each side that a wild one is compared with: more than it lasts
+_SPIKE_LENGTH = 2  # most samples of one wild pulse, which may be read twice
+_BESIDE = 3  # samples to each side that a sample is compared with: more than a spike lasts
 
 _STUCK_SHOWN = 0.3
-"""Share of lost pulses from which on they are reported. Inferred: the estimate from 75 values errs
-by 0.1, so that a third goes unreported now and then, and 45 % does not."""
+"""Share of lost pulses from which they are reported. Inferred: the estimate from 75 values errs by
+0.1, so a share of a third is missed now and then, and a share of 45 % is not."""
 
 _STUCK_JUDGED_FROM = 2.0
-"""Counts of noise (0.8 us) from which on a repeated value can be distinguished from one that is
-the same again. A quieter signal hides its lost pulses until 100 ms are missing."""
+"""Counts of noise (0.8 us) from which a repeated value can be distinguished from a new value that
+is equal. A quieter signal hides its lost pulses until 100 ms are missing."""
 
-_STUCK_INTERVAL = 0.03  # seconds between two values up to which a repeated one can be seen
+_STUCK_INTERVAL = 0.03  # longest interval, in seconds, at which repeats can be seen
 _RANGE_OF_NOISE = 10.0  # standard deviations: 75 normal values span 4.8, seldom 6.5
 _DRIFT_OF_NOISE = 6.0  # standard deviations by which noise alone never moves a median
 _MEDIAN_ERROR = 1.25  # deviation of a median of normal values, times the root of their number
 _MAD_TO_DEVIATION = 1.4826  # of a normal distribution, for a median absolute deviation of 1
-_LEAST_DEVIATION = 1.0  # counts; a converter that rounds to whole counts cannot be trusted to less
+_LEAST_DEVIATION = 1.0  # counts; a converter that rounds to whole counts shows no less
 
 _STILL = 0.75  # share of equal neighbours at standstill; polling reads some values twice anyway
 
@@ -48,7 +48,7 @@ class ChannelSample:
 
 @dataclass(frozen=True, slots=True)
 class InputLimits:
-    """The least movement, in counts, that is reported however quiet a signal is."""
+    """Least movements, in counts, that are reported even of a quiet signal."""
 
     moved: int
     drifted: int
@@ -59,7 +59,7 @@ LIMITS = {
     InputSource.RC: InputLimits(moved=25, drifted=12, noisy=312),  # 10, 5 and 125 us
     InputSource.ANALOG: InputLimits(moved=8, drifted=4, noisy=128),  # 39, 20 and 626 mV
 }
-"""Inferred, from what sticks do: a hand moves one further than this, a spring holds it closer."""
+"""Inferred: a hand moves a stick further than this, and a spring holds it closer."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +68,7 @@ class Neutral:
 
     source: InputSource
     value: int  # the median
-    noise: int  # from the lowest to the highest value, lone wild ones left out
+    noise: int  # from the lowest to the highest value, without lone wild values
     deviation: float  # standard deviation of the noise
     invalid: float  # share of samples without a signal
     samples: int
@@ -96,7 +96,7 @@ class Neutral:
 
 
 def deadband_floor(source: InputSource) -> int:
-    """Counts below which no deadband is proposed: the factory's own, 30 us or 98 mV (inferred)."""
+    """Return the least deadband to propose, in counts: the default, 30 us or 98 mV (inferred)."""
     return DEFAULT_CALIBRATION[source].deadband
 
 
@@ -148,8 +148,8 @@ def measure_neutral(samples: Sequence[ChannelSample], source: InputSource) -> Ne
 def _deviation(counts: Sequence[int]) -> float:
     """Return the standard deviation of the noise, whatever else the signal does.
 
-    It comes from the differences between neighbours and from their medians: neither a steady
-    movement nor a few wild values count as noise.
+    It is computed from medians of the differences between neighbours, so neither a steady movement
+    nor a few wild values count as noise.
     """
     steps = [b - a for a, b in pairwise(counts)]
     moving = [step for step in steps if step]
@@ -161,9 +161,9 @@ def _deviation(counts: Sequence[int]) -> float:
 
 
 def _without_spikes(counts: Sequence[int], limit: float) -> tuple[Sequence[int], int]:
-    """Leave out lone wild values. Return the remaining ones and how many spikes there were.
+    """Leave out lone wild values. Return the other values and the number of spikes.
 
-    Wild is what is far from its neighbours: a stick that drifts is far from its own middle.
+    Values are compared with their neighbours, because a drifting stick is far from its own median.
     """
     wild = [
         abs(count - median(counts[max(0, index - _BESIDE) : index + _BESIDE + 1])) > limit
@@ -175,8 +175,8 @@ def _without_spikes(counts: Sequence[int], limit: float) -> tuple[Sequence[int],
         run = list(indices)
         if is_wild and len(run) <= _SPIKE_LENGTH:
             lone.update(run)
-            spikes += run[-1] + 1 < len(counts)  # the last one may be the start of a movement
-    # Of two values that are far apart each is wild.
+            spikes += run[-1] + 1 < len(counts)  # the last sample may start a movement
+    # If there are only two values, far apart, both are wild.
     return [count for index, count in enumerate(counts) if index not in lone] or counts, spikes
 
 
@@ -218,9 +218,9 @@ def _jitter(invalid: float, spikes: int, total: int) -> CalibrationProblem | Non
 def _stuck(counts: Sequence[int], spread: float, interval: float) -> tuple[CalibrationProblem, ...]:
     """Estimate how many pulses are lost, though the board repeats the last value for each.
 
-    Every value differs from the one before, except for some that are equal by chance or were read
-    twice. So those count that are the third alike in a row, or more: of a share `p` of equal
-    neighbours it is `p * p`.
+    Each value differs from the previous value, unless they are equal by chance or one was read
+    twice. So only the third and later equal values in a row count. If the share of equal neighbours
+    is `p`, the share of these values is `p * p`.
     """
     if spread < _STUCK_JUDGED_FROM or interval > _STUCK_INTERVAL:
         return ()

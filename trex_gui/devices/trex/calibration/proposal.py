@@ -1,4 +1,4 @@
-"""The calibration that fits the measurements, and the reasons for its values."""
+"""Calibration that fits the measurements, and the reasons for its values."""
 
 from dataclasses import dataclass
 from math import ceil
@@ -9,29 +9,29 @@ from trex_gui.devices.trex.calibration.problems import CalibrationProblem, Probl
 from trex_gui.devices.trex.calibration.travel import Task, Travel, Way
 from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED, Calibration
 
-_INSIDE = 0.01  # share of the way by which an end is put inside the measured one
-_INSIDE_DEVIATIONS = 3.0  # standard deviations of the noise that are added to it
-_IDLE_LEAST = 1 / 3  # least distance of an end never reached, as a share of the other one
+_INSIDE = 0.01  # share of the way by which an end lies inside the measured end
+_INSIDE_DEVIATIONS = 3.0  # standard deviations of the noise, added to this distance
+_IDLE_LEAST = 1 / 3  # least distance of an unreached end, as a share of the other distance
 
 WHY_THESE_VALUES = tr_noop(
     "The ends are 1 % of the travel and three times the noise inside the measured ones, so that "
     "full output is reliably reached. The deadband covers the noise at rest, but is at least {0}, "
     "since a stick does not return to exactly the same place each time."
 )
-"""The reasons that all channels have in common; the least deadband is to be filled in."""
+"""Reasons that all channels have in common. `{0}` is the least deadband."""
 
 
 @dataclass(frozen=True, slots=True)
 class Proposal:
     calibration: Calibration | None  # `None` when nothing can be learned; `problems` say why
     reversed_: bool  # whether the channel should be reversed
-    reversed_reason: str  # empty when that stays as it is
-    reasons: tuple[str, ...]  # where the values come from
+    reversed_reason: str  # empty if the direction stays unchanged
+    reasons: tuple[str, ...]  # explanations of the values
     problems: tuple[CalibrationProblem, ...]
 
 
 def propose(neutral: Neutral, travel: Travel, *, reversed_now: bool) -> Proposal:
-    """Create a calibration from the measurements. The board accepts every one that is created."""
+    """Create a calibration from the measurements. The board accepts every result."""
     problems = neutral.problems + travel.problems
     if has_fatal(problems):
         return Proposal(None, reversed_now, "", (), problems)
@@ -58,10 +58,10 @@ def _margin(length: int, neutral: Neutral) -> int:
 
 
 def _distance(neutral: Neutral, travel: Travel, way: Way) -> int:
-    """Return how far from rest the end is put, in counts.
+    """Return the distance of the proposed end from rest, in counts.
 
-    An end at which a switch or a throttle rests is put as far out as the input can be: the
-    auxiliary motor turns for both signs alike, and moving a trim must not command full speed.
+    An end at which a switch or a throttle rests is put at the limit of the input. The auxiliary
+    motor turns for both signs alike, and moving a trim must not command full speed.
     """
     length = travel.length(way)
     if travel.reached(way):
@@ -91,10 +91,10 @@ def _ends_reason(neutral: Neutral, travel: Travel) -> str:
 
 
 def _reversal(travel: Travel, *, reversed_now: bool) -> tuple[bool, str]:
-    """Return whether the channel should be reversed, and why if that is a change.
+    """Return whether the channel should be reversed, and the reason for a change.
 
     Inferred: a positive output is forward; a switch is active below its threshold, a reversed
-    one above it. It makes no difference to a one-way motor.
+    switch above it. Reversal makes no difference to a one-way motor.
     """
     match travel.task:
         case Task.STICK if travel.first is not None:

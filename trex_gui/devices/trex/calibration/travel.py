@@ -1,4 +1,4 @@
-"""Travel of a channel to each side of its rest, followed while it moves."""
+"""Travel of a channel to each side of its rest position, measured while it moves."""
 
 from bisect import bisect_left
 from collections import deque
@@ -19,35 +19,35 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.flags import InputSource
 
 HELD = 6
-"""Samples in a row that have to agree: longer than the 100 ms for which the board repeats a wild
-value when the pulses after it are lost."""
+"""Number of samples in a row that have to agree. They last longer than the 100 ms for which the
+board repeats a wild value when the pulses after it are lost."""
 
-_SLOW_HELD = 3  # the same on a slow line, where three samples take longer than that
-WINDOW = 2 * HELD - 1  # samples whose median counts: up to five wild ones make no end
+_SLOW_HELD = 3  # `HELD` on a slow line, where three samples take longer than 100 ms
+WINDOW = 2 * HELD - 1  # samples of a median: up to five wild samples make no end
 
 _SLOW = 0.05
-"""Seconds between samples from which on it is slow: a wild pulse lasts 20 ms, so it is never
-read twice then, while a stick that is pushed and let go at once may be read once only."""
+"""Seconds between samples above which a line is slow. A wild pulse lasts 20 ms, so a slow line
+never reads it twice, but may read a stick that is pushed and released at once only once."""
 
 _HELD_SHARE = 0.02  # samples agree within this share of the way, plus `_DEVIATIONS` of the noise
 _DEVIATIONS = 6.0  # standard deviations of the noise that a still channel stays within
 _SILENT_AFTER = 0.5  # seconds without a valid sample: the channel may have moved
 _MANY_INVALID = 0.1
-_JUDGED_FROM = 25  # samples from which on a share of invalid ones says something
-_TIMES = 16  # samples over which the time between two is measured
+_JUDGED_FROM = 25  # least samples for a meaningful share of invalid samples
+_TIMES = 16  # samples over which the interval is measured
 _LEAST_HOLD = 0.3  # seconds; a stick cannot be held for less on purpose
-_RAIL = 5  # counts from the end of the range within which a voltage is at it: 24 mV (inferred)
+_RAIL = 5  # counts within which a voltage is at an end of the range: 24 mV (inferred)
 
 _MOSTLY = 0.75
-"""Share of the way to an end at which it counts as the first one. Inferred: a stick of two axes
-that is pushed along one moves the other by a third of its way, seldom more."""
+"""Share of the way to an end that makes it the first end. Inferred: pushing a two-axis stick along
+one axis moves the other axis by a third of its way, seldom more."""
 
 _SETTLED_SECONDS = 0.4  # seconds that a channel has to be still to have settled
-_SETTLED_SAMPLES = 3  # samples that it takes at least
-_SETTLED_LEAST = 0.75  # share of that time that has to be covered by samples
+_SETTLED_SAMPLES = 3  # least number of samples of a settled channel
+_SETTLED_LEAST = 0.75  # least share of `_SETTLED_SECONDS` that samples have to cover
 _SETTLED_WILD = 0.1  # share of the samples that may be wild
-_LET_GO = 0.5  # share of the way to an end within which a still channel was let go
-_UNEVEN = 0.5  # share of the longer side below which the shorter one is reported
+_LET_GO = 0.5  # share of the way to an end below which a still channel was released
+_UNEVEN = 0.5  # share of the longer side below which the shorter side is reported
 
 
 class Task(Enum):
@@ -70,9 +70,9 @@ class Way(Enum):
 
 
 def least_travel(deadband: int) -> int:
-    """Return how far from rest an end has to be, in counts.
+    """Return the least distance of an end from rest, in counts.
 
-    The deadband, and 127 counts for the 127 speeds: with less, not every speed is reached.
+    It is the deadband plus 127 counts for the 127 speeds. With less, some speeds are never reached.
     """
     return deadband + FULL_SCALE
 
@@ -81,7 +81,7 @@ class _End:
     """One end of a channel: the furthest place seen, and whether the channel was held there.
 
     An end is held when some samples in a row agree with the furthest place. On a slow line one
-    sample beyond that place is enough to doubt it, until it is held again.
+    sample beyond that place cancels the hold, until the channel is held again.
     """
 
     def __init__(self, way: Way, neutral: Neutral) -> None:
@@ -120,7 +120,7 @@ class Travel:
         self.source = neutral.source
         self.task = task
         self.neutral = neutral.value  # in counts, as measured at rest
-        self.deadband = neutral.deadband  # likewise
+        self.deadband = neutral.deadband  # in counts
         self.now: int | None = None  # the newest valid count
         self._deviation = neutral.deviation
         self._ends = {way: _End(way, neutral) for way in Way}
@@ -151,7 +151,7 @@ class Travel:
 
     @property
     def rest(self) -> int:
-        """The count where it came to rest after it was let go, else where it was sampled."""
+        """Count where the channel settled after its release, else its sampled rest position."""
         settled = self.settled
         if settled is None or self.task is Task.SWITCH:
             return self.neutral
@@ -161,7 +161,7 @@ class Travel:
 
     @property
     def settled(self) -> int | None:
-        """The count where it is still now, apart from a wild value."""
+        """Count where the channel is still now, despite wild values. `None` if it is not still."""
         if (
             len(self._last) < _SETTLED_SAMPLES
             or self._times[-1] - self._last[-1][0] > _SILENT_AFTER
@@ -178,25 +178,25 @@ class Travel:
     # --- Its ends -----------------------------------------------------------------------
 
     def end(self, way: Way) -> int:
-        """Return the furthest count that way. Where it rests before anything was seen."""
+        """Return the furthest count that way, or the rest position if none was measured yet."""
         furthest = self._ends[way].furthest
         return self.neutral if furthest is None else furthest
 
     def length(self, way: Way) -> int:
-        """Return how far it went that way, in counts. Below 0 if it never came back to its rest."""
+        """Return the travel that way, in counts. Negative if the channel never returned to rest."""
         return way.value * (self.end(way) - self.neutral)
 
     def reached(self, way: Way) -> bool:
-        """True if it went far enough that way."""
+        """True if the channel went far enough that way."""
         return self.length(way) >= least_travel(self.deadband)
 
     def held(self, way: Way) -> bool:
-        """True if it went far enough that way and was held at the end of it."""
+        """True if the channel went far enough that way and was held there."""
         return self.reached(way) and self._ends[way].is_held
 
     @property
     def to_hold(self) -> Way | None:
-        """The way that it is pushed now, where the end still has to be held."""
+        """Way that the channel is pushed now, if that end still has to be held."""
         for way in Way:
             if self.now is not None and not self.held(way):
                 offset = way.value * (self.now - self.neutral)
@@ -206,7 +206,7 @@ class Travel:
 
     @property
     def first(self) -> Way | None:
-        """The end that was reached first, by most of the way to it."""
+        """End to which the channel first went most of the way."""
         reached = {
             way: bisect_left(end.distances, _MOSTLY * end.distances[-1])
             for way, end in self._ends.items()
@@ -222,7 +222,7 @@ class Travel:
 
     @property
     def is_enough(self) -> bool:
-        """True if it was held everywhere that its task needs."""
+        """True if the ends that the task needs were held."""
         held = [self.held(way) for way in Way]
         return all(held) if self.task is Task.STICK else any(held)
 
@@ -230,7 +230,7 @@ class Travel:
 
     @property
     def interval(self) -> float:
-        """Seconds between two samples, most often. 0 before it is known."""
+        """Median time between two samples, in seconds. 0 before it is known."""
         steps = [b - a for a, b in pairwise(self._times)]
         return median(steps) if steps else 0.0
 
@@ -241,7 +241,7 @@ class Travel:
 
     @property
     def hold_seconds(self) -> float:
-        """Seconds for which an end has to be held: a sample more than have to agree."""
+        """Seconds for which an end has to be held: one sample more than has to agree."""
         held = _SLOW_HELD if self.is_slow else HELD
         return max(_LEAST_HOLD, (held + 1) * self.interval)
 

@@ -1,8 +1,8 @@
 """Transactions: one command out, its whole reply in, before anything else is sent.
 
 A TReX cannot receive while it replies, so there is never a second request in flight. Deadlines
-follow from the time of the bytes on the wire and of the board. Whatever uses the line raises
-`PortUnavailable` if it is gone.
+add up the time of the bytes on the wire and the delay of the board. Every use of the line raises
+`PortUnavailable` if the line is gone.
 """
 
 from collections.abc import Callable
@@ -47,7 +47,7 @@ BOARD_DELAY = 0.005
 Inferred: no source gives more than the response delay.
 """
 
-LONGEST_REPLY = 16  # bytes: the ten of five raw channels, a CRC and the echo of the request
+LONGEST_REPLY = 16  # bytes: ten for five raw channels, a CRC, and the echo of the request
 _ECHO_PROBES = 2  # a corrupted byte must not hide an echo
 
 
@@ -71,11 +71,11 @@ class Counters:
 
 @dataclass(slots=True)
 class _Wire:
-    """Conditions that the next transaction on the line waits for, with any of its boards."""
+    """State of the line that delays the next transaction with any of its boards."""
 
     free_at: float
     is_unanswered: bool = False
-    unanswered: int = 0  # missing replies since one was matched to its request
+    unanswered: int = 0  # missing replies since a reply was last matched to its request
 
 
 class TrexClient:
@@ -104,12 +104,12 @@ class TrexClient:
     def request(self, command: Command[ReplyT_co]) -> ReplyT_co:
         """Send a command and return its parsed reply.
 
-        A motor command has no reply: it returns at once, and the next request waits until
-        its bytes have left.
+        A motor command has no reply: the call returns at once, and the next request waits until
+        the bytes have left.
 
         Raises:
             BadRequest: a value does not fit; nothing was sent.
-            NoReply: not everything came in time.
+            NoReply: the reply is missing, or incomplete at its deadline.
             BadReply: the bytes are no reply to this command.
         """
         return self._request(command, self.settings.framing).value
@@ -127,9 +127,9 @@ class TrexClient:
         return reply
 
     def send_packet(self, packet: Packet | Malformed) -> Reply[object]:
-        """Send bytes that a user typed, and return what came back.
+        """Send bytes that a user typed, and return the reply.
 
-        Bytes that are no packet have whatever arrives as their reply; its value is `None`.
+        If the bytes are no packet, the reply is everything that arrives, and its value is `None`.
 
         Raises:
             NoReply, BadReply: as for `request`.
@@ -157,8 +157,8 @@ class TrexClient:
         self._start_transaction()
         begun = self.transport.clock()
         self.transport.write(packet)
-        # What is queued in the port must leave before the board can reply; a port may also keep the
-        # caller until it has taken everything.
+        # Queued bytes must leave the port before the board can reply. A port may also block the
+        # caller until it has accepted everything.
         self._wire.free_at = max(begun + line.seconds(len(packet)), self.transport.clock())
         deadline = self._wire.free_at + self._allowance + command.seconds_to_answer
         received = b""
@@ -231,7 +231,7 @@ class TrexClient:
         return self.echo
 
     def _drain_late_reply(self) -> bytes:
-        """Discard a late reply, which would be taken for the next one. A stop does not wait."""
+        """Discard a late reply, before it is taken for the next reply. A stop does not wait."""
         if not self._wire.is_unanswered:
             return b""
         self._wire.is_unanswered = False
@@ -245,10 +245,10 @@ class TrexClient:
         return late.removesuffix(self._null) if self.echo and self.keepalive_while_waiting else late
 
     def _reject_late_reply(self, reply: bytes) -> None:
-        """Accept a reply as that of the last request only if no other one follows it.
+        """Raise `BadReply` if another reply follows `reply`.
 
-        Missing replies may have been delayed by an adapter or the system, and all arrive now: then
-        this one belongs to an earlier request, and raises a `BadReply`.
+        An adapter or the system may have delayed earlier replies, which all arrive now. Then
+        `reply` belongs to an earlier request.
         """
         more = self.transport.read(1, self.transport.latency)
         if more:
@@ -267,7 +267,7 @@ class TrexClient:
         return self.transport.read(len(packet), seconds)
 
     def stop_sequence(self, board: str) -> StopSequence:
-        """Return how the guardian has to stop the motors at present. `board` names their board."""
+        """Return the guardian's present sequence to stop the motors. `board` names the board."""
         known = self._stop_sequence
         if known is None or known[:3] != (self.settings, self.echo, board):
             framing, line = self.settings.framing, self.settings.line
@@ -304,7 +304,7 @@ class TrexClient:
         return self.transport.latency + self.settings.timeouts.extra + BOARD_DELAY
 
     def _new_number(self, command: object, framing: Framing) -> int | None:
-        """Return the new number if a command changes that of the board addressed by number."""
+        """Return the new device number if a command changes the number of the addressed board."""
         if (
             isinstance(command, SetParameter)
             and command.number == parameter_number(ParameterKey.DEVICE_NUMBER)

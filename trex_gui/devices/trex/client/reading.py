@@ -92,8 +92,8 @@ class DeviceState:
     def active_parameters(self, connection: ConnectionSettings | None) -> dict[str, int]:
         """Return active wire values of parameters that need a power cycle, as far as known.
 
-        The connection shows the UART settings, the mode the input source; the stored values may
-        differ until the next power cycle.
+        The connection shows the UART settings, and the mode shows the input source. Stored values
+        may differ until the next power cycle.
         """
         active: dict[str, int] = {}
         if connection is not None:
@@ -108,8 +108,8 @@ class DeviceState:
 def may_be_same_board(one: DeviceState, other: DeviceState) -> bool:
     """True if two readings may be of one board.
 
-    They are not if the models or firmwares differ, or any stored value that both have. Its mode
-    may differ: a jumper was moved.
+    They are not if the models, the firmwares or any stored values in both differ. The mode may
+    differ, since a jumper may have been moved.
     """
     if one.signature != other.signature or _differ(one.parameters, other.parameters):
         return False
@@ -119,9 +119,9 @@ def may_be_same_board(one: DeviceState, other: DeviceState) -> bool:
 def other_board(
     request: Requester, signature: Signature, number: int | None = None
 ) -> Signature | None:
-    """Return the signature of the board that replies if it, or its device number, is another one.
+    """Return the signature of the board that replies if it, or its device number, differs.
 
-    It is queried twice, because a corrupted reply can be that of another model or number. A
+    The board is queried twice, because a corrupted reply can look like another model or number. A
     `number` of `None` is not compared.
 
     Raises:
@@ -136,12 +136,12 @@ def other_board(
 
 
 def board_at(client: TrexClient, number: int, *, attempts: int = 1) -> Signature | None:
-    """Return which board on the line has a device number. `None` if none replies or may.
+    """Return the signature of the board with a device number. `None` without a reply.
 
-    It also has to reply with that number: what another master asked for is no answer.
+    The board also has to report that number: a reply to another master does not count.
 
-    The query has a client of its own: a number without a board is no fault of the line, and must
-    not count as one. It changes nothing, and clears nothing that a board has latched.
+    The query has its own client: a number without a board is no fault of the line, and must not be
+    counted. The query changes no values, and clears no latched bits. Reserved numbers get no query.
 
     Raises:
         BadReply: something replies that cannot be read: several boards have this number, or the
@@ -164,10 +164,10 @@ def board_at(client: TrexClient, number: int, *, attempts: int = 1) -> Signature
 
 
 def is_several(client: TrexClient, stored_number: int) -> bool:
-    """True if several boards respond to commands without a number, as if they were one.
+    """True if several boards respond as one to commands without a number.
 
-    Boards of one model reply alike, and are read as one that has the bits which all of their
-    numbers have. Unless that is the number of one of them, no board responds to it.
+    Boards of one model reply alike. Their device numbers are read as one number with the bits that
+    all of them share. No board responds to it unless it is a board's own number.
     """
     if client.settings.device_number is not None:
         return False
@@ -182,7 +182,7 @@ def require_free_number(
     """Check that no board has a device number. `before` is called before each query.
 
     Raises:
-        BadRequest: one has, or several have, whose replies never can be read.
+        BadRequest: a board has the number, or no attempt got a readable reply (several boards).
     """
     unreadable = 0
     for _ in range(ATTEMPTS):
@@ -206,7 +206,7 @@ def query(
     """Run a transaction that changes nothing, several times on a line that corrupts bytes.
 
     Raises:
-        NoReply, BadReply: each time.
+        NoReply, BadReply: every attempt failed.
     """
     for _ in range(attempts - 1):
         try:
@@ -223,14 +223,14 @@ def agreed(
     has_crc: bool = False,
     earlier: ReplyT_co | None = None,
 ) -> ReplyT_co:
-    """Read a stored value until two readings in a row are equal. With a CRC once.
+    """Read a stored value until two readings in a row are equal. With a CRC, read it once.
 
     Without a CRC nothing shows that a byte was corrupted. One corrupted byte can even spoil two
-    replies: a request that becomes another one has a longer reply, whose rest is taken for the
-    next reply. So there is another query between two readings. `earlier` counts as the first one.
+    replies: if it turns the request into another, the reply is longer, and its rest is taken for
+    the next reply. So a different query separates two readings. `earlier` is the first reading.
 
     Raises:
-        BadReply: three readings in a row differ from the one before.
+        BadReply: three readings in a row differ from the reading before.
         NoReply: as for `query`.
     """
     readings = [query(request, command) if earlier is None else earlier]
@@ -247,7 +247,7 @@ def agreed(
 
 
 def read_signature(request: Requester, *, has_crc: bool = False) -> Signature:
-    """Return which board responds. NoReply and BadReply as for `agreed`."""
+    """Return the signature of the board that responds. NoReply and BadReply as for `agreed`."""
     signature = query(request, GetSignature(), attempts=CONNECTING_ATTEMPTS)
     return agreed(request, GetSignature(), has_crc=has_crc, earlier=signature)
 
@@ -260,8 +260,8 @@ def read_everything(
 ) -> DeviceState:
     """Read signature, mode, every parameter and the calibrations that the mode shows.
 
-    Without a CRC everything is read in two passes: what corrupts bytes often lasts for more than
-    one transaction. A board that falls silent meanwhile is read once more.
+    Without a CRC everything is read in two passes: interference often lasts for more than one
+    transaction. A board that falls silent meanwhile is read once more.
 
     Raises:
         NoReply, BadReply: the board does not answer, or is no TReX, or a value was not `agreed`.

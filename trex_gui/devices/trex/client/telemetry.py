@@ -68,7 +68,7 @@ class LatchedStatus(Sample):
     """Status bits and UART error bits that were latched since they were last read. False if none.
 
     `is_earlier`: the bits were latched before the board was connected or selected, or by the
-    search for it. `is_whole`: no error can be latched that was not read.
+    search for it. `is_whole`: no unread error can be latched.
     """
 
     status: Status
@@ -149,9 +149,9 @@ class Newest:
 class PolledValue:
     query: Command[Any]
     rate: float  # times a second; `analog_rate`: with analog inputs, if it differs
-    # Makes its sample of a time and the reply; `None`: `StatusReader` reads it
+    # Creates a sample from a time and the reply; `None`: `StatusReader` reads the value
     sample: Callable[[float, Any], Sample] | None
-    # Columns of recordings, CSV and `trexcmd stream`; takes source of inputs, ampere per count.
+    # Columns of recordings, CSV and `trexcmd stream`, for an input source and amperes per count
     kind: Callable[[InputSource, float], SampleKind]
     analog_rate: float | None = None
     # Times a second while nothing shows or records samples and no motor moves, if it differs
@@ -265,7 +265,7 @@ POLLED: Mapping[type[Sample], PolledValue] = {
     ),
     ModeSample: PolledValue(
         GetMode(),
-        rate=1.0,  # it only changes with the power
+        rate=1.0,  # it only changes with a power cycle
         sample=ModeSample,
         kind=lambda *_: SampleKind(
             "mode",
@@ -285,11 +285,11 @@ POLLED: Mapping[type[Sample], PolledValue] = {
 
 
 class StatusReader:
-    """Reads the latched bits and loses none of them on a line that corrupts bytes.
+    """Reads the latched bits, and loses none on a line that corrupts bytes.
 
-    Reading clears a byte. So when a status did not arrive, or announced UART errors and their
-    byte did not arrive, the UART error byte is read the next time, and also the first time: a
-    guardian, or another program, may have read the status before.
+    Reading clears a byte. So after a lost status, or a lost byte of announced UART errors, the UART
+    error byte is read the next time. It is also read the first time, because a guardian or another
+    program may have read the status before.
     """
 
     def __init__(self, clock: Callable[[], float]) -> None:
@@ -297,11 +297,11 @@ class StatusReader:
         self.reset()
 
     def reset(self) -> None:
-        """Count what is read next as older: the board was searched for, or selected only now."""
+        """Mark the next bits as earlier: the board was searched for, or selected only now."""
         self._is_first = self.uart_due = True  # bits may be latched that no status announces
 
     def read(self, request: Requester) -> LatchedStatus:
-        """Read and clear the status, and the UART errors when there may be some.
+        """Read and clear the status, and the UART errors if there may be any.
 
         Raises:
             NoReply, BadReply: no status arrived.
@@ -322,10 +322,10 @@ class StatusReader:
 def poll(
     request: Requester, topic: type[Sample], clock: Callable[[], float], reader: StatusReader
 ) -> Sample:
-    """Read one topic. Return its sample with the time of its reply, false if no bit was latched.
+    """Read one topic. Return its sample at the time of its reply. False if no bit was latched.
 
     Raises:
-        NoReply, BadReply: as every transaction.
+        NoReply, BadReply: as for every transaction.
         PortUnavailable: the line is gone.
     """
     polled = POLLED[topic]

@@ -34,7 +34,7 @@ def write_parameter(
     A lost reply is no failure: only the value read back counts. The factory reset cannot be read
     back; its result code has to suffice.
 
-    `has_crc` says for every function here whether a CRC protects the line; see `agreed`.
+    `has_crc`: whether a CRC protects the line, in every function here; see `agreed`.
 
     Raises:
         BadRequest: the value is outside limits that are not inferred; nothing was sent.
@@ -62,7 +62,7 @@ def write_calibration(
     """Store a calibration for the active input source. Return what was read back.
 
     A board that lost power for a moment may have another active source now. Then nothing more is
-    written: its calibrations are different ones.
+    written, because each source has its own calibrations.
 
     Raises:
         BadRequest: minimum, neutral and maximum are not in order; nothing was sent.
@@ -105,17 +105,17 @@ def _write_and_verify(
     has_crc: bool,
     before: Callable[[], None] = lambda: None,
 ) -> ValueT:
-    """Write until the value is read back. Return what was read last.
+    """Write until the value is read back. Return the last reading.
 
     `before` is called before each write.
 
     Raises:
-        Rejected: the board rejects it; without a CRC twice in a row, because the first time the
-            packet may have been corrupted, or the reply.
+        Rejected: the board rejects the value. Without a CRC, two rejections in a row are needed,
+            because the first packet or its reply may have been corrupted.
     """
 
     def write() -> None:
-        """Write until the board accepts it, or reading it back has to show what was stored."""
+        """Write until the board accepts the value. If it never does, the read-back decides."""
         rejected: ResultCode | None = None
         for _ in range(ATTEMPTS):
             before()

@@ -1,4 +1,4 @@
-"""Storing several values in an order that leaves the board at settings which a scan finds."""
+"""Storing of several values, in an order that keeps the board within reach of a scan."""
 
 import contextlib
 import logging
@@ -97,26 +97,26 @@ def write_all(
     Calibrations come first, while their input source is active. Parameters that take effect at
     once come next, then those that need a power cycle, and the serial settings last.
 
-    Power may fail at any moment; a value that is being written then becomes the factory default.
+    Power may fail at any moment. A value that is being written then becomes the factory default.
     Yet the board must start at settings that a scan tries: the old ones, the new ones or the
     default. So the polynomial is changed while the stored line settings have no CRC: before them
     if CRC is switched on, after them if it is switched off. If CRC stays on and the line changes
     too, the default line settings are stored meanwhile. If only the polynomial changes, a power
     cut in the 4 ms of its write leaves the default polynomial, which a scan tries too.
 
-    Once the line is gone, the board has stopped responding or is not in serial mode, the rest is
-    not attempted: it would fail alike. The same holds after `cancelled`, but serial settings that
-    belong together are not separated. `stored` is called with what is stored after each write, as
-    far as it was read.
+    Once the line is gone, or the board has stopped responding or is not in serial mode, the other
+    writes are not attempted, as they would fail too. The same holds after `cancelled`, but serial
+    settings that belong together are not separated. `stored` is called after each write with the
+    stored value, if it was read.
 
-    Without a CRC one corrupted bit can turn a write into that of another setting. So if one had to
-    be repeated or failed, every other setting is compared with its value `before`, and restored,
-    also when the rest was not attempted. If the board is gone or is in another mode, a write that
-    was repeated counts as failed.
+    Without a CRC one corrupted bit can turn a write into a write of another setting. So if a write
+    was repeated or failed, every other setting is compared with its value `before` and restored,
+    even if later writes were not attempted. If the board is gone or in another mode, a repeated
+    write counts as failed.
 
-    Nothing is written to a board that does not store what was read `before`. Whether it is still
-    the same board is checked again before a write is repeated or follows a failed reading, and at
-    the end. Two boards with the same model, firmware and stored values cannot be told apart.
+    Nothing is written to a board whose settings differ from `before`. The identity of the board is
+    checked again before a write that is repeated or follows a failed reading, and at the end. Two
+    boards with the same model, firmware and stored values cannot be told apart.
 
     Raises:
         OtherBoard: the board is not the one of `before`; nothing more is written.
@@ -141,7 +141,7 @@ def write_all(
 
 
 def after_writing(state: DeviceState, results: Sequence[WriteResult]) -> DeviceState:
-    """Return the state with the values that were read back after they were written."""
+    """Return `state` updated with the values that were read back."""
     parameters, calibrations = dict(state.parameters), dict(state.calibrations)
     learned = set(channels_in(state.calibrated))
     for result in results:
@@ -174,22 +174,22 @@ class _Work:
     has_crc: bool
     cancelled: Callable[[], bool]
     stored: Callable[[WriteResult], None]
-    before: DeviceState | None  # what the board stored before, if that is to be checked
+    before: DeviceState | None  # expected state of the board; `None`: not checked
     results: list[WriteResult] = field(default_factory=list)
     fatal_error: StudioError | None = None  # why nothing more is attempted
     # Indexes of the results whose write was repeated or failed
     doubtful: list[int] = field(default_factory=list)
-    repeated: int = 0  # how often writes were repeated or failed: no more settings can have changed
-    unknown: set[str] = field(default_factory=set)  # keys whose write failed: they have any value
+    repeated: int = 0  # repeats and failures: at most as many other settings were changed
+    unknown: set[str] = field(default_factory=set)  # keys of failed writes, with any value
     has_sent: bool = False  # whether any write was sent
     _sent: int = 0
-    _has_failed: bool = False  # a transaction, since the board was last checked
-    _number: int | None = None  # that the board stores; `None` if that is not known
+    _has_failed: bool = False  # whether a transaction failed since the board was last checked
+    _number: int | None = None  # device number that the board stores; `None` if unknown
 
     def compare_settings(self) -> None:
-        """Raise `OtherBoard` if the board stores something else than `before`.
+        """Raise `OtherBoard` if the board stores other values than `before`.
 
-        What a first pass reads otherwise may be corrupted and is read again. A failure is fatal.
+        Values that differ in a first pass may be corrupted and are read again. A failure is fatal.
         """
         if self.before is None:
             return
@@ -205,7 +205,7 @@ class _Work:
             for has_crc in (True, self.has_crc):
                 found = read_everything(request, has_crc=has_crc)
                 if may_be_same_board(found, self.before):
-                    # It may have been exchanged while it was read.
+                    # The board may have been exchanged while it was read.
                     another = other_board(request, self.before.signature, self._number)
                     if another is None:
                         return
@@ -218,10 +218,10 @@ class _Work:
         raise OtherBoard(ErrorCode.OTHER_VALUES)
 
     def require_same_board(self) -> None:
-        """Raise `OtherBoard` if the board that replies now is another one than `before`.
+        """Raise `OtherBoard` if the board that replies now is not the board of `before`.
 
         Raises:
-            NoReply, BadReply, PortUnavailable: it cannot be read.
+            NoReply, BadReply, PortUnavailable: the board cannot be read.
         """
         if self.before is not None:
             found = other_board(self.request, self.before.signature, self._number)
@@ -253,17 +253,17 @@ class _Work:
         return write_calibration(self._request, calibration_key, value, has_crc=self.has_crc)
 
     def undo_stray_writes(self, before: DeviceState) -> None:
-        """Restore what was stored besides what was to be written.
+        """Restore other settings that corrupted writes have changed.
 
-        If that fails, so has the write that was repeated or has failed. Nothing is restored if more
-        differs than corrupted writes can have changed: then another board may be connected.
+        If that fails, the last repeated or failed write counts as failed. Nothing is restored if
+        more settings differ than such writes can have changed: another board may be connected.
         """
         doubtful = self.doubtful
         error = self.fatal_error
         if error is None or (not isinstance(error, PortUnavailable) and self._replies(before)):
             error = self._restore_all_but_unknown(before)
         else:
-            # What has failed is reported, and most often for another reason than a stray write.
+            # A failed write retains its error, which seldom has to do with a stray write.
             doubtful = [number for number in doubtful if self.results[number].error is None]
         if error is not None and doubtful:
             key = self.results[doubtful[-1]].key
@@ -279,7 +279,7 @@ class _Work:
             return False
 
     def _restore_all_but_unknown(self, before: DeviceState) -> StudioError | None:
-        """Restore what is stored otherwise than it should be. Return why something is not."""
+        """Restore settings that differ, except `unknown`. Return the error if that fails."""
         after = after_writing(before, [one for one in self.results if one.error is None])
         wanted: dict[str, int | Calibration] = {**after.parameters}
         for channel, calibration in after.calibrations.items():
@@ -298,10 +298,10 @@ class _Work:
         return error
 
     def _differing(self, wanted: Mapping[str, int | Calibration]) -> list[str]:
-        """Return the keys of what is stored otherwise, or cannot be read.
+        """Return the keys of values that differ from `wanted` or cannot be read.
 
         Raises:
-            NoReply, BadReply, PortUnavailable: the board does not reply any more.
+            NoReply, BadReply, PortUnavailable: the board no longer replies.
         """
         keys = []
         for key, value in wanted.items():
@@ -317,7 +317,7 @@ class _Work:
     def _restore(
         self, wanted: Mapping[str, int | Calibration]
     ) -> tuple[StudioError | None, list[str]]:
-        """Write what is stored otherwise. Return the last error, and the keys that had one."""
+        """Write values that differ from `wanted`. Return the last error and all failed keys."""
         last: StudioError | None = None
         keys: list[str] = []
         for key, value in wanted.items():
@@ -333,7 +333,7 @@ class _Work:
         return last, keys
 
     def _record_stored(self, key: str) -> None:
-        """Read what a write that could not be verified has left."""
+        """Read the stored value after a write that could not be verified."""
         with contextlib.suppress(*_FAILURES):
             self.stored(WriteResult(key, self._stored(key)))
 
@@ -381,7 +381,7 @@ class _Work:
         return _Route.POLYNOMIAL_FIRST if is_same else _Route.VIA_DEFAULT
 
     def _record_uncertain_line(self) -> None:
-        """Add to an error that the line settings may be neither the old nor the new ones."""
+        """Extend an error: the line settings may be neither the old nor the new settings."""
         spec = self.specs[_LINE]
         for number, result in enumerate(self.results):
             if result.key == _LINE and result.error is not None:
@@ -422,7 +422,7 @@ class _Work:
 
 
 def _stores_crc(wire: int) -> bool:
-    """Return whether packets carry a CRC under these line settings. Not under unknown ones."""
+    """Return whether packets carry a CRC under these line settings. False if they are unknown."""
     try:
         return LineSettings.from_wire(wire).detection is Detection.CRC7
     except BadRequest:
@@ -438,7 +438,7 @@ def _write_order(specs: ParameterSet, key: str) -> tuple[bool, bool, int]:
 
 
 def _if_fatal(error: StudioError) -> StudioError | None:
-    """Return the error if every later write would fail alike."""
+    """Return the error if every later write would fail the same way."""
     if isinstance(error, (NoReply, PortUnavailable)):
         return error
     if isinstance(error, Rejected) and error.result is ResultCode.NOT_SERIAL_MODE:

@@ -17,7 +17,7 @@ from trex_gui.devices.trex.protocol.flags import (
     channels_in,
 )
 
-NOISE_COUNTS = 1  # of a motor's current that may be noise while none flows
+NOISE_COUNTS = 1  # counts that may be noise while a motor draws no current
 
 _OVERRIDE_CHANNEL = 5
 _NO_ERROR = UartError(0)
@@ -33,7 +33,7 @@ class BoardInputs:
     safe_start: tuple[Reason, ...] = ()  # why it does not end, see `safe_start_reasons`
     is_held: bool = False  # whether safe-start may hold the motors: the board has no flag for it
     faults: tuple[int, ...] = ()  # motors whose driver shut down recently
-    doubtful: tuple[int, ...] = ()  # of them those where the reply may have been corrupted
+    doubtful: tuple[int, ...] = ()  # motors in `faults` whose reply may have been corrupted
     over_limit: tuple[int, ...] = ()  # motors whose current passed its limit recently
     uart: UartError = _NO_ERROR  # recent UART errors
     error_shutdown: bool = False  # whether the board is set to stop the motors at a UART error
@@ -41,12 +41,12 @@ class BoardInputs:
 
     @property
     def shut_down(self) -> frozenset[int]:
-        """Motors that are certainly off, whatever they are told."""
+        """Motors that are certainly off, whatever their setpoints."""
         return frozenset(self.faults) - frozenset(self.doubtful)
 
     @property
     def lacks_signal(self) -> bool:
-        """True if a channel that the board requires has no signal: that begins safe-start."""
+        """True if a channel that the board requires has no signal, which starts safe-start."""
         return any(one.blocker is DriveBlocker.CHANNEL_SILENT for one in self.safe_start)
 
 
@@ -73,10 +73,10 @@ def board_reasons(now: BoardInputs) -> tuple[Reason, ...]:
 
 
 def held_by_safe_start(now: BoardInputs) -> tuple[Reason, ...]:
-    """Return what safe-start waits for, if it holds the motors, or may, with channels in control.
+    """Return the reasons why safe-start holds the motors, or may, with channels in control.
 
-    It certainly does without a required signal, and (inferred) while channel 5 requests an
-    override that it does not get.
+    It certainly holds them without a required signal, and (inferred) while channel 5 requests an
+    override that is not granted.
     """
     certain = {DriveBlocker.CHANNEL_SILENT, DriveBlocker.OVERRIDE_AT_START}
     if not now.is_held and not any(one.blocker in certain for one in now.safe_start):
@@ -92,12 +92,12 @@ def safe_start_reasons(
     source: InputSource,
     joint: bool,
 ) -> tuple[Reason, ...]:
-    """Return what would keep safe-start from ending with the channels in control.
+    """Return the reasons that would keep safe-start from ending with channels in control.
 
-    It ends when required channels have a signal (RC), those that drive are near neutral, and
+    It ends when required channels have a signal (RC), driving channels are near neutral, and
     channel 5 does not override, all at once. Ref: TReX Jr User's Guide 4.e; how near is near,
-    and the threshold of channel 5, are inferred. `curves` are the stored ones by channel, as far as
-    known; `raw` are the counts of channels 1-5; `required` is the mask Required Channels.
+    and the threshold of channel 5, are inferred. `curves` are the known stored curves by
+    channel; `raw` are the counts of channels 1-5; `required` is the mask Required Channels.
     """
     counts = dict(zip(CHANNELS, raw, strict=True))
     reasons = [

@@ -1,4 +1,4 @@
-"""Carries motor output through a client: setpoints, stops and their confirmation.
+"""Sends motor output through a client: setpoints, stops and their confirmation.
 
 A stop is the one motor command that is sent unprompted. Motor commands have no reply: a stop is
 confirmed if the board replies with its status and has latched no UART error since the packets.
@@ -37,23 +37,23 @@ _RETRY_ATTEMPTS = 4
 _CLEAN_ROUNDS = 2
 """Rounds of stop and clean status in a row that confirm a stop.
 
-A board that is still answering an earlier query is deaf, and latches nothing for packets that it
-lost whole: it can miss one round, but not the next one after its reply.
+A board is deaf while it answers an earlier query, and latches nothing for packets that it misses
+entirely. It can miss one round, but not the round after its reply.
 """
 
 _CAREFUL_ROUNDS = 8
-"""The same on a line that damages bytes, if the stop cannot wait until it is quiet.
+"""Clean rounds on a line that damages bytes, if the stop cannot wait for a quiet line.
 
-The last packet can still have become a speed, undetected, with 2p/9 * (1 - p)**56 for a damage
-probability p: 0.14 % at worst. See `LineQuality` for a stronger confirmation.
+The last packet can still have become a speed, undetected. The probability is 2p/9 * (1 - p)**56 for
+a damage probability p: 0.14 % at worst. See `LineQuality` for a stronger confirmation.
 """
 
 _CLOSING_ATTEMPTS = 6
 _CAREFUL_CLOSING_ATTEMPTS = 16
 _CLOSING_SECONDS = 0.5
-"""Limits of a stop before the port is closed, the second on a line that damages bytes.
+"""Limits of a stop before the port is closed. A line that damages bytes gets more attempts.
 
-The window waits for a second; the last round may begin just before this time.
+The window waits for one second. The last round may start just before `_CLOSING_SECONDS`.
 """
 
 
@@ -63,16 +63,16 @@ class StopRun:
 
     driver: "MotorDriver"
     attempts: int  # rounds that are left
-    rounds: int  # that have to be clean, in a row
+    rounds: int  # clean rounds in a row that confirm it
     is_final: bool  # does not wait until a line that damages bytes is quiet
     aborts: Callable[[], bool]  # ends it after a round that was not clean
-    stops: Sequence[Stop]  # that it serves; if the line is gone, they are queued again
-    end: Callable[[bool], None]  # gets whether the board has confirmed it
+    stops: Sequence[Stop]  # requests that it serves; queued again if the line is gone
+    end: Callable[[bool], None]  # receives whether the board has confirmed the stop
     clean: int = 0
     latched: list[LatchedStatus] = field(default_factory=list)
     was_sent: bool = False
     most_unanswered: int = _ATTEMPTS  # unanswered rounds in a row that end it
-    unanswered: list[NoReply] = field(default_factory=list)  # of the last rounds, in a row
+    unanswered: list[NoReply] = field(default_factory=list)  # errors of the last rounds, in a row
 
     @property
     def is_confirmed(self) -> bool:
@@ -86,7 +86,7 @@ class MotorDriver:
     Every method that uses the line raises `PortUnavailable` if it is gone.
     """
 
-    output: MotorOutput  # the state; requests go into it
+    output: MotorOutput  # state of the motors; receives the requests
     client: TrexClient  # runs the transactions; the owner replaces it when the board moved
     _status: StatusReader  # reads the status that confirms stops
     # Receives the bits that confirming a stop has cleared
@@ -109,9 +109,9 @@ class MotorDriver:
         stops: Sequence[Stop] = (),
         end: Callable[[bool], None] = lambda _: None,
     ) -> StopRun:
-        """Return a stop. A final one takes more rounds where the line damages bytes.
+        """Return a stop. A final stop takes more rounds on a line that damages bytes.
 
-        So does a careful one, on a line too new to know.
+        A careful stop takes as many on a line that is too new to judge.
         """
         self.output.retry.clear()
         self.output.refresh.clear()  # nothing drives while a reply is late
@@ -161,11 +161,11 @@ class MotorDriver:
         return run.is_confirmed
 
     def final_stop(self, *, careful: bool = False) -> StopRun:
-        """Return such a stop, for several boards at once."""
+        """Return a final stop, for `stop_together`."""
         return self._stop(_ATTEMPTS, is_final=True, is_careful=careful)
 
     def takeover_stop(self) -> StopRun:
-        """Return the stop on a line that the guardian has used. See `LineQuality.is_shared`."""
+        """Return the stop after the guardian has used the line. See `LineQuality.is_shared`."""
         self._is_quiet()
         self.output.quality.is_shared = False
         return self.final_stop()
@@ -177,7 +177,7 @@ class MotorDriver:
             self.output.end_stops(stops, self._now(), answered=answered)
 
     def closing_stop(self) -> StopRun:
-        """Return the stop before the port is closed, which serves every requested one."""
+        """Return the stop before the port is closed, which serves every requested stop."""
         end = self._now() + _CLOSING_SECONDS
         attempts = _CLOSING_ATTEMPTS if self._is_quiet() else _CAREFUL_CLOSING_ATTEMPTS
         stops = self.output.pop_stops()
@@ -194,8 +194,8 @@ class MotorDriver:
     def stop_early(self) -> None:
         """Send the requested stops on a line that is not tested yet. Its echo is discarded.
 
-        They stay queued until they are confirmed. If motors may be moving since an earlier session
-        it may have driven another board on the line: each gets a stop without a number, too.
+        Requests stay queued until they are confirmed. If motors may be moving since an earlier
+        session, it may have driven another board: all boards get a stop without a number, too.
         """
         if not (self.output.may_move or self.output.stops):
             return
@@ -212,12 +212,12 @@ class MotorDriver:
         client.transport.wait(client.transport.latency)
 
     def stop_without_reply(self) -> None:
-        """Stop motors that may be moving on a board that does not respond: it may still receive."""
+        """Stop motors that may be moving on a silent board, which may still receive."""
         if self.output.may_move:
             self._send_stop()
 
     def due_stop(self) -> StopRun | None:
-        """Return the stop that is due, if one is."""
+        """Return the stop that is due, or `None`."""
         output, now = self.output, self._now()
         if output.stops:
             stops = output.pop_stops()
@@ -238,10 +238,10 @@ class MotorDriver:
         self.output.report(MotorsStopped(ErrorCode.NO_HEARTBEAT, confirmed))
 
     def serve(self) -> bool:
-        """Drive if that is due. Return whether the line was used.
+        """Send setpoints if they are due. Return whether the line was used.
 
         Raises:
-            NoReply, BadReply: the echo of a setpoint is corrupted; it is sent again.
+            NoReply, BadReply: the echo of a setpoint is corrupted. The setpoint is sent again.
         """
         if self.seconds_to_drive() > 0:
             return False
@@ -249,7 +249,7 @@ class MotorDriver:
         return True
 
     def seconds_to_next(self) -> float:
-        """Return when `serve` has something to do."""
+        """Return the seconds until a stop or a setpoint is due."""
         now = self._now()
         return min(
             self.output.seconds_to_heartbeat_timeout(now),
@@ -258,7 +258,7 @@ class MotorDriver:
         )
 
     def seconds_to_drive(self) -> float:
-        """Return when to send motor packets, which take at most half of the time."""
+        """Return the seconds until motor packets are due. They use at most half of the time."""
         self._is_quiet()
         return self.output.seconds_to_drive(self._now(), self._interval)
 
@@ -271,7 +271,7 @@ class MotorDriver:
         return (self.output.may_move or self.output.is_armed) and not self._is_quiet()
 
     def _drive(self) -> None:
-        """Send the newest setpoints, or unconfirmed ones again, or refresh all of them."""
+        """Send the newest setpoints, repeat unconfirmed setpoints, or refresh all."""
         setpoints = self.output.pop_setpoints(self._now())
         if not setpoints:
             self._refresh()
@@ -291,8 +291,8 @@ class MotorDriver:
         refresh = self.output.refresh
         self.output.record_refresh()
         for command in refresh.idle_commands():
-            self.client.send(command)  # goes before the rest of a reply is awaited
-        refresh.record_sent(self._now())  # from now on: polls have a turn in between
+            self.client.send(command)  # sent before the rest of a reply is awaited
+        refresh.record_sent(self._now())  # counted from now, so that polls have a turn
         if (refresh.stops_on_error or refresh.holds_speeds) and refresh.running:
             if is_waiting:
                 return
@@ -304,14 +304,14 @@ class MotorDriver:
             if not latched.is_whole:
                 refresh.record_sent(
                     self._now()
-                )  # else it is due again, and polls never have a turn
+                )  # else a refresh is due at once, and polls never have a turn
                 return
         for command in refresh.speeds():
             self.client.send(command)
         refresh.record_sent(self._now())
 
     def refresh_while_waiting(self, waited: float) -> float:
-        """Send what is due while only the adapter can be late. Return seconds to the next call."""
+        """Refresh setpoints while only the adapter can be late. Return seconds to the next call."""
         reply = self.client.settings.line.seconds(LONGEST_REPLY) + BOARD_DELAY - waited
         seconds = max(reply, self.output.refresh_due(self._interval) - self._now())
         if self.client.echo:
@@ -322,7 +322,7 @@ class MotorDriver:
         return max(SHORTEST_WAIT, min(seconds, HEARTBEAT_INTERVAL))
 
     def start_direct(self) -> None:
-        """Note that a motor command that is not a setpoint is about to be sent."""
+        """Prepare for a motor command that is not a setpoint."""
         self.output.refresh.on_direct_command()
         self.output.restart.clear()
         self.output.handle(OutputEvent.DIRECT_COMMAND_SENT, self._now())
@@ -338,9 +338,9 @@ class MotorDriver:
 def stop_together(
     runs: Sequence[StopRun], due: Callable[[], Sequence[StopRun]] = tuple
 ) -> list[StopRun]:
-    """Stop boards on one line: every stop leaves before the first status is awaited.
+    """Stop boards on one line. Every stop is sent before the first status is awaited.
 
-    `due` returns stops of other boards that have become due meanwhile. Return all of them.
+    `due` returns stops of other boards that have become due meanwhile. Return all stops.
     """
     left, every = list(runs), list(runs)
     try:

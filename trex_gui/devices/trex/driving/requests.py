@@ -34,7 +34,7 @@ class SetAuxiliary:
     speed: int
     accelerate: bool = False
 
-    motor: ClassVar = 3  # as the channel that drives it
+    motor: ClassVar = 3  # number of the channel that drives it
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +56,7 @@ class Arm:
     `MotorsStopped` is reported.
     """
 
-    # The `Connected.selection` of the board that is meant; for any other one it has no effect
+    # `Connected.selection` of the intended board; the request has no effect on any other board
     selection: int = 0
 
 
@@ -64,12 +64,12 @@ class Arm:
 class Heartbeat:
     """The window that armed the motors still responds. Due every `HEARTBEAT_INTERVAL` seconds."""
 
-    sent: float | None = None  # on the line's clock; `None`: when it is received
+    sent: float | None = None  # time on the line's clock; `None`: time of receipt
 
 
 @dataclass(frozen=True, slots=True)
 class StopSent:
-    """A stop has left, requested or not. Its confirmation follows."""
+    """A stop was sent, requested or automatic. Its confirmation follows."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,7 +83,7 @@ class MotorsStopped:
 
     reason: ErrorCode | None  # why they were stopped; `None` for a late confirmation
     confirmed: bool  # whether the board's status confirmed the stop
-    board: int | None = None  # number of the board that was the reason, of several
+    board: int | None = None  # number of the board that caused it, if several are driven
 
 
 Setpoint = SetMotor | SetAuxiliary

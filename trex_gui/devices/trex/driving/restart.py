@@ -9,23 +9,23 @@ from trex_gui.devices.trex.driving.requests import SetMotor, Setpoint, is_idle
 from trex_gui.devices.trex.driving.setpoints import LineQuality
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 
-_DRAWS = 3  # counts of a motor that certainly draws a current; inferred: more without load
+_DRAWS = 3  # counts that prove a current; inferred: a motor without load draws more
 _SETTLING = 0.1  # seconds from a new setpoint to a current that belongs to it
 _FALLEN = 1.0  # seconds without a current; a robot that rolls downhill seldom draws none for longer
-_FALLEN_AFTER_LOSS = 0.06  # the same after a lost reply
+_FALLEN_AFTER_LOSS = 0.06  # seconds without a current after a lost reply
 
 
 class RestartWatch:
     """Finds out whether a board restarted while it drove motors 1 and 2.
 
-    No query tells, and a setpoint that is sent again would drive a motor that stands. Evidence is
-    that no motor draws a current any more that has drawn one under its setpoint, on a quiet line,
-    with a status that gives no reason. Motors without a current give no evidence.
+    No query tells, and repeating a setpoint would start a motor that stands still. Evidence is that
+    the motors that drew a current under their setpoints draw none any more, on a quiet line, with a
+    status that gives no reason. Motors that never drew a current give no evidence.
     """
 
     def __init__(self, quality: LineQuality) -> None:
         self._quality = quality
-        self._running: dict[int, tuple[SetMotor, float]] = {}  # with the time it has settled
+        self._running: dict[int, tuple[SetMotor, float]] = {}  # and when it has settled
         self._drawing: set[int] = set()
         self.clear()
 
@@ -52,18 +52,18 @@ class RestartWatch:
                 self._running[one.motor] = one, math.inf if is_idle(one) else now + _SETTLING
 
     def record_lost_reply(self) -> None:
-        """Note a failed transaction before `quality` counts it."""
+        """Record a failed transaction before `quality` counts it."""
         if self._quality.is_quiet and self._drawing:
             self._is_reply_lost = True
 
     def record_status(self, latched: LatchedStatus, *, stops_on_error: bool) -> None:
-        """Take a status that gives a reason, or that gives none."""
+        """Record a status, which may explain why no motor draws a current."""
         if (
             latched.status & ~Status.UART_ERROR
             or latched.uart & UartError.TIMEOUT
             or (stops_on_error and latched.has_line_error)
         ):
-            self._drawing.clear()  # this is the reason
+            self._drawing.clear()  # the status explains it
             self._end_check()
         enough = _FALLEN_AFTER_LOSS if self._is_reply_lost else _FALLEN
         self.has_restarted |= latched.is_whole and latched.time - self._fallen_at >= enough

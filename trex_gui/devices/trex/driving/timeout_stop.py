@@ -1,9 +1,9 @@
 """Expected stop of the motors by the board itself when the line falls silent.
 
 The command document says that the serial timeout (0x07) stops the motors. The guide of the twin,
-the qik 2s12v10 (5.a), adds that it does so only with shutdown on serial errors set. Which of both
-holds for the TReX is unknown, so UART-Error Shutdown (0x08) counts as needed until the user has
-pulled the cable of a driven board.
+the qik 2s12v10 (5.a), adds that it does so only with shutdown on serial errors set. It is unknown
+which of the two holds for the TReX, so UART-Error Shutdown (0x08) counts as needed until the user
+has pulled the cable of a driven board.
 """
 
 from collections.abc import Collection, Mapping
@@ -19,12 +19,12 @@ _TIMEOUT, _SHUTDOWN = ParameterKey.SERIAL_TIMEOUT, ParameterKey.UART_ERROR_SHUTD
 class TimeoutStop(Enum):
     """Expected effect of a silent line on the motors."""
 
-    OFF = auto()  # the serial timeout is off: they keep turning
+    OFF = auto()  # the serial timeout is off: the motors keep turning
     DOUBTFUL = auto()  # UART-Error Shutdown is off: they may keep turning
-    EXPECTED = auto()  # both are set: they should stop
+    EXPECTED = auto()  # timeout and shutdown are set: they should stop
     TRIED = auto()  # they stopped when the cable was pulled
     FAILED = auto()  # they did not stop when the cable was pulled
-    REFUTED = auto()  # the same with UART-Error Shutdown off, which may be why
+    REFUTED = auto()  # they did not stop, perhaps because UART-Error Shutdown was off
 
     @property
     def is_reliable(self) -> bool:
@@ -38,18 +38,18 @@ class TimeoutStop(Enum):
 
 @dataclass(frozen=True, slots=True)
 class TimeoutTrial:
-    """Result of pulling the cable of a driven board, as its user saw it."""
+    """Result of pulling the cable of a driven board, as the user saw it."""
 
     stopped: bool  # whether the motors stopped by themselves
     shutdown: bool  # whether UART-Error Shutdown was set
 
 
 def timeout_stop(parameters: Mapping[str, int], trial: TimeoutTrial | None = None) -> TimeoutStop:
-    """Return what is expected of a board that stores these wire values."""
+    """Return the expected effect for a board that stores these wire values."""
     if not parameters.get(_TIMEOUT):
         return TimeoutStop.OFF
     shutdown = bool(parameters.get(_SHUTDOWN, 0) & 1)  # a mask on the twin, bit 0 for the line
-    # One trial tells of both settings: what stops without a shutdown stops with it, too.
+    # One trial may apply to both settings: motors that stop without shutdown also stop with it.
     if trial is not None and shutdown in {trial.shutdown, trial.stopped}:
         if trial.stopped:
             return TimeoutStop.TRIED
@@ -63,7 +63,7 @@ def with_shutdown(timeout: int) -> dict[str, int]:
 
 
 def turning_text(motors: Collection[int]) -> str:
-    """Warn that motors (1, 2. 3 is the auxiliary) may be turning beyond reach; empty: unknown."""
+    """Warn that `motors` may still be turning. 3 is the auxiliary; empty means unknown."""
     match [*motors]:
         case [3]:
             return tr("The auxiliary motor may still be turning.")
@@ -73,6 +73,6 @@ def turning_text(motors: Collection[int]) -> str:
 
 
 def remedy_for_silence(stop: TimeoutStop, timeout: str) -> str:
-    """Return what to do when a driven board was lost. `timeout` is the serial timeout as text."""
+    """Return the remedy after losing a driven board. `timeout` is the serial timeout as text."""
     text = tr("The board should stop {0} after the last byte; if not, cut the power.")
     return text.format(timeout) if stop.is_reliable else tr("Cut the power.")

@@ -1,4 +1,4 @@
-"""Motors of several boards as the wheels of one robot: where each is, and which way it turns."""
+"""Motors of several boards as the wheels of one robot: side and direction of each wheel."""
 
 import re
 from collections.abc import Iterable, Sequence
@@ -15,12 +15,12 @@ from trex_gui.devices.trex.protocol.driving import Drive
 
 _WHEEL = re.compile(r"(\d{1,3})\.([12])\.([12])([+-])")
 
-LEFT, RIGHT = 1, 2  # the sides, as the motors of one board alone
+LEFT, RIGHT = 1, 2  # sides, numbered like the motors of a single board
 
 
 @dataclass(frozen=True, slots=True)
 class Wheel:
-    """Motor 1 or 2 of a board, at a side. `is_reversed`: forward is backward for the motor."""
+    """Motor 1 or 2 of a board, on one side. `is_reversed`: it runs backward to go forward."""
 
     board: int
     motor: int
@@ -28,7 +28,7 @@ class Wheel:
     is_reversed: bool = False
 
     def turned(self, drive: Drive | None) -> Drive | None:
-        """Return the setpoint of the motor for the one of its side."""
+        """Return the motor's setpoint for a setpoint of its side."""
         if drive is None or drive.is_brake or not self.is_reversed:
             return drive
         return Drive.at(-drive.signed)
@@ -51,7 +51,7 @@ def packed(wheels: Iterable[Wheel]) -> str:
 
 
 def unpacked(text: str) -> tuple[Wheel, ...]:
-    """Return the wheels that were packed. ValueError if the text is another one."""
+    """Return the wheels of a `packed` text. ValueError if the text is invalid."""
     found = [_WHEEL.fullmatch(word) for word in text.split()]
     wheels = [Wheel(int(m[1]), int(m[2]), int(m[3]), m[4] == "-") for m in found if m is not None]
     if len(wheels) < len(found):
@@ -62,7 +62,7 @@ def unpacked(text: str) -> tuple[Wheel, ...]:
 def setpoints_of(
     wheels: Sequence[Wheel], request: SetpointRequest
 ) -> dict[int, SetMotor | SetMotors]:
-    """Return what each board gets for setpoints of the sides."""
+    """Return the request to each board for setpoints of the sides."""
     wanted = {one.motor: one for one in setpoints_in(request)}
     found: dict[int, list[SetMotor]] = {}
     for wheel in wheels:

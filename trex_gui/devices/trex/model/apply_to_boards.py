@@ -1,4 +1,4 @@
-"""One set of settings for several boards on a line: what changes, and writing it."""
+"""Review and write of the same settings for several boards on a line."""
 
 from collections.abc import Collection
 from dataclasses import dataclass, replace
@@ -27,18 +27,18 @@ class BoardStep(Enum):
     WRITING = auto()
     WRITTEN = auto()
     FAILED = auto()  # not read, not written, or not verified; see `BoardPlan.problem`
-    SKIPPED = auto()  # it was not its turn any more when an error or the user ended the work
+    SKIPPED = auto()  # its turn had not come when an error or the user ended the work
 
 
 @dataclass(frozen=True, slots=True)
 class BoardPlan:
-    number: int  # its device number, which it keeps
+    number: int  # device number of the board, which does not change
     step: BoardStep = BoardStep.WAITING
-    changes: Comparison | None = None  # what differs from what it stores; `None` before it was read
-    problem: str = ""  # why it was not read or written, for the user
-    # What the rules say about its settings with these changes
+    changes: Comparison | None = None  # changes to the stored settings; `None` before reading
+    problem: str = ""  # why the board was not read or written, for the user
+    # Findings about the settings of the board with these changes
     findings: tuple[LintFinding, ...] = ()
-    # The changes beyond inferred limits, of which only the board can tell
+    # Changes beyond inferred limits, which the board may reject
     doubts: tuple[str, ...] = ()
 
     @property
@@ -47,27 +47,26 @@ class BoardPlan:
 
 
 class ApplyToBoards(QObject):
-    """Reads several boards, then writes the same settings to each, one board after the other.
+    """Reads several boards, then writes the same settings to one after the other.
 
-    Each keeps its device number and its serial settings: they are how it is reached on the line.
-    A board that does not respond, or is of another model, is left out. The first error while
-    writing ends the work: a line that damages one write would damage the next. So does *Stop*,
-    which is served between two values: whoever presses it wants nothing more to happen, and a
-    board that is being written is written to its end. Before each board is written a snapshot is
-    saved, and it is compared with what was reviewed. In the end the board that was selected at
-    first is selected again.
+    Each board keeps its device number and serial settings, by which the line reaches it. A board
+    that does not respond, or is of another model, is left out. The first error while writing ends
+    the work, because a line that damages one write would damage the next. *Stop* also ends the
+    work, after the board that is being written is complete. Before each board is written, its
+    settings are compared with the review, and a snapshot is saved. At the end the board that was
+    selected at first is selected again.
     """
 
     changed = Signal()  # `plans` or `is_running`
-    finished = Signal()  # everything was read, or written, or has ended early
+    finished = Signal()  # reading or writing is complete, or has ended early
 
     def __init__(self, boards: BoardList, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._boards = boards
         self._device = device
-        self.plans: tuple[BoardPlan, ...] = ()  # one for each board
+        self.plans: tuple[BoardPlan, ...] = ()  # a plan for each board
         self.is_running = False  # whether boards are being read or written
-        self.is_writing = False  # whether boards are, or were, written rather than only read
+        self.is_writing = False  # whether the present or last work writes boards, not only reads
         self.was_stopped = False  # whether *Stop* has ended the work
         self._wanted: Settings | None = None
         self._home: int | None = None  # the board that was selected at first
@@ -79,14 +78,14 @@ class ApplyToBoards(QObject):
         device.motors.stop_requested.connect(self._on_stop_requested)
 
     def review(self, settings: Settings, numbers: Collection[int]) -> None:
-        """Read these boards, and find out what the settings change of each."""
+        """Read these boards, and compare each with the settings."""
         if self.is_running:
             return
         self._wanted = settings.without(REACH)
         self._start([BoardPlan(number) for number in sorted(numbers)], is_writing=False)
 
     def write(self, numbers: Collection[int]) -> None:
-        """Write what was reviewed to those of the boards that have these numbers."""
+        """Write the reviewed changes to the boards with these numbers."""
         if not self.is_running:
             plans = [
                 replace(plan, step=BoardStep.WAITING)
@@ -97,7 +96,7 @@ class ApplyToBoards(QObject):
             self._start(plans, is_writing=True)
 
     def cancel(self) -> None:
-        """End the work after the board that is being read or written. No other one is written."""
+        """End the work after the board that is being read or written."""
         self._is_cancelled = True
         if self._device.writer.is_saving_snapshot and self._current is not None:
             self._device.writer.cancel()
@@ -118,7 +117,7 @@ class ApplyToBoards(QObject):
         self._replace(replace(self._plan(number), step=step, problem=problem))
 
     def _finish_board(self, number: int, step: BoardStep, problem: str = "") -> None:
-        """Set how a board was left, and go on with the next one."""
+        """Set the outcome of a board, and continue with the next board."""
         self._set(number, step, problem)
         self._go_on()
 
@@ -177,7 +176,7 @@ class ApplyToBoards(QObject):
             self._go_on()
 
     def _findings(self, changes: Comparison) -> tuple[LintFinding, ...]:
-        """Return what the rules say about the selected board once these changes are written."""
+        """Return the findings about the selected board after these changes."""
         stored, settings = self._device.draft.stored, self._device.settings
         if stored is None or settings is None:
             return ()
@@ -219,7 +218,7 @@ class ApplyToBoards(QObject):
 
     @Slot()
     def _on_stop_requested(self) -> None:
-        """End the work, if it was the user who stopped the motors."""
+        """End the work if the user has stopped the motors."""
         unfinished = {BoardStep.WAITING, BoardStep.READING, BoardStep.WRITING}
         is_working = self.is_running and any(plan.step in unfinished for plan in self.plans)
         if is_working and not self._device.motors.stop_reason:
@@ -237,7 +236,7 @@ class ApplyToBoards(QObject):
         self._end()
 
     def _end(self) -> None:
-        """Go back to the board that was selected at first, and report."""
+        """Select the board that was selected at first, and report the end."""
         for plan in self.plans:
             if plan.step is BoardStep.WAITING:
                 self._set(plan.number, BoardStep.SKIPPED)

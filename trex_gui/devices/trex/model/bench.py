@@ -1,4 +1,4 @@
-"""Bench tests: a motor is driven along a profile while the user holds a button."""
+"""Bench tests, which drive a motor along a profile while a button is held."""
 
 from dataclasses import replace
 from datetime import UTC, datetime
@@ -18,23 +18,23 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import new_timer, now
 
 _HOLDER = "bench"  # the name by which the bench acquires the motors
-_MAX_RUNS = 10  # tests kept for comparison
+_MAX_RUNS = 10  # most tests in memory for comparison
 _HIGHEST_COUNT = 255  # the current measurement is one byte (0x8D)
 _TUNED = ("acceleration", "brake_duration", "current_limit", "current_limit_p")  # ends of keys
 
 _ABORT_COUNTS = 100
-"""The default abort current in counts: 15 A, on a Jr 4 A.
+"""Default abort current in counts: 15 A, or 4 A on a Jr.
 
-It is near the drivers' continuous rating (13 A and 2.5 A): a motor whose start exceeds it needs
-a higher one, which the user has to choose.
+It is near the drivers' continuous rating (13 A and 2.5 A). If the start of a motor exceeds it, the
+user has to set a higher abort current.
 """
 
 _STEP_MS = 20  # the board renews its outputs every 10 ms
-_TAIL = 0.6  # seconds for which currents are recorded after the motor began to brake
+_TAIL = 0.6  # seconds for which currents are recorded after braking starts
 
 
 class Phase(Enum):
-    """No test, driving, or braking while the current is still recorded."""
+    """Phase of a test. While braking, the current is still recorded."""
 
     IDLE = auto()
     DRIVING = auto()
@@ -42,15 +42,15 @@ class Phase(Enum):
 
 
 class Bench(QObject):
-    """Runs one test at a time, only while its button is held, and keeps the last ones.
+    """Runs one test at a time while its button is held, and retains the last tests.
 
-    Releasing the button brakes the motor. Everything else that ends a test stops, disarms and
-    locks out all motors: too high a current, a fault, missing readings, loss of serial control.
+    Releasing the button brakes the motor. Too high a current, a fault, missing readings or loss of
+    serial control aborts a test, which stops, disarms and locks out all motors.
     """
 
-    changed = Signal()  # the plan, `phase` or `blocker`; the readings of `current` grow silently
-    started = Signal()  # a test runs now
-    finished = Signal(object)  # a `Run` is over, braking included; it is the last of `runs`
+    changed = Signal()  # plan, `phase` or `blocker`; not emitted for new readings of `current`
+    started = Signal()  # a test has started
+    finished = Signal(object)  # the `Run` of a test that is over, including braking; last of `runs`
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -90,7 +90,7 @@ class Bench(QObject):
 
     @property
     def current(self) -> Run | None:
-        """The test that runs, up to now, else the last one."""
+        """Running test up to now, or else the last test."""
         if self._run is None:
             return self.runs[-1] if self.runs else None
         return replace(
@@ -102,7 +102,7 @@ class Bench(QObject):
 
     @property
     def highest_current(self) -> float:
-        """The highest current in A that the board can measure. Without a board, a TReX."""
+        """Highest current in A that the board can measure. For a TReX if there is no board."""
         return self._device.telemetry.ampere * _HIGHEST_COUNT
 
     def tuned_keys(self) -> tuple[str, ...]:
@@ -110,7 +110,7 @@ class Bench(QObject):
 
     @property
     def blocker(self) -> str:
-        """Return why no test can start now, and what to do. Empty when one can."""
+        """Reason why no test can start now, and the remedy. Empty if a test can start."""
         device = self._device
         if device.is_connected and device.board.is_joint:
             return tr(
@@ -125,7 +125,7 @@ class Bench(QObject):
     # --- Commands -----------------------------------------------------------------------
 
     def set_plan(self, plan: Plan) -> None:
-        """Set the next test. One that runs keeps its own plan."""
+        """Set the next test. A running test retains its own plan."""
         if plan != self.plan:
             self.plan = plan
             self.changed.emit()
@@ -140,7 +140,7 @@ class Bench(QObject):
         self._ends_at_limit = plan.abort_at_limit
         motors.accelerate = plan.accelerate
         if motors.linked:
-            motors.set_linked(False)  # the test is of one motor
+            motors.set_linked(False)  # a test drives only one motor
         self._start = self._last_reading = now()
         self._setpoints, self._readings = [], []
         self._run = Run(
@@ -175,7 +175,7 @@ class Bench(QObject):
             self._end(End.ABORTED, reason)
 
     def add_run(self, run: Run) -> None:
-        """Add a test that is over, or a saved one to compare with."""
+        """Add a finished test, or a saved test for comparison."""
         self.runs = (*self.runs[-_MAX_RUNS + 1 :], run)
         self.changed.emit()
         self.finished.emit(run)
@@ -232,7 +232,7 @@ class Bench(QObject):
         if not self.is_driving:
             self.changed.emit()
         elif self._motors.holder != _HOLDER:
-            # Without a board nothing can be armed; the report of the link has the reason.
+            # Without a board, motors cannot be armed. The report of the link has the reason.
             known = self._motors.is_available or self._motors.stop_reason
             self._end(End.ABORTED, self._external_reason() if known else "")
 
@@ -263,11 +263,11 @@ class Bench(QObject):
     # --- The end ------------------------------------------------------------------------
 
     def _end(self, how: End, reason: str = "") -> None:
-        """Brake the motor first. Continue recording its current for a moment."""
+        """Brake or stop the motor, and continue recording its current for a moment."""
         self.phase = Phase.BRAKING
         if how is not End.ABORTED:
             self._motors.release(_HOLDER)
-        elif self._motors.holder == _HOLDER:  # else the motors are stopped already
+        elif self._motors.holder == _HOLDER:  # otherwise the motors are stopped already
             self._motors.press_stop(reason=reason)
         accelerate, linked = self._options
         self._motors.accelerate = accelerate

@@ -1,4 +1,4 @@
-"""The boards that share a line: which there are, and which of them is selected."""
+"""Boards that share a line: scan, presence and selection."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -22,9 +22,9 @@ from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.translations import error_text
 
 _PRESENCE_MS = 2000
-"""Milliseconds between two queries whether a board that is not selected responds.
+"""Milliseconds between two presence queries to boards that are not selected.
 
-One of them takes at most 4 % of the line, and is sent only while nothing is driven.
+The queries take at most 4 % of the line, and are sent only while nothing is driven.
 """
 
 
@@ -33,13 +33,13 @@ class Presence(Enum):
     RESPONDING = auto()
     SILENT = auto()
     UNREADABLE = auto()
-    """Something replies that cannot be read: several boards may have this number."""
-    UNKNOWN = auto()  # it was not asked since the line was opened; it was there before
+    """The reply cannot be read: several boards may have this number."""
+    UNKNOWN = auto()  # not queried since the line was opened
 
 
 @dataclass(frozen=True, slots=True)
 class LineBoard:
-    """One board. `signature` is `None` while it is not known."""
+    """Board on a line. `signature` is `None` while unknown."""
 
     number: int
     signature: Signature | None
@@ -55,25 +55,25 @@ Done = Callable[[StudioError | None], None]  # gets `None`, or why another board
 
 
 class BoardList(QObject):
-    """The boards that were found on the line of a device.
+    """Boards found on the line of a device.
 
-    Boards are told apart by device number. They are found by asking for each number who has it,
-    which moves and clears nothing. Once several are known, commands carry the number of the
-    selected one: without a number they would reach every board.
+    Boards are told apart by device number. A scan probes every number, which moves no motor and
+    clears nothing on a board. Once several boards are known, commands carry the number of the
+    selected board: without a number they would reach every board.
     """
 
-    changed = Signal()  # any attribute, or what the properties return
+    changed = Signal()  # any attribute or property
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._device = device
-        # By number; of the last line that was open, or of an earlier scan of it
+        # Sorted by number; from the last open line, or from an earlier scan of the same port
         self.boards: tuple[LineBoard, ...] = ()
-        self.scanned: int | None = None  # how many numbers were asked; `None` while no scan runs
+        self.scanned: int | None = None  # how many numbers were probed; `None` while no scan runs
         self.is_selecting = False  # whether another board is being selected
         self._url = ""
-        self.is_asking = False  # whether the reply to a question is awaited
-        self._next = 0  # which board is asked next whether it responds
+        self.is_asking = False  # whether the reply to a probe is awaited
+        self._next = 0  # index of the last presence query in the unselected boards
         self._presence = new_timer(self, _PRESENCE_MS, self._on_presence_due)
         device.link_changed.connect(self._on_link_changed)
         device.connection.line_closed.connect(self._on_line_closed)
@@ -82,7 +82,7 @@ class BoardList(QObject):
 
     @property
     def selected(self) -> int | None:
-        """The number of the board that the pages show. `None` without one."""
+        """Number of the board that the pages show. `None` without a board."""
         device = self._device
         if device.settings is not None and device.settings.device_number is not None:
             return device.settings.device_number
@@ -94,7 +94,7 @@ class BoardList(QObject):
 
     @property
     def others(self) -> set[int]:
-        """The numbers of the boards that are not selected, whether they respond or not."""
+        """Numbers of the boards that are not selected, whether they respond or not."""
         return {one.number for one in self.boards} - {self.selected}
 
     @property
@@ -113,12 +113,12 @@ class BoardList(QObject):
 
     @property
     def can_change_number(self) -> bool:
-        """True if the selected board can get another number: that asks for it, and is a write."""
+        """True if the selected board can get another number. This needs a probe and a write."""
         return self._may_ask and not self._device.writer.is_rejected
 
     @property
     def _may_ask(self) -> bool:
-        """True if other boards may be asked: not while motors are driven."""
+        """True if other boards may be probed: not while motors are driven."""
         device = self._device
         is_driven = device.motors.armed or device.may_move
         is_busy = is_driven or self.is_selecting or self._is_group
@@ -126,20 +126,20 @@ class BoardList(QObject):
 
     @property
     def _is_group(self) -> bool:
-        """True if several boards are driven together: all of them are polled."""
+        """True if several boards are driven together, and therefore polled."""
         return self._device.settings is not None and bool(self._device.settings.group)
 
     # --- Finding ------------------------------------------------------------------------
 
     def scan(self) -> None:
-        """Ask for every device number who has it. Ends when the motors are armed."""
+        """Probe every device number. Arming the motors ends the scan."""
         if self.can_scan:
             self.scanned = 0
             self.changed.emit()
             self._probe_next()
 
     def cancel_scan(self) -> None:
-        """Ask no more. What was found stays."""
+        """Cancel the scan. Boards found so far stay."""
         if self.scanned is not None:
             self.scanned = None
             self.changed.emit()
@@ -163,14 +163,14 @@ class BoardList(QObject):
             self._prompt(number)
 
     def _go_on_after(self, number: int) -> None:
-        """Continue the scan. Before it, or before it began again, another number was asked."""
+        """Continue the scan, if any. A reply to another number's earlier probe does not count."""
         if number == self.scanned:
             self.scanned += 1
             self.changed.emit()
         self._probe_next()
 
     def _finish_scan(self) -> None:
-        """Keep and report what was found. From now on address one board if there are several."""
+        """Save and report the found boards. If there are several, address one from now on."""
         missing = {Presence.SILENT, Presence.UNKNOWN}
         found = [one for one in self.boards if one.presence not in missing]
         self.boards = tuple(found)
@@ -232,17 +232,17 @@ class BoardList(QObject):
 
     @property
     def is_addressed(self) -> bool:
-        """True if commands carry a device number, and so reach one board."""
+        """True if commands carry a device number, so that they reach one board."""
         settings = self._device.settings
         return settings is not None and settings.device_number is not None
 
     # --- Selecting ----------------------------------------------------------------------
 
     def select(self, number: int, then: Done = lambda _error: None) -> None:
-        """Show another board on every page, once the motors of the present one are stopped.
+        """Select another board, once the motors of the present board are stopped.
 
-        Without the confirmation of its stop, or if the other one does not respond, the present
-        board stays selected.
+        The present board stays selected if its stop is not confirmed, or if the other board does
+        not respond.
         """
         if self.can_select and (number != self.selected or not self.is_addressed):
             self.cancel_scan()
@@ -296,7 +296,7 @@ class BoardList(QObject):
 
     @Slot()
     def _on_state_changed(self) -> None:
-        """Follow the selected board: it may be another one, or have another number now."""
+        """Update the list: another board may be selected, or its number may have changed."""
         device = self._device
         if device.state is None or device.settings is None:
             return
@@ -313,7 +313,7 @@ class BoardList(QObject):
         if before and selected is not None and self.is_addressed:
             others = [one for one in before if one.number != selected]
             boards = [one for one in others if one.presence is not Presence.SELECTED]
-            if self.is_selecting:  # else the board has got another number
+            if self.is_selecting:  # otherwise the selected board has got another number
                 left = (one for one in others if one.presence is Presence.SELECTED)
                 boards += (replace(one, presence=Presence.RESPONDING) for one in left)
             boards.append(LineBoard(selected, self._signature, Presence.SELECTED))
@@ -334,7 +334,7 @@ class BoardList(QObject):
         Preferences().set(self._known_key, numbers)
 
     def _known_boards(self) -> tuple[LineBoard, ...]:
-        """Return the boards that an earlier scan of this port has found."""
+        """Return the boards that an earlier scan of this port found."""
         words = Preferences().text(self._known_key).split(",")
         known = {int(word) for word in words if word.isascii() and word.isdigit()}
         numbers = sorted(number for number in known if number < NUMBERS)
@@ -342,7 +342,7 @@ class BoardList(QObject):
 
     @Slot()
     def _on_presence_due(self) -> None:
-        """Ask the next board that is not selected whether it responds."""
+        """Probe the next board that is not selected."""
         others = [one for one in self.boards if one.presence is not Presence.SELECTED]
         if others and self._may_ask and self.scanned is None and not self.is_asking:
             self._next = (self._next + 1) % len(others)

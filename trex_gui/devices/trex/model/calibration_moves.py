@@ -1,4 +1,4 @@
-"""Changes to a calibration in one step: drag a handle, or make it symmetric."""
+"""One-step changes of a calibration: move a handle, or make it symmetric."""
 
 from dataclasses import replace
 from enum import Enum
@@ -10,7 +10,7 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 
 
 class Handle(Enum):
-    """The parts of a calibration that can be moved along the input axis."""
+    """Parts of a calibration that can be moved along the input axis."""
 
     MINIMUM = "minimum"
     NEUTRAL = "neutral"
@@ -23,7 +23,7 @@ class Handle(Enum):
         return self in {Handle.DEADBAND_LOW, Handle.DEADBAND_HIGH}
 
     def count(self, calibration: Calibration) -> int:
-        """Return the raw count of the handle. That of a deadband may be negative."""
+        """Return the raw count of the handle. May be negative for a deadband."""
         match self:
             case Handle.MINIMUM:
                 return calibration.minimum
@@ -40,7 +40,7 @@ class Handle(Enum):
 def moved(c: Calibration, handle: Handle, count: int) -> tuple[Calibration, str]:
     """Move a handle to a raw count, or as far as the board accepts it.
 
-    Also return why it stopped short; empty if it did not.
+    Also return why the handle stopped before. Empty if it did not.
     """
     value, field = count, handle.value
     match handle:
@@ -86,7 +86,7 @@ def within_input(
 
 
 def symmetric(calibration: Calibration, source: InputSource, *, larger: bool) -> Calibration:
-    """Make the travel to both ends equal: to the larger or the smaller of the two.
+    """Make the travel to both ends equal to the larger or the smaller travel.
 
     Both ends stay within the range of the input, which may shorten the larger travel.
     """
@@ -99,9 +99,9 @@ def symmetric(calibration: Calibration, source: InputSource, *, larger: bool) ->
 
 
 def why_not_symmetric(made: Calibration, source: InputSource) -> str:
-    """Return why equal travel made a calibration unusable. Empty if it did not.
+    """Return why equal travel made a calibration unusable. Empty if it is usable.
 
-    Each step of the output needs a count of its own, else a slight touch gives full output.
+    Each output value needs its own count. Otherwise a slight touch gives full output.
     """
     travel = made.maximum - made.neutral
     if travel > made.deadband + FULL_SCALE:

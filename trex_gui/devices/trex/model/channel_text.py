@@ -1,4 +1,4 @@
-"""Sentences about one channel: what it does, and why its calibration may not work."""
+"""Sentences about a channel: its function, and problems of its calibration."""
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.texts import signed_text
@@ -18,7 +18,7 @@ CHANNEL_NAMES = {
     4: tr_noop("Flip"),
     5: tr_noop("Override"),
 }
-"""Short names of what each channel does in RC and analog mode."""
+"""Short names of the functions of channels in RC and analog mode."""
 
 SOURCE_NAMES = {
     InputSource.RC: tr_noop("RC pulses"),
@@ -52,7 +52,7 @@ def input_text(source: InputSource, count: int) -> str:
 
 
 def live_text(source: InputSource, count: int | None, curve: ChannelCurve | None) -> str:
-    """Return a raw count and what its channel makes of it, before mixing and flip."""
+    """Return a raw count and the output of its channel, before mixing and flip."""
     if count is None or curve is None:
         return tr("no signal") if count is None else input_text(source, count)
     output = signed_text(curve.output(count))
@@ -69,10 +69,10 @@ def function_text(
     overridden: bool = False,
     mixed: bool | None = None,
 ) -> str:
-    """Return what a channel does now. `curve` is that for `source`, if it is known.
+    """Return a sentence on the present function of a channel.
 
-    `overridden` is whether serial commands control the motors of a board in RC or analog mode,
-    `mixed` whether the mix jumper is on, `None` if that is not known.
+    `curve` (for `source`) and `mixed` (mix jumper is on) are `None` if unknown. `overridden`:
+    serial commands control a board in RC or analog mode.
     """
     if curve is not None and curve.ignored:
         task = tr("is ignored: it is held at neutral, whatever its input is")
@@ -103,7 +103,7 @@ def function_text(
 
 
 def source_instructions(source: InputSource, mode: Mode) -> str:
-    """Return how to make a board in this mode read the inputs as `source`."""
+    """Return instructions to make a board in this mode read its inputs as `source`."""
     if mode.is_serial:
         text = tr(
             "The board reads {0} now, and only shows and accepts calibrations for them. To see "
@@ -119,7 +119,7 @@ def source_instructions(source: InputSource, mode: Mode) -> str:
 
 
 def known_text(known: Known) -> str:
-    """Return since when calibrations are known: `read 2026-03-14 15:09`."""
+    """Return when calibrations were read or applied: `read 2026-03-14 15:09`."""
     text = tr("applied {0}") if known.is_applied else tr("read {0}")
     return text.format(local_time(known.time))
 
@@ -137,7 +137,7 @@ def write_failure(error: StudioError) -> str:
 
 
 def wrong_order(calibration: Calibration, source: InputSource) -> str:
-    """Return why the board would reject a calibration. Empty if it would not."""
+    """Return why the board would reject a calibration. Empty if it would accept it."""
     lowest, middle, highest = (
         source.text(count)
         for count in (calibration.minimum, calibration.neutral, calibration.maximum)
@@ -160,7 +160,7 @@ def input_range_text(source: InputSource) -> str:
 
 
 def beyond_input(calibration: Calibration, source: InputSource) -> str:
-    """Return which values of a calibration no valid input can have. Empty if there are none.
+    """Return sentences on calibration values that no valid input reaches. May be empty.
 
     Ref: Pololu TReX User's Guide 4.c: a pulse that is shorter than 0.5 ms or longer than 2.5 ms
     is an error.
@@ -179,7 +179,7 @@ def beyond_input(calibration: Calibration, source: InputSource) -> str:
 
 
 def _exactly(count: int, source: InputSource) -> str:
-    """Return a count as text that differs from its neighbours."""
+    """Return a count as text, precise enough to differ from neighbouring counts."""
     if source is InputSource.RC:
         number = f"{source.physical(count):.1f}".removesuffix(".0")
         return f"{with_decimal_point(number)} µs"

@@ -53,30 +53,30 @@ log = logging.getLogger(__name__)
 
 
 class Connection(DeviceConnection[ConnectionSettings]):
-    device_read = Signal(object)  # the board was read, or read again: the `Connected`
+    device_read = Signal(object)  # the `Connected` of a board that was read, or read again
     ready = Signal()  # `device_read` was handled, and `link` is `CONNECTED`
-    leaving = Signal()  # the line is about to be closed, or another board selected, on request
+    leaving = Signal()  # on request, the line will be closed or another board selected
     not_responding = Signal(object)  # the `NotResponding`
     guardian_changed = Signal()  # `is_guarded`
     stop_sent = Signal()  # a stop has left; its confirmation follows
-    motors_stopped = Signal(object)  # a `MotorsStopped`: the session stopped them by itself
+    motors_stopped = Signal(object)  # a `MotorsStopped`: the session stopped motors by itself
     commands_repeated = Signal(object)  # a `CommandsRepeated`
     sampled = Signal(object)  # a `Batch`
-    served = Signal(object)  # of a served board: what only its server reports
+    served = Signal(object)  # a report that only the server of a board sends
     of_board = Signal(int, object)  # number of another board of the group, and its report
-    progressed = Signal(int, int, str)  # steps done, steps in all, the next step
+    progressed = Signal(int, int, str)  # steps done, total steps, next step
 
     def __init__(self, parent: QObject | None = None) -> None:
         self._decoder = TrexDecoder()
         super().__init__(self._decoder, parent)
-        self.port_rates: frozenset[int] | None = None  # what the port supports; `None`: unknown
+        self.port_rates: frozenset[int] | None = None  # supported by the port; `None` if unknown
         self.selection = 0  # see `Connected.selection`
-        self.is_guarded = False  # a process stops the motors if this one fails
+        self.is_guarded = False  # whether another process stops the motors if this process fails
         self._watchers = {"window"}
         self.started.connect(self._submit_watched)
 
     def watch(self, watcher: str, watching: bool) -> None:
-        """Poll at full rate while there is a watcher: a window, a recording."""
+        """Poll at full rate while something watches, such as a window or a recording."""
         before = bool(self._watchers)
         (self._watchers.add if watching else self._watchers.discard)(watcher)
         if bool(self._watchers) != before:
@@ -87,7 +87,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
         self.submit(SetWatched(bool(self._watchers), traffic=bool(self._watchers)))
 
     def expect(self, settings: tuple[ConnectionSettings, ...]) -> None:
-        """Set where to look for the board if it stops responding."""
+        """Set the settings at which to search for a board that stops responding."""
         self.submit(SetReconnectCandidates(settings))
 
     def moves(self, request: object) -> bool:
@@ -118,7 +118,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
     ) -> None:
         """Address another board on the open line. `link` is `CONNECTING` until it is read.
 
-        `sharing` are the numbers of all boards that are known on it. If it cannot be selected,
+        `sharing` are the numbers of all known boards on the line. If the board cannot be selected,
         the present board stays connected, or silent.
         """
         before = self.link, self.status
@@ -135,10 +135,10 @@ class Connection(DeviceConnection[ConnectionSettings]):
         self.request(lambda request: SelectBoard(request, number, sharing), report)
 
     def stop_now(self, *, ending: bool = False) -> None:
-        """Stop every motor, and close the port if the program is `ending`. From any thread.
+        """Stop every motor, and close the port if the program is `ending`. Thread-safe.
 
-        Does not wait and reports nothing; `Motors.stop` has to follow in the window's thread.
-        Setpoints that are queued behind it are dropped until motors are armed again.
+        Does not wait and reports nothing. `Motors.stop` has to follow in the window's thread.
+        Setpoints queued after the stop are dropped until motors are armed again.
         """
         stop = Stop(NO_HANDLER)
         self.submit_now(*((stop, Close()) if ending else (stop,)))
@@ -163,7 +163,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
             case Connected() | NotResponding() | Progress() if (
                 self.link is ConnectionState.DISCONNECTING
             ):
-                pass  # it was queued when the line was closed
+                pass  # queued before the line was closed
             case Progress(done=done, total=total, what=what):
                 if isinstance(report, ProbeProgress):
                     text = tr("No reply yet. Trying other settings: {0} …").format(what)
@@ -178,7 +178,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
                 self._set_state(ConnectionState.NOT_RESPONDING, text)
 
     def _handle_of_board(self, of_board: OfBoard) -> None:
-        """Take a report of another board of the group."""
+        """Handle a report of another board of the group."""
         if isinstance(of_board.report, Outcome):
             self.answer(of_board.report)
         else:
@@ -187,7 +187,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
     def _handle_served(
         self, report: LeaseChanged | SetpointsChanged | NetworkDelay | Traffic
     ) -> None:
-        """Take what only the server of a board reports."""
+        """Handle a report that only the server of a board sends."""
         if isinstance(report, Traffic):
             for event in report.events:
                 self.log.record(event)
@@ -222,7 +222,7 @@ class MemberConnection(Connection):
         return self._main.is_open
 
     def submit(self, request: object) -> bool:
-        """Queue a request for this board. Those for its motors are made for the whole group."""
+        """Queue a `Job` for this board. Requests to motors are made for the whole group."""
         if isinstance(request, Job):
             return self._main.submit(ToBoard(self._number, request))
         return False
@@ -248,7 +248,7 @@ class MemberConnection(Connection):
 
 
 def remedies_for(error: StudioError) -> Remedies:
-    """Return the buttons for an error that closed the line, or kept it from being opened."""
+    """Return the buttons for an error that closed the line or prevented its opening."""
     if isinstance(error, BoardElsewhere):
         return (ConnectWith(error.settings),)
     if isinstance(error, TrexError) and error.code is ErrorCode.BOOT_LOADER:

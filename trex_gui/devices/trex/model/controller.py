@@ -1,4 +1,4 @@
-"""Controller of a TReX: its line settings, and stops that something else than the user caused."""
+"""Controller of a TReX: its line settings, and stops that events caused."""
 
 from contextlib import suppress
 from dataclasses import replace
@@ -35,7 +35,7 @@ _RESERVED = "line/reserved"
 
 
 class TrexController(DeviceController[ConnectionSettings]):
-    """Remembers the line settings of boards, and reports the outcome of automatic stops."""
+    """Saves the line settings of boards, and reports the outcome of automatic stops."""
 
     has_line_settings = True
 
@@ -59,10 +59,10 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.settings = self._read_settings()
         scanner.line = plugin.key, self.settings.packed
         self.demo_board = DemoBoard(self.simulator, self)
-        self._last: Port | None = None  # the port that was connected, or tried, last
+        self._last: Port | None = None  # the port that was last connected or tried
         LossWhileDriven(device, self)
-        self._stops = 0  # that an event has caused
-        self._unconfirmed = ""  # the reason of the newest, if it may still be confirmed
+        self._stops = 0  # number of stops that events have caused
+        self._unconfirmed = ""  # the reason of the newest stop, if it may still be confirmed
 
         self.simulator.ended.connect(self._on_simulator_ended)
         self.demo_board.factory_reset.connect(self._on_demo_factory_reset)
@@ -82,7 +82,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         return settings.short if number is None else f"{settings.short} #{number}"
 
     def set_settings(self, settings: ConnectionSettings) -> None:
-        """Use and remember these line settings from the next connection on."""
+        """Save these line settings, and use them from the next connection on."""
         self.settings = replace(settings, url="", name="")
         self._store.set(_LINE, settings.line.to_wire())
         number = settings.device_number
@@ -94,7 +94,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.changed.emit()
 
     def connect_to(self, port: Port) -> None:
-        if not self.may_move:  # else that is where the motors are
+        if not self.may_move:  # otherwise the moving motors are at `_last`
             self._last = port
         self.device.motors.adapter = "" if port.adapter is None else port.adapter.key
         super().connect_to(port)
@@ -111,7 +111,7 @@ class TrexController(DeviceController[ConnectionSettings]):
     @Slot(object)
     def _on_failed(self, error: StudioError) -> None:
         if isinstance(error, NoReply | BadReply) and not self.may_move:
-            self._clear_group()  # else nothing can be connected without the board that is missing
+            self._clear_group()  # otherwise no connection succeeds without the missing board
 
     def connect_with(self, port: Port, settings: PortSettings) -> None:
         self.select(port)
@@ -123,12 +123,12 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.connect_to(port)
 
     def set_packed(self, settings: str) -> None:
-        with suppress(BadRequest):  # an edited file, or a packet for others: those in use stay
+        with suppress(BadRequest):  # invalid, such as from an edited file: present settings stay
             self.set_settings(self.settings.unpacked(settings))
 
     @Slot()
     def _record_settings(self) -> None:
-        """Remember how the board was reached: it may have come back at other settings."""
+        """Save the settings at which the board responds, which may have changed."""
         used, port = self.device.settings, self.port
         if self.link is not ConnectionState.CONNECTED or used is None or port is None:
             return
@@ -141,7 +141,7 @@ class TrexController(DeviceController[ConnectionSettings]):
 
     @Slot()
     def _on_simulator_ended(self) -> None:
-        """A new simulated board starts with factory settings, whatever is chosen here."""
+        """Reset line settings: a new simulated board starts with factory settings."""
         self._demo_settings = self._default
 
     @Slot()
@@ -161,7 +161,7 @@ class TrexController(DeviceController[ConnectionSettings]):
                 line=LineSettings.from_wire(wire),
                 device_number=None if number < 0 else number,
                 polynomial=check_polynomial(polynomial),
-                reserved=numbers_in(store.text(_RESERVED)),  # with the board's no port is opened
+                reserved=numbers_in(store.text(_RESERVED)),  # the board's number prevents opening
             )
         except ValueError:
             return self._default
@@ -212,7 +212,7 @@ class TrexController(DeviceController[ConnectionSettings]):
             self.link is not ConnectionState.CONNECTED
             or self.is_armed
             or self.may_move
-            # driven by another program, or by sticks
+            # Driven by another program, or by sticks
             or any(amps > noise for amps in device.telemetry.motor_currents or ())
         )
 
@@ -221,10 +221,10 @@ class TrexController(DeviceController[ConnectionSettings]):
 
     @Slot()
     def _on_stop_wanted(self) -> None:
-        """Connect again to stop what may still turn: that is the first thing then sent."""
+        """Connect again to stop motors that may still turn. A new session first sends a stop."""
         device = self.device
         if not self.may_move or self._last is None:
-            # The serial timeout that is known may be that of another board.
+            # The known serial timeout may belong to another board.
             text = device.driving.lost_board or device.loss_text
             device.notifier.warn(text, lasts=lambda: device.may_stop_matter)
             return
@@ -234,7 +234,7 @@ class TrexController(DeviceController[ConnectionSettings]):
     def stop_now(self, *, ending: bool = False) -> None:
         self.device.connection.stop_now(ending=ending)
 
-    # --- Stops because of an event: of several only the newest is reported ----------------
+    # --- Stops that events cause: only the newest is reported -----------------------------
 
     def stop_because(self, reason: str) -> str:
         self._unconfirmed = ""
@@ -258,14 +258,14 @@ class TrexController(DeviceController[ConnectionSettings]):
         else:
             self._unconfirmed = reason if self.may_move else ""
             text = tr("{0}. The stop is not confirmed: {1} If a motor still turns, cut its power.")
-            if isinstance(error, NoReply):  # its text says what was sent, and what to do
+            if isinstance(error, NoReply):  # its text tells what was sent, and what to do
                 text = "{0}. {1}"
             text = text.format(reason, error_sentence(error))
         self.stop_reported.emit(text)
 
     @Slot()
     def _report_late_stop(self) -> None:
-        """Report a confirmation that came late, unless it may be that of another stop."""
+        """Report a late confirmation, unless it may belong to another stop."""
         if self.is_armed or self.link is ConnectionState.DISCONNECTED:
             self._unconfirmed = ""
         elif self._unconfirmed and self.device.is_connected and not self.may_move:
@@ -273,7 +273,7 @@ class TrexController(DeviceController[ConnectionSettings]):
             self.stop_reported.emit(self._confirmed(reason))
 
     def _confirmed(self, reason: str) -> str:
-        """Say what the confirmation means: usually, but not always, motors at standstill."""
+        """Return a sentence on a confirmed stop. It does not always mean standstill."""
         by_serial = self.device.board.serial_controls
         if by_serial is None:  # not read yet, or not responding
             return tr("{0}. The board has confirmed the stop.").format(reason)

@@ -1,4 +1,4 @@
-"""The simulated board as its panel operates it."""
+"""Simulated board as operated from its panel."""
 
 import json
 import re
@@ -13,7 +13,7 @@ from trex_gui.ui.devices.simulator import DemoDevice, DemoLine, Simulator, switc
 from trex_gui.ui.runtime import new_timer
 
 STICK_ENDS = {InputSource.RC: (900.0, 2100.0), InputSource.ANALOG: (0.0, 5.0)}
-"""Ends of the sticks' travel: in µs, or in V."""
+"""Ends of the sticks' travel in µs or V."""
 
 _SIGNAL = re.compile(r"([\d.]+) ?(us|V)", re.IGNORECASE)  # noise may follow
 _SIGNAL_UNITS = {InputSource.RC: "US", InputSource.ANALOG: "V"}
@@ -30,12 +30,12 @@ BOOT_TEXTS = {
     "boot loader: requested": tr_noop("Boot loader: remove Mix, then SO–G."),
     "boot loader: ready": tr_noop("Boot loader: waits for firmware. Power cycle to leave."),
 }
-"""Steps of the boot modes, as `show` reports them, in words."""
+"""Texts for the steps of the boot modes that `show` reports."""
 
 
 @dataclass(frozen=True, slots=True)
 class DemoChannel:
-    """One input: its signal, as the control line `channel` gives it, and the measurement."""
+    """Input with its signal, as in the control line `channel`, and its measurement."""
 
     signal: str
     raw: int | None
@@ -57,7 +57,7 @@ class DemoChannel:
 
 @dataclass(frozen=True, slots=True)
 class DemoMotor:
-    """One output and its motor. Current and load in A."""
+    """Output with its motor. Current and load in A."""
 
     direction: str
     speed: int
@@ -68,7 +68,7 @@ class DemoMotor:
 
 @dataclass(frozen=True, slots=True)
 class DemoJumpers:
-    """The jumpers as they are now. The board reads them at power-up."""
+    """Present positions of the jumpers. The board reads them at power-up."""
 
     mode: str
     mix: bool
@@ -77,7 +77,7 @@ class DemoJumpers:
 
 @dataclass(frozen=True, slots=True)
 class DemoLeds:
-    """`on`, `off` or the name of a pattern, such as `fast flash` or `blink 1/s`."""
+    """State of each LED: `on`, `off` or a pattern, such as `fast flash` or `blink 1/s`."""
 
     red: str
     green: str
@@ -135,13 +135,13 @@ def read_snapshot(text: str) -> DemoSnapshot:
     )
 
 
-_OFF_MS = 1000  # power cycles take this long, so that the program notices that the board was gone
+_OFF_MS = 1000  # duration of power cycles, for the program to notice that the board was off
 
 
 class DemoBoard(DemoDevice[DemoSnapshot]):
-    """A simulated TReX with its sticks. `changed`: `snapshot` or `automatic`."""
+    """Simulated TReX with its sticks. `changed` reports `snapshot` or `automatic`."""
 
-    factory_reset = Signal()  # the board is about to be reset to its state at the start
+    factory_reset = Signal()  # the board is about to be reset to its initial state
 
     def __init__(self, simulator: Simulator, parent: QObject | None = None) -> None:
         super().__init__(simulator, read_snapshot, parent)
@@ -151,13 +151,13 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
 
     @property
     def automatic(self) -> frozenset[int]:
-        """The channels whose sticks move by themselves."""
+        """Channels whose sticks move by themselves."""
         return frozenset(CHANNELS) - self._held.keys()
 
     # --- Power, jumpers, bytes ----------------------------------------------------------
 
     def power_cycle(self) -> None:
-        """Switch the power off for a second. The jumpers are read then."""
+        """Switch the power off for a second. Then the board reads its jumpers."""
         if not self._off.isActive():
             self._switch_off_and("power on")
 
@@ -236,9 +236,9 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
     # --- Power cycles and snapshots -----------------------------------------------------
 
     def restore_factory(self) -> None:
-        """Reset everything to its state at the start, the EEPROM to factory defaults.
+        """Reset everything to its initial state, and the EEPROM to factory defaults.
 
-        It takes as long as a power cycle. An unplugged cable stays unplugged.
+        Takes as long as a power cycle. An unplugged cable stays unplugged.
         """
         self._unsent.clear()
         self._held.clear()
@@ -264,7 +264,7 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
         before = self.snapshot
         super()._show(snapshot)
         if before is not None and before.source is not snapshot.source:
-            # The sticks now give voltages instead of pulses, or the reverse; they stay in place.
+            # The sticks now give voltages instead of pulses, or vice versa. They stay in place.
             for channel in self._held:
                 if snapshot.channels[channel - 1].has_signal:
                     self._send_stick(channel)

@@ -1,4 +1,4 @@
-"""Setpoints and stops on their way to the line, and their confirmation."""
+"""Setpoints and stops on their way to the board, and their confirmation."""
 
 import time
 from collections.abc import Callable, Collection, Sequence
@@ -42,23 +42,23 @@ from trex_gui.ui.notifier import Notifier, never
 from trex_gui.ui.runtime import new_timer, now
 
 Routed = Sequence[tuple[int | None, SetpointRequest]]
-"""Setpoints for each board of a group, by number; `None` is the one board."""
+"""Setpoints with the number of their board in a group. `None`: the only board."""
 
 AfterStop = Callable[[StudioError | None], None]
-"""Gets `None` if a stop is confirmed, else why it is not."""
+"""Called with `None` if a stop is confirmed, otherwise with the reason."""
 
 
-_REFUSALS = {ErrorCode.OTHER_DRIVES, ErrorCode.MAY_NOT_DRIVE}  # to arm a served board
+_REFUSALS = {ErrorCode.OTHER_DRIVES, ErrorCode.MAY_NOT_DRIVE}  # a server refused to arm
 
 
 class DriveController(QObject):
     """Connects the motors' setpoints to the connection with the board.
 
-    A board that was not read since the line was opened or quiet may be another one: what it
-    confirms does not count.
+    A board that was not read since the line was opened or silent may be a different board. Its
+    confirmations do not count.
     """
 
-    # `reaches_several`, or a stop was confirmed; `may_move` if a setpoint was sent meanwhile
+    # `reaches_several`, or a stop was confirmed (`may_move` stays if a setpoint followed it)
     changed = Signal()
 
     def __init__(
@@ -70,24 +70,24 @@ class DriveController(QObject):
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
-        self.may_move = False  # whether they were driven and no stop was confirmed since
-        # Motors (3 is the auxiliary) that were given a speed since then, as far as known here
+        self.may_move = False  # whether motors were driven without a confirmed stop afterwards
+        # Motors (3 is the auxiliary) that got a speed since the last confirmed stop, if known here
         self.driven: set[int] = set()
         self._notifier = notifier
         self._motors = motors
         self._mirror = board
         self._connection = connection
         self._lost_with: ConnectionSettings | None = None  # the line behind which motors may turn
-        self._lost_place = ""  # of that line
-        self._board: Connected | None = None  # the board at the line, as far as it is known
-        # In a group: what each board gets for setpoints; the number of one that cannot be driven
+        self._lost_place = ""  # `place` of the line in `_lost_with`
+        self._board: Connected | None = None  # the board on the line, as far as known
+        # In a group: setpoints for each board; the number of a board that cannot be driven
         self.routed: Callable[[SetpointRequest], Routed] = lambda request: ((None, request),)
         self.lacking: Callable[[], int | None] = lambda: None
         self.named: Callable[[str], str] = str  # adds the number of the board in a group
         self.reaches_several = False  # whether commands without a number reach several boards
-        self._was_read = False  # since the line was opened
-        self._is_identified = False  # and since it was quiet: `_board` is at the line
-        self._lost: list[Connected] = []  # boards that were driven before another one answered
+        self._was_read = False  # whether a board was read since the line was opened
+        self._is_identified = False  # read since the line was opened or silent: it is `_board`
+        self._lost: list[Connected] = []  # boards that were driven before another board replied
         self._is_loss_reported = True
         self._after_stop: list[AfterStop] = []  # for the next stop
         self._unanswered: list[AfterStop] = []  # for stops without an outcome yet
@@ -111,10 +111,10 @@ class DriveController(QObject):
         connection.line_closed.connect(self._unsent.stop)
 
     def follow_control(self) -> None:
-        """Let the motors be armed only while this program's commands reach them.
+        """Allow arming only while this program's commands reach the motors.
 
-        Where channels are in control the board keeps a command until channel 5 hands over:
-        what was meant for now would start later.
+        While channels are in control, the board stores a command until channel 5 hands over. A
+        motor would start later than the user meant.
         """
         reaches_one = self._is_connected and not self.reaches_several
         allowed = reaches_one and bool(self._mirror.serial_controls) and self.lacking() is None
@@ -124,14 +124,14 @@ class DriveController(QObject):
             self._motors.set_available(allowed)
 
     def set_reaching_several(self, several: bool) -> None:
-        """Let no motor be armed while commands without a number would reach `several` boards."""
+        """Prevent arming while commands without a number would reach `several` boards."""
         if several != self.reaches_several:
             self.reaches_several = several
             self.follow_control()
             self.changed.emit()
 
     def stop(self, then: AfterStop, reason: str = "") -> None:
-        """Stop everything and disarm. `then` is called once with the confirmation or its error."""
+        """Stop everything and disarm. `then` is called once, with the error if unconfirmed."""
         self._after_stop.append(then)
         self._motors.stop(reason)
 
@@ -143,7 +143,7 @@ class DriveController(QObject):
 
     @property
     def place(self) -> str:
-        """The adapter at which the board is, or the port: an adapter may get another port."""
+        """Adapter of the board, or else its port. The port of an adapter may change."""
         settings = self._connection.settings
         return self._motors.adapter or ("" if settings is None else settings.url)
 
@@ -168,7 +168,7 @@ class DriveController(QObject):
             self._connection.submit(Arm(self._connection.selection))
             self._heartbeat.start()
             self._armed_at = time.strftime("%Y-%m-%d %H:%M:%S")
-            if not self._lost:  # the user drives them again, so no earlier stop matters
+            if not self._lost:  # the user drives the motors again, so no earlier stop matters
                 self._notifier.danger_lasts = never
             self._notifier.cleared.emit()
 
@@ -182,7 +182,7 @@ class DriveController(QObject):
         self._connection.submit(Heartbeat(now()))
         self._unreported += 1
         seconds, settings = self._unreported * HEARTBEAT_INTERVAL, self._connection.settings
-        # Two replies in a row may be late; the guardian acts before.
+        # Two replies in a row may be late. The guardian acts earlier.
         if settings and seconds >= settings.timeouts.guardian + 5 * latency_of(settings.url):
             self._motors.stop(tr("The connection is not responding."))
             self._unsent.stop()
@@ -203,7 +203,7 @@ class DriveController(QObject):
         elif (
             self.may_move
             and self._connection.settings is not None
-            and not self._unsent.isActive()  # pressing Stop again and again is reported in time
+            and not self._unsent.isActive()  # pressing Stop again must not delay the report
         ):
             self._unsent.setInterval(round(1000 * self._connection.settings.timeouts.guardian))
             self._unsent.start()
@@ -216,7 +216,7 @@ class DriveController(QObject):
 
     @Slot()
     def _on_stop_not_sent(self) -> None:
-        """Warn that the session does not respond. Its guardian, which gets no heartbeat, stops."""
+        """Warn that the session does not respond. The guardian gets no heartbeat, so it stops."""
         text = tr("The connection is not responding, so the stop could not be sent.")
         parts = [turning_text(self.driven), tr("Cut the power."), text]
         if self._connection.is_guarded:
@@ -244,7 +244,7 @@ class DriveController(QObject):
     def _on_motors_stopped(self, report: MotorsStopped) -> None:
         if report.reason is not None:
             reason = describe(report.reason, (report.board,), translate=tr)
-            if report.reason is not ErrorCode.LEFT_GROUP:  # that names the board which left
+            if report.reason is not ErrorCode.LEFT_GROUP:  # LEFT_GROUP names the board
                 reason = self.named(reason)
             if report.reason in _REFUSALS:
                 text = "{0}"
@@ -261,17 +261,17 @@ class DriveController(QObject):
 
     @property
     def _is_group(self) -> bool:
-        """True if one board of several has confirmed its stop: the others may still move."""
+        """True for a group. If one of its boards confirms a stop, other boards may still move."""
         settings = self._connection.settings
         return settings is not None and bool(settings.group)
 
     def confirm(self) -> None:
-        """Stop all boards of a group once more, since one of them was not confirmed."""
+        """Stop all boards of a group again, since one stop is unconfirmed."""
         if self.may_move and not self._motors.armed:
             self._connection.request(Stop, self._on_stopped)
 
     def _on_confirmed(self) -> None:
-        # A setpoint that was sent meanwhile moves a motor again.
+        # A setpoint that was sent after the stop moves a motor again.
         self.may_move = self._motors.armed or (self.may_move and not self._is_identified)
         if not self.may_move:
             self.driven.clear()
@@ -282,7 +282,7 @@ class DriveController(QObject):
 
     @property
     def lost_board(self) -> str:
-        """Warning about a board that may still be driven, with another one at the line."""
+        """Warning about a board that may still be moving, with another board on the line."""
         if not self._lost:
             return ""
         text = tr(
@@ -292,12 +292,12 @@ class DriveController(QObject):
         return text.format(_name_of(self._lost[0]), self._lost[0].settings.label)
 
     def record_unconfirmed(self) -> None:
-        """Note that a motor may be moving: a stop that somebody else requested is unconfirmed."""
+        """Record that a motor may be moving, after an unconfirmed stop from elsewhere."""
         self.may_move = True
         self.changed.emit()
 
     def record_stored(self, state: DeviceState, uncertain: Collection[str]) -> None:
-        """Take what the board stores after a write. Values with `uncertain` keys are not known."""
+        """Record stored values after a write. Values with `uncertain` keys are unknown."""
         if self._board is not None:
             parameters = {k: w for k, w in state.parameters.items() if k not in uncertain}
             calibrations = {
@@ -311,13 +311,13 @@ class DriveController(QObject):
                 self._motors.take_board(str(_identity_of(self._board)), is_renamed=True)
 
     def _identify(self, report: Connected) -> bool:
-        """Compare the board at the line with the one that was driven, and with those lost.
+        """Compare the connected board with the driven board and lost boards.
 
-        Return whether it is one of the lost ones.
+        Return whether it is one of the lost boards.
         """
         before, self._board = self._board, report
         self._was_read = self._is_identified = True
-        if report.occasion is ReadReason.SELECTED:  # else the former one would still be selected
+        if report.occasion is ReadReason.SELECTED:  # only after the former board has stopped
             self.may_move = False
         if self.may_move and before is not None and not _may_be_same(before, report):
             self._lost.append(before)
@@ -371,7 +371,7 @@ class DriveController(QObject):
 
     @Slot()
     def _report_lost(self) -> None:
-        """Warn that the stopped board is not, or may not be, the one that was lost when driven."""
+        """Warn if the stopped board may not be the lost board."""
         if self._is_connected and not self._is_loss_reported and self._board is not None:
             self._is_loss_reported = True
             text = tr("Another board responds now: {0}, at {1}.")
@@ -395,7 +395,7 @@ class DriveController(QObject):
 
 
 def _may_be_same(one: Connected, other: Connected) -> bool:
-    """Return whether both may be one board. A simulated board, which has a name, is no real one."""
+    """Return whether both may be one board. Simulated boards differ from real ones by a name."""
     is_named_alike = one.settings.name == other.settings.name
     return is_named_alike and may_be_same_board(one.state, other.state)
 
@@ -405,7 +405,7 @@ def _identity_of(board: Connected) -> BoardIdentity:
 
 
 def _name_of(board: Connected) -> str:
-    """Return model and firmware, with the number that tells it from others on its line."""
+    """Return model and firmware, with the device number if there is one."""
     name, number = str(board.state.signature), board.settings.device_number
     if number is None:
         return name

@@ -1,4 +1,4 @@
-"""State of the motors in the window, and the drivers that have shut down."""
+"""Drive status of a device in the window, and drivers that have shut down."""
 
 from collections.abc import Iterable
 
@@ -54,5 +54,5 @@ def setpoint_of(device: Device, motor: int, inputs: DriveInputs) -> MotorSetpoin
 
 
 def fault_text(statuses: Iterable[DriveStatus]) -> str:
-    """Return which motor drivers have shut down recently, as sentences. Empty if none has."""
+    """Return a sentence for each motor driver that shut down recently. Empty if none did."""
     return " ".join(one.text for one in statuses if one.blocker is DriveBlocker.FAULT)

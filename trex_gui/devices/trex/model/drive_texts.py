@@ -1,4 +1,4 @@
-"""Texts of the Motors page for a motor, and for a serial timeout that is off or too short."""
+"""Texts of the Motors page about motors and the serial timeout."""
 
 from dataclasses import dataclass
 
@@ -16,7 +16,7 @@ from trex_gui.ui.runtime import now
 
 
 def setpoint_text(drive: Drive | None) -> str:
-    """Setpoint of motor 1 or 2 beside its number. `None`: none since it was armed."""
+    """Return the setpoint of motor 1 or 2. `None`: no setpoint since arming."""
     if drive is None:
         return "–"
     if not drive.is_brake:
@@ -29,21 +29,21 @@ def share_text(speed: int) -> str:
 
 
 def direction_text(speed: int) -> str:
-    """A signed speed in words: `forward 64`."""
+    """Return a signed speed in words: `forward 64`."""
     if not speed:
         return "0"
     return f"{tr('forward') if speed > 0 else tr('reverse')} {abs(speed)}"
 
 
 def speed_text(speed: int) -> str:
-    """A signed speed with its share of full: `forward 64 (50 %)`."""
+    """Return a signed speed with its share of full speed: `forward 64 (50 %)`."""
     return direction_text(speed) + (f" ({share_text(speed)})" if speed else "")
 
 
 def report_text(device: Device, motor: int) -> str:
-    """Return what the board reports of motor 1, 2 or the auxiliary (3), or an empty text.
+    """Return the board's report on motor 1, 2 or the auxiliary (3). May be empty.
 
-    If channel 5 has handed over to serial, its channel shows what the motor does after that.
+    While channel 5 gives control to serial, includes the motor's channel, which drives it next.
     """
     telemetry, state, parts = device.telemetry, device.state, []
     if motor in {1, 2} and telemetry.motor_currents is not None:
@@ -60,7 +60,7 @@ def report_text(device: Device, motor: int) -> str:
 
 
 def limit_text(device: Device, motor: int) -> str:
-    """Current limit that the board stores for motor 1 or 2, in words."""
+    """Return the stored current limit of motor 1 or 2, in words."""
     if MotorParameter.CURRENT_LIMIT.of(motor) not in device.parameters.values.stored:
         return "–"
     limit = device.current_limit(motor)
@@ -70,15 +70,15 @@ def limit_text(device: Device, motor: int) -> str:
 # --- The serial timeout -----------------------------------------------------------------
 
 _OFFERED_S = (0.5, 1.0, 2.0, 5.0)
-"""Seconds offered, the first that this line can keep fed: in 0.5 s a robot at 2 m/s goes a metre,
-and no line that works is silent for so long."""
+"""Timeouts in seconds, of which the first that this line can sustain is offered. In 0.5 s a robot
+at 2 m/s goes a metre, and no working line is silent for so long."""
 
 
 @dataclass(frozen=True, slots=True)
 class TimeoutWarning:
-    """Problem of the serial timeout, in sentences, and a better timeout in seconds.
+    """Problem of the serial timeout, in sentences, with a better timeout in seconds.
 
-    `seconds` is `None` if another timeout is no remedy.
+    `seconds` is `None` if a different timeout would not help.
     """
 
     text: str
@@ -86,9 +86,9 @@ class TimeoutWarning:
 
 
 def timeout_warning(device: Device) -> TimeoutWarning | None:
-    """Return what is wrong with it. `None` if nothing is, or it is unknown.
+    """Return the problem of the serial timeout. `None` if there is none, or it is unknown.
 
-    Of boards that are driven together, each has to have a timeout.
+    Each board of a group has to have a timeout.
     """
     if (own := _own_warning(device)) is not None:
         return TimeoutWarning(device.named(own.text), own.seconds)
@@ -110,7 +110,7 @@ def _own_warning(device: Device) -> TimeoutWarning | None:
 def timeout_warning_on(
     settings: ConnectionSettings, timeout: float, stop: TimeoutStop, *, is_guarded: bool
 ) -> TimeoutWarning | None:
-    """Return what is wrong with a timeout in seconds (0: off) on this line, with that effect."""
+    """Return the problem of a timeout in seconds (0: off) that has the effect `stop`."""
     latency = latency_of(settings.url) + settings.timeouts.extra
 
     def can_keep(seconds: float) -> bool:

@@ -1,4 +1,4 @@
-"""Driving with a gamepad: which one is read, its profile, and whether it drives."""
+"""Driving with a gamepad: selection, profile, and state."""
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -18,20 +18,20 @@ from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer
 
 HOLDER = "gamepad"  # the name under which a gamepad holds the motors
-STEP_MS = 17  # some 59 reads a second, as often as a screen shows anything
+STEP_MS = 17  # some 59 reads a second, about the frame rate of a screen
 
 _NOTHING = PilotRequest(0.0, 0.0, Waits.REST, stop=False)
 
 
 class Gamepad(QObject):
-    """Reads gamepads while it is switched on, and sets speeds in their name.
+    """Reads a gamepad while switched on, and sets speeds from its sticks.
 
-    It drives while `attend` has no objection; its stop button works whenever it is switched on.
-    One gamepad is read at a time. Each kind of gamepad has its own profile, which is remembered.
+    Drives only while the reason of `attend` is empty. The gamepad's stop button works whenever
+    reading is on. One gamepad is read at a time. Each kind of gamepad has its own saved profile.
     """
 
     changed = Signal()  # any attribute but `state` and `request`
-    moved = Signal()  # `state` and `request`; many times a second while it is touched
+    moved = Signal()  # `state` and `request`; many times a second while the gamepad is touched
 
     def __init__(self, device: Device, source: PadSource, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -43,14 +43,14 @@ class Gamepad(QObject):
         self.on = False  # whether gamepads are read
         self.failure = ""  # why gamepads cannot be read, and what helps; empty if they can
         self.pads: tuple[Pad, ...] = ()  # the gamepads that are connected
-        self.pad: Pad | None = None  # the one that is read
+        self.pad: Pad | None = None  # the gamepad that is read
         self.gone = ""  # the name of the gamepad that was disconnected, until another is read
         self.profile = GamepadProfile()
-        self.state: PadState | None = None  # what it shows; `None` while none is read
-        self.request = _NOTHING  # its setpoints, whether the motors follow or not
-        self.text = ""  # what it does or waits for, as a sentence; empty while it is switched off
+        self.state: PadState | None = None  # state of `pad`; `None` while no gamepad is read
+        self.request = _NOTHING  # setpoints of `pad`, whether the motors follow or not
+        self.text = ""  # what `pad` does or waits for, as a sentence; empty while switched off
         self._pilot = Pilot(self.profile)
-        self._has_read = False  # since the pilot began
+        self._has_read = False  # whether the gamepad was read since the pilot started
         self._unattended = ""
         self._timer = new_timer(self, STEP_MS, self._on_step)
         self._motors.arming_changed.connect(self._on_arming_changed)
@@ -63,13 +63,13 @@ class Gamepad(QObject):
 
     @property
     def stops_unfocused(self) -> bool:
-        """True if motors that it drives stop when the window loses the focus."""
+        """True if motors that the gamepad drives stop when the window loses focus."""
         return self._store.flag("gamepad/stops_unfocused", default=True)
 
     # --- User actions -------------------------------------------------------------------
 
     def switch_on(self) -> None:
-        """Begin to read gamepads. `failure` says why if that is impossible."""
+        """Start reading gamepads. If that fails, `failure` says why."""
         if self.on:
             return
         try:
@@ -85,7 +85,7 @@ class Gamepad(QObject):
 
     @Slot()
     def switch_off(self) -> None:
-        """Read none any more. Motors that one drives stop."""
+        """Stop reading gamepads, and stop motors that a gamepad drives."""
         self.failure = ""
         if self.on:
             self.on = False
@@ -98,7 +98,7 @@ class Gamepad(QObject):
         self._refresh()
 
     def select(self, pad: Pad) -> None:
-        """Read this one from now on. Motors that another drives stop."""
+        """Read this gamepad from now on. Stop motors that another gamepad drives."""
         if pad in self.pads and pad != self.pad:
             self._store.set("gamepad/last", pad.guid)
             self._drive_with.abort(tr("Another gamepad was chosen."))
@@ -106,7 +106,7 @@ class Gamepad(QObject):
             self._refresh()
 
     def set_profile(self, profile: GamepadProfile) -> None:
-        """Use this profile for this kind of gamepad, now and later. Motors that it drives stop."""
+        """Set and save the profile of this kind of gamepad. Stop motors that the gamepad drives."""
         if self.pad is not None and profile != self.profile:
             self._drive_with.abort(tr("The gamepad settings were changed."))
             self._store.set(f"gamepad/profiles/{self.pad.guid}", profile.to_text())
@@ -118,9 +118,9 @@ class Gamepad(QObject):
         self.changed.emit()
 
     def attend(self, reason: str) -> None:
-        """Set why the user cannot see what the gamepad drives. Empty: they can.
+        """Set why the user cannot see what the gamepad drives. Empty if the user can.
 
-        Motors that it drives stop with that reason, and none can be driven until it is empty.
+        A reason stops motors that the gamepad drives, and prevents driving until it is empty.
         """
         if reason != self._unattended:
             self._unattended = reason
@@ -168,7 +168,7 @@ class Gamepad(QObject):
         self.changed.emit()
 
     def _on_pad_lost(self, pad: Pad) -> None:
-        """Stop what this one drives, and read it no more. The next look may find another."""
+        """Stop motors that a lost gamepad drives. The next scan may find another gamepad."""
         self.gone = pad.name
         self._update(None)
         self._drive_with.abort(tr("The gamepad “{0}” was disconnected.").format(pad.name))
@@ -180,7 +180,7 @@ class Gamepad(QObject):
         if not self.request.drives:
             self._drive_with.release()
         elif not self._drive_with.steer(self.request.forward, self.request.turn):
-            self._start()  # another control drives: the button has to be pressed again after that
+            self._start()  # another control drives; after that, the button must be pressed again
 
     @Slot()
     def _on_arming_changed(self) -> None:
@@ -188,7 +188,7 @@ class Gamepad(QObject):
         self._report()
 
     def _start(self) -> None:
-        """Require sticks at rest and the button released again."""
+        """Require again that the sticks are at rest and the button is released."""
         self._pilot.reset()
         self._has_read = False
 
@@ -261,7 +261,7 @@ def axis_text(pad: Pad, number: int) -> str:
 
 
 def _with_part(text: str, part: str) -> str:
-    """Add SDL's name of a part in words. As SDL has it where there is no better one."""
+    """Append the name of a part in words. Falls back to SDL's own name."""
     words = {
         "leftx": tr("left stick, sideways"),
         "lefty": tr("left stick, up and down"),

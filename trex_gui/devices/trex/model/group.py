@@ -1,4 +1,4 @@
-"""Boards of one line that are driven together: their devices, and which motor turns what."""
+"""Boards on one line that are driven together: their devices and wheels."""
 
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
@@ -27,9 +27,9 @@ from trex_gui.ui.preferences import Preferences
 
 
 class BoardGroup(QObject):
-    """The boards that are driven with the one of `device`: one arming, one stop, one ceiling.
+    """Boards driven together with `device`, with common arming, stop and speed ceiling.
 
-    The setpoints of motors 1 and 2 are those of the left and of the right side.
+    The setpoints of motors 1 and 2 apply to the left and the right side.
     """
 
     changed = Signal()  # `devices` or `wheels`
@@ -43,19 +43,19 @@ class BoardGroup(QObject):
         device.driving.lacking = self._lacking
         device.driving.named = device.named
         device.connection.started.connect(self._follow)
-        device.connection.device_read.connect(self._follow)  # a server has a group of its own
+        device.connection.device_read.connect(self._follow)  # a server has its own group
         device.sampled.connect(self._on_sampled)
 
     @property
     def devices(self) -> dict[int, Device]:
-        """The device of each board by its number, in their order. Empty for one board alone."""
+        """Devices by board number, in the order of the group. Empty for a single board."""
         settings = self._device.settings
         if settings is None or not self._others or not settings.group:
             return {}
         return {settings.group[0]: self._device, **self._others}
 
     def proposed(self, numbers: Iterable[int]) -> tuple[Wheel, ...]:
-        """Return the wheels that were chosen last for these boards on this line."""
+        """Return the wheels last chosen for these boards on this line, or a default."""
         boards = sorted(numbers)
         with suppress(ValueError):
             kept = unpacked(Preferences().text(self._key(boards)))
@@ -64,7 +64,7 @@ class BoardGroup(QObject):
         return front_and_back(boards)
 
     def join(self, wheels: Sequence[Wheel]) -> None:
-        """Drive the boards of these wheels together from now on: the line is opened anew."""
+        """Drive the boards of these wheels together from now on. Opens the line again."""
         settings, numbers = self._device.settings, sorted({wheel.board for wheel in wheels})
         if settings is not None:
             Preferences().set(self._key(numbers), packed(wheels))
@@ -72,7 +72,7 @@ class BoardGroup(QObject):
 
     @property
     def can_change(self) -> bool:
-        """True if boards can be joined or parted here: a server serves those that it was told."""
+        """True if boards can be joined or parted here. A server has a fixed set of boards."""
         settings = self._device.settings
         return settings is not None and not is_served(settings.url)
 
@@ -94,7 +94,7 @@ class BoardGroup(QObject):
         return tuple(setpoints_of(self.wheels, request).items())
 
     def _lacking(self) -> int | None:
-        """Return the number of another board that cannot be driven. `None`: all can."""
+        """Return the number of another board that cannot be driven. `None` if all can."""
         for number, device in self._others.items():
             if not device.is_connected or not device.board.serial_controls:
                 return number
@@ -105,7 +105,7 @@ class BoardGroup(QObject):
         self._watch(self._device, batch)
 
     def _watch(self, device: Device, batch: Batch) -> None:
-        """Stop every board if this one can drive no more."""
+        """Stop every board if this board can no longer drive."""
         if not self._others or not self._device.motors.armed:
             return
         for sample in batch.samples:
@@ -122,7 +122,7 @@ class BoardGroup(QObject):
 
     @Slot()
     def _follow(self) -> None:
-        """Make the devices of the group for which the line was opened."""
+        """Create the devices of the group for which the line was opened."""
         settings = self._device.settings
         numbers = () if settings is None else settings.group
         wheels = self.proposed(numbers) if numbers else ()
@@ -149,7 +149,7 @@ class BoardGroup(QObject):
         return device
 
     def _pass_on(self, device: Device) -> None:
-        """Log what happens to another board with its number."""
+        """Log the newest event of another board, with the number of the board."""
         if device.link is ConnectionState.DISCONNECTED:
             return
         newest = device.events.all[-1]

@@ -1,4 +1,4 @@
-"""The settings check, kept up to date with edits and with the connection."""
+"""Settings check, updated after edits and changes of the connection."""
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -25,20 +25,20 @@ class SettingsLinter(QObject):
         self._on_changed()
 
     def set_context(self, context: Context | None) -> None:
-        """Set the facts beside the settings. `None` switches the check off."""
+        """Set facts that the rules need besides settings. `None` switches the check off."""
         if context != self._context:
             self._context = context
             self._on_changed()
 
     def accept(self, finding: LintFinding) -> None:
-        """Make the proposed change an edit. One step to undo."""
+        """Edit the settings as the finding proposes, in one undo step."""
         if finding.change:
             with self._draft.one_edit(finding.proposal):
                 for key, wire in finding.change.items():
                     self._draft.parameters.edit(key, wire)
 
     def check(self, settings: Settings | None) -> tuple[LintFinding, ...]:
-        """Return the findings about other settings than those shown, in the same context."""
+        """Return the findings about any settings, in the present context."""
         if settings is None or self._context is None:
             return ()
         return lint(settings, self._context)

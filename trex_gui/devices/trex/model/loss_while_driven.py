@@ -1,4 +1,4 @@
-"""Messages after a board that was lost while driven has confirmed a stop."""
+"""Messages about a board that was lost while driven, after its confirmed stop."""
 
 from functools import partial
 
@@ -14,16 +14,15 @@ from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.notifier import Answer
 from trex_gui.ui.runtime import now
 
-_MARGIN_S = 1.0  # between the timeout and the moment at which a user sees that a motor stands still
+_MARGIN_S = 1.0  # between the timeout and the moment when the user sees that a motor has stopped
 
 
 class LossWhileDriven(QObject):
-    """Reports the confirmed stop, and asks whether the serial timeout had stopped the motor.
+    """Reports the confirmed stop, and asks whether the serial timeout stopped the motor.
 
-    It asks where the board has latched the timeout, so that neither its power was cut nor a stop
-    had arrived. Only the user can tell, since the first thing that is sent to a board that is back
-    is a stop. The answer is saved for the board, in place of an earlier one. A simulated board is
-    not asked about.
+    Asks only if the board has latched the timeout, so that neither was its power cut nor did a
+    stop arrive before. Only the user knows the answer, since a board that is back is sent a stop
+    first. The answer replaces the board's earlier answer. Never asks about a simulated board.
     """
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
@@ -31,14 +30,14 @@ class LossWhileDriven(QObject):
         self._device = device
         self._lost_at: float | None = None
         self._lost_place = ""
-        self._has_shutdown = False  # when it was lost
-        self._silent_for: float | None = None  # seconds, if that may have stopped the motors
+        self._has_shutdown = False  # whether UART-Error Shutdown was on when the board was lost
+        self._silent_for: float | None = None  # seconds, if this silence may have stopped motors
         self._has_timed_out = False
 
         device.connection.not_responding.connect(self._on_lost)
         device.connection.line_closed.connect(self._on_lost)
         device.driving.changed.connect(self._on_confirmed)
-        device.connection.ready.connect(self._on_confirmed)  # it may be confirmed before
+        device.connection.ready.connect(self._on_confirmed)  # a stop may be confirmed before
         device.sampled.connect(self._on_sampled)
 
     @Slot()
@@ -58,7 +57,7 @@ class LossWhileDriven(QObject):
             return
         self._lost_at, here = None, device.settings
         if here is None or device.driving.place != self._lost_place:
-            return  # perhaps another board, of which `driving` warns
+            return  # perhaps another board; `driving` warns of it
         device.notifier.info.emit(tr("The board is back. It has confirmed the stop."))
         seconds = now() - lost_at
         if not here.name and seconds > (device.serial_timeout_s or 0) + _MARGIN_S:

@@ -7,14 +7,14 @@ from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 
-_ENOUGH = 3  # consecutive results, of five a second, that make the state known
+_ENOUGH = 3  # consecutive results that make the state known; there are five results a second
 
 
 class MixJumper(QObject):
-    """State of the mix jumper when a stick was last off neutral. It may be moved any time.
+    """State of the mix jumper when a stick was last off neutral.
 
-    No command reads it: the outputs of channels 1 and 2 are compared with those that the board
-    reports.
+    The jumper may be moved any time, and no command reads it. Its state is inferred from computed
+    outputs of channels 1 and 2 and the outputs that the board reports.
     """
 
     changed = Signal()

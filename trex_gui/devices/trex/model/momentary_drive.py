@@ -1,4 +1,4 @@
-"""Controls that drive while they are held: forward and turn become two speeds that grow slowly."""
+"""Controls that drive while held, with slowly growing speeds."""
 
 import math
 from collections.abc import Iterable
@@ -13,17 +13,17 @@ from trex_gui.ui.runtime import new_timer, now
 GROWTH = 127.0
 """Largest change of speed within a second by pad, keys and gamepads. Inferred.
 
-From rest to full speed takes a second, and to 30 % a third of one.
+From rest, full speed takes a second, and 30 % a third of a second.
 """
 
 _GROWTH_MS = 20
 
 
 class MomentaryDrive(QObject):
-    """Drives with forward and turn under one name. `joint`: both drivers work as one motor.
+    """Drives with forward and turn, as the holder `name`. `joint`: both drivers power one motor.
 
-    Speeds grow by `GROWTH` a second, so that a tapped key or an edge of the pad is no jump; they
-    fall at once.
+    Speeds grow by `GROWTH` a second, so that a tapped key or an edge of the pad causes no jump.
+    They fall at once.
     """
 
     def __init__(self, motors: Motors, name: str) -> None:
@@ -43,11 +43,11 @@ class MomentaryDrive(QObject):
 
     @property
     def can_turn(self) -> bool:
-        """True if the motors may differ: not where they are linked or one."""
+        """True if the motors may have different speeds: they are neither linked nor joint."""
         return not (self.joint or self._motors.linked)
 
     def steer(self, forward: float, turn: float) -> bool:
-        """Drive at -1 to 1 of the speed ceiling each way. Return whether the motors are ours."""
+        """Drive at -1 to 1 of the speed ceiling. Return whether the motors were acquired."""
         if not self._motors.acquire(self.name):
             return False
         self._direction = forward, turn
@@ -57,7 +57,7 @@ class MomentaryDrive(QObject):
 
     @Slot()
     def _grow(self) -> None:
-        """Go on towards the direction. Neither a late timer nor a first step makes a jump."""
+        """Approach the wanted speeds. Neither a late timer nor a first step causes a jump."""
         forward, turn = self._direction
         ceiling = self._motors.ceiling_in_force
         goal: tuple[float, float] = mix(forward, turn if self.can_turn else 0.0, ceiling)
@@ -79,21 +79,21 @@ class MomentaryDrive(QObject):
             self._speeds = 0.0, 0.0
 
     def release(self) -> None:
-        """Brake the motors that this control drives. They stay armed."""
+        """Brake the motors that this control drives. The motors stay armed."""
         self._motors.release(self.name)
 
     def abort(self, reason: str) -> None:
-        """Stop and disarm: it is unknown whether the control is still held."""
+        """Stop and disarm if it is unknown whether the control is still held."""
         self._motors.abort(self.name, reason)
 
 
 def grown(
     speeds: tuple[float, float], goal: tuple[float, float], most: float
 ) -> tuple[float, float]:
-    """Return the speeds that come next: the goal, or as far as none grows by more than `most`.
+    """Return the next speeds on the way to the goal. None grows by more than `most`.
 
-    Both grow in proportion, which keeps the curve. A speed falls at once, to zero where the
-    direction changes.
+    Both speeds grow in proportion, which retains the curve. A speed falls at once, and to zero if
+    the direction changes.
     """
     left, right = (
         math.copysign(min(abs(speed), abs(aim)), aim) if speed * aim > 0 else 0.0
@@ -107,12 +107,12 @@ def grown(
 
 
 def mix(forward: float, turn: float, ceiling: int = FULL_SCALE) -> tuple[int, int]:
-    """Return the speeds of motors 1 and 2 for -1 to 1 each way.
+    """Return speeds of motors 1 and 2. `forward` and `turn` are -1 to 1.
 
-    Motor 1 is the left one: turning right (positive) adds to it. That is the board's own mixing
-    of channels (forward plus turn, forward minus turn; inferred there, reference section 3), so a
-    robot turns the same way by pad and by stick. Where a sum is beyond full speed both are reduced
-    in proportion: clipping would change the curve. `ceiling` (1 to 127) is the speed of full
+    Motor 1 is on the left, so turning right (positive) adds to its speed. The board mixes channels
+    alike (forward plus turn, forward minus turn; inferred there, reference section 3), so a robot
+    turns the same way by pad and by stick. If a sum is beyond full speed, both are reduced in
+    proportion, because clipping would change the curve. `ceiling` (1 to 127) is the speed of full
     deflection.
     """
     left, right = forward + turn, forward - turn
@@ -121,9 +121,9 @@ def mix(forward: float, turn: float, ceiling: int = FULL_SCALE) -> tuple[int, in
 
 
 TURN_WHILE_GOING = 0.5
-"""Turn that is set while a key for forward or back is held, too.
+"""Turn of a key while a key for forward or back is also held.
 
-With a full turn one side would stop; half of one leaves a curve that can be steered.
+With a full turn one side would stop. Half a turn leaves a curve that can be steered.
 """
 
 
@@ -139,7 +139,7 @@ class Heading(Enum):
 def keys_setpoint(held: Iterable[Heading]) -> tuple[float, float]:
     """Return forward and turn of the held keys, -1 to 1 each.
 
-    Two keys for the same heading count once, opposite ones cancel.
+    Two keys for the same heading count once. Opposite keys cancel each other.
     """
     headings = set(held)
     forward, turn = (sum(heading.value[way] for heading in headings) for way in (0, 1))

@@ -1,4 +1,4 @@
-"""Sending packets that the user types: their meaning, what prevents them, their replies."""
+"""Packets that the user types: meaning, blockers, sending and replies."""
 
 from functools import partial
 
@@ -39,7 +39,7 @@ class TrexPacketSender(QObject):
         except BadRequest as error:
             return SendPreview(blocker=str(error))
         lines, risky = [self._line(packet) for packet in packets], list(map(_is_risky, packets))
-        # Where there is no room for all, what moves or stores something is in sight.
+        # If there is no space for all packets, show packets that move or store something.
         by_risk = sorted(range(len(lines)), key=lambda index: not risky[index])
         shown = [lines[index] for index in sorted(by_risk[:_MOST_LINES])]
         if left := len(lines) - len(shown):

@@ -1,4 +1,4 @@
-"""A recording of a board that is played back."""
+"""Playback of a recording of a board."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
@@ -16,7 +16,7 @@ from trex_gui.ui.playback.player import Curves, RecordingPlayer
 from trex_gui.ui.plotting.history import MAX_GAP, SampleHistory
 from trex_gui.ui.plotting.traces import Traces
 
-MAX_ROWS = 3_000_000  # rows that are drawn: ten hours at 80 a second, 240 MB
+MAX_ROWS = 3_000_000  # most rows drawn: ten hours at 80 rows a second, 240 MB
 
 
 class Playback(RecordingPlayer[Header, Record, BoardSnapshot]):
@@ -37,7 +37,7 @@ class Playback(RecordingPlayer[Header, Record, BoardSnapshot]):
 
 
 def _rows(state: BoardSnapshot, records: Iterable[Record], unit: float) -> list[tuple[float, ...]]:
-    """Return a row, with the columns of `Series`, for each sample of the currents."""
+    """Return a row for each sample of the currents. Its columns are those of `Series`."""
     rows = []
     for record in records:
         state.update(record)
@@ -48,7 +48,7 @@ def _rows(state: BoardSnapshot, records: Iterable[Record], unit: float) -> list[
 
 
 def limits_in(text: str) -> Mapping[str, float]:
-    """Return the current limits (A) in a settings file, by the name of the curve."""
+    """Return the current limits (A) in a settings file, by name of their curve."""
     try:
         settings, _ = read_settings(text.encode("utf-8"), "settings")
     except (SettingsError, UnicodeError):

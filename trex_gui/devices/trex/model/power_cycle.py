@@ -1,4 +1,4 @@
-"""Switching a board off and on so that its stored settings become active, step by step."""
+"""Power cycle of a board, step by step, to make stored settings active."""
 
 from collections.abc import Collection
 from enum import Enum, auto
@@ -16,7 +16,7 @@ _LONG_MS = 10_000
 
 
 class PowerCycleStage(Enum):
-    """A board that does not respond counts as switched off: nothing tells them apart."""
+    """A silent board counts as switched off, because the two cannot be told apart."""
 
     NONE = auto()
     OFF_WANTED = auto()
@@ -36,21 +36,21 @@ class PowerCycle(QObject):
         self._device = device
         self.stage = PowerCycleStage.NONE
         self.takes_long = False  # nothing has happened for 10 s: a hint is due
-        self.expected: ConnectionSettings | None = None  # after the cycle, if not as now
+        self.expected: ConnectionSettings | None = None  # after the cycle, if they change
         self._timeout = new_timer(self, _LONG_MS, self._on_timeout, single_shot=True)
 
         device.link_changed.connect(self._on_link_changed)
 
     @property
     def still_waiting(self) -> tuple[str, ...]:
-        """Names of the settings that are stored and not active."""
+        """Names of the settings that are stored but not yet active."""
         return self._device.parameters.values.waiting_for_power
 
     def start(self, failed: Collection[str] = ()) -> None:
         """Wait until the board is switched off, and on again.
 
-        `failed` are the settings whose write failed. If they decide how the board is reached, it is
-        still looked for wherever Apply expected it.
+        `failed` are the keys whose write failed. If they affect how the board is reached, the
+        search continues at all settings that Apply expected.
         """
         state, settings = self._device.state, self._device.settings
         if state is None or settings is None or not self._device.is_connected:

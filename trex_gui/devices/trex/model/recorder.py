@@ -1,4 +1,4 @@
-"""Recording what a board reports and the setpoints sent to it."""
+"""Recording of a board's reports and setpoints."""
 
 from collections import deque
 from dataclasses import replace
@@ -38,19 +38,18 @@ _KEEP = "recording/keep_events"
 class Recorder(RecordThread[Record]):
     """Records the session of a device into one file at a time.
 
-    A recording ends with the connection, and when the board returns as another one or with
-    another input source, since its header would be wrong. It continues while the board does not
-    respond.
+    A recording ends with the connection. It also ends when the board or its input source has
+    changed, since the header would be wrong. It continues while the board does not respond.
     """
 
-    _watcher = "recording"  # as which the board is polled at full rate meanwhile
+    _watcher = "recording"  # name of the watcher that requests polls at full rate
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._device = device
         self._board: tuple[object, ...] = ()
         self._settings = ""
-        # Of the group, by number: ampere per count; and those that the header has
+        # Ampere per count by number of board in the group; and for the boards in the header
         self._others: dict[int, float] = {}
         self._recorded: dict[int, float] = {}
 
@@ -75,7 +74,7 @@ class Recorder(RecordThread[Record]):
         return True
 
     def _header_of(self, state: DeviceState) -> Header:
-        """Return the header of a recording that starts now: of this board and those with it."""
+        """Return the header of a recording that starts now, with all boards of the group."""
         settings = self._device.settings
         number = settings.device_number if settings is not None else None
         self._recorded = self._others.copy()
@@ -117,7 +116,7 @@ class Recorder(RecordThread[Record]):
             self.end_because(tr("Recording {0} ended: the board or its input source has changed."))
 
     def _identity(self, state: DeviceState) -> tuple[object, ...]:
-        """Return what a recording is of. Another board on the line has another `selection`."""
+        """Return the identity of a recorded board. Selecting a board changes `selection`."""
         return state.signature, state.source, self._device.connection.selection
 
     def _put_settings(self, state: DeviceState) -> None:
@@ -132,18 +131,18 @@ class Recorder(RecordThread[Record]):
         self.changed.emit()
 
 
-_BEFORE = 20.0  # seconds kept before a fault or stop
-_AFTER = 10.0  # seconds after the last one
-_LONGEST = 120.0  # seconds in one file, however often a fault repeats
-_BEGIN_DELAY = 0.5  # seconds in which the stop itself has the computer
+_BEFORE = 20.0  # seconds recorded before a fault or stop
+_AFTER = 10.0  # seconds recorded after the last fault or stop
+_LONGEST = 120.0  # seconds after which repeated faults no longer extend a file
+_BEGIN_DELAY = 0.5  # seconds without a recording, for the stop to have the computer to itself
 
 
 class EventRecorder(Recorder):
-    """Keeps the seconds around each fault and stop in a file of its own.
+    """Records the seconds around each fault and stop in a separate file.
 
-    The last seconds are in memory. Faults, tripped current limits and serial timeouts are kept
-    always; stops and a lost board only while a motor was driven from here. What happens while
-    the user records is in that recording.
+    The last seconds are in memory. Faults, tripped current limits and serial timeouts are always
+    recorded. Stops and a lost board are recorded only if this program drove a motor. Events during
+    a recording of the user get no separate file.
     """
 
     _watcher = "event recording"
@@ -151,9 +150,9 @@ class EventRecorder(Recorder):
     def __init__(self, device: Device, user: Recorder, parent: QObject | None = None) -> None:
         """`user` is the recorder of the user's recordings."""
         self._recent = deque[Record]()
-        self._template: Header | None = None  # of the board that is connected
-        self._before: BoardSnapshot | None = None  # what was known before `_recent`
-        self._driven: dict[int, bool] = {}  # by motor; 0 is the auxiliary one
+        self._template: Header | None = None  # for the connected board
+        self._before: BoardSnapshot | None = None  # state of the board before `_recent`
+        self._driven: dict[int, bool] = {}  # by motor; 0 is the auxiliary motor
         self._event: Event | None = None  # why the recording was made
         self._user = user
         super().__init__(device, parent)
@@ -163,14 +162,14 @@ class EventRecorder(Recorder):
         self._end_timer = new_timer(self, end_ms, self.stop, single_shot=True)
 
     def set_on(self, on: bool) -> None:
-        """Set whether faults and stops are kept, now and later."""
+        """Set and save whether faults and stops are recorded."""
         self.is_on = on
         Preferences().set(_KEEP, on)
 
     @Slot(int, object)
     def _on_other_board(self, number: int, report: Report) -> None:
         super()._on_other_board(number, report)
-        if not self.recording:  # the next header has every board that is there
+        if not self.recording:  # the next header has every present board
             self._recorded = self._others
 
     @property
@@ -215,7 +214,7 @@ class EventRecorder(Recorder):
     def _start_soon(self) -> None:
         if self._worker is None:
             self._start()
-        elif self._end_timer.isActive():  # a slow disk still has the one before
+        elif self._end_timer.isActive():  # a slow disk still writes the last recording
             self._begin_timer.start()
 
     def _start(self) -> None:
@@ -278,7 +277,7 @@ class EventRecorder(Recorder):
         self.changed.emit()
 
     def _finish(self) -> None:
-        """Forget the board. What just happened to it is still written."""
+        """Discard the board. Its newest event is still recorded."""
         if self._begin_timer.isActive() and self._worker is None:
             self._start()
         self.stop()

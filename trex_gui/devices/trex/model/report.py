@@ -1,4 +1,4 @@
-"""Parts of a support report that describe the board."""
+"""Parts of a support report about the board."""
 
 from collections.abc import Callable
 from functools import partial
@@ -13,7 +13,7 @@ from trex_gui.devices.trex.settings.writer import write_settings
 
 
 def status_text(device: Device) -> str:
-    """Return connection, counters and newest measurements, a line each."""
+    """Return lines on connection, counters and newest measurements."""
     lines = [f"State: {device.status}"]
     if (settings := device.settings) is not None:
         number = settings.device_number
@@ -58,7 +58,7 @@ def _yes(fact: bool) -> str:
 
 
 def settings_parts(device: Device) -> dict[str, Callable[[], str]]:
-    """Return the files of what the board stores, and of what is edited, if that differs."""
+    """Return files of the stored settings and, if there are edits, the edited settings."""
     stored, shown = device.draft.stored, device.draft.shown
     parts: dict[str, Callable[[], str]] = {}
     if stored is not None:

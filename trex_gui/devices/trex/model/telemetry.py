@@ -1,4 +1,4 @@
-"""Polled values: inputs, currents, source of control."""
+"""Polled values: inputs and currents, with their history."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -18,8 +18,8 @@ from trex_gui.ui.plotting.traces import TraceInfo
 if TYPE_CHECKING:
     from trex_gui.ui.plotting.history import SampleHistory
 
-_CURRENT_HISTORY = 288_000  # samples of the currents kept: an hour at 80 a second
-_INPUT_HISTORY = 3_000  # samples of the inputs kept: a minute at 50 a second
+_CURRENT_HISTORY = 288_000  # samples of the currents: an hour at 80 samples a second
+_INPUT_HISTORY = 3_000  # samples of the inputs: a minute at 50 samples a second
 _UNKNOWN = (math.nan,) * len(CHANNELS)
 _CHANNEL_COLORS = ("good", "warning", "dirty", "muted", "plot_text")
 
@@ -29,10 +29,10 @@ Series = IntEnum(
     "CURRENT1 CURRENT2 SETPOINT1 SETPOINT2 CHANNEL1 CHANNEL2 CHANNEL3 CHANNEL4 CHANNEL5",
     start=0,
 )
-"""The columns of `Telemetry.currents`."""
+"""Columns of `Telemetry.currents`."""
 
 _TYPES = ["float64" if one in {Series.CURRENT1, Series.CURRENT2} else "float16" for one in Series]
-"""The other values are whole numbers from -127 to 127."""
+"""Series other than currents hold whole numbers from -127 to 127."""
 
 
 def board_traces() -> list[TraceInfo]:
@@ -62,9 +62,9 @@ def board_traces() -> list[TraceInfo]:
 def values_of_series(
     newest: Newest, setpoint: Callable[[int], Drive | None], ampere: float
 ) -> tuple[float, ...]:
-    """Return the value of each `Series`. The speed setpoint is 0 for none and for braking.
+    """Return the value of each `Series`. A missing or braking setpoint has speed 0.
 
-    `setpoint` returns that of a motor; `ampere` is A per count.
+    `setpoint` returns the setpoint of a motor. `ampere` is A per count.
     """
     first, second = newest[Currents].counts
     speeds = (drive.signed if (drive := setpoint(motor)) else 0 for motor in (1, 2))
@@ -80,18 +80,17 @@ def _new_history(columns: Sequence[str], capacity: int) -> "SampleHistory":
 
 
 class Telemetry(QObject):
-    """The newest values, the currents of the last hour and the inputs of the last minute.
+    """Newest values, currents of the last hour, and inputs of the last minute.
 
-    A row of `currents` holds what both motors draw (A), their speed setpoints (-127 to 127)
-    and the remapped channels at that moment. Unknown values are not a number, in `inputs` a
-    channel without a signal too. The newest values are `None` while nothing is known: before a
-    connection and after it.
+    A row of `currents` holds the currents of both motors (A), their speed setpoints (-127 to 127)
+    and the remapped channels at that moment. Unknown values are NaN, as are channels without a
+    signal in `inputs`. The newest values are `None` before and after a connection.
     """
 
     updated = Signal()  # new samples are in; at most once a display frame
-    # The same for views: not while no window is seen, and at once when one is seen again.
+    # Like `updated`, but only while a window is visible; also as soon as a window is visible again
     frame_due = Signal()
-    text_due = Signal()  # for what is shown as text, at most once in `TEXT_INTERVAL`
+    text_due = Signal()  # like `frame_due` but for text, at most once in `TEXT_INTERVAL`
 
     def __init__(
         self,
@@ -101,12 +100,12 @@ class Telemetry(QObject):
     ) -> None:
         """`drive_of` returns the setpoint of motor 1 or 2."""
         super().__init__(parent)
-        self.newest = newest  # of the board's mirror
+        self.newest = newest  # owned by the board's mirror
         self.latest: float = 0.0
         self.samples = 0
         self._is_seen = True
         self._text_at = -math.inf
-        self.ampere = 0.15  # A a count; that of a TReX before a board was read
+        self.ampere = 0.15  # A per count; the value of a TReX until a board is read
         self._drive_of = drive_of
 
     @cached_property
@@ -118,19 +117,19 @@ class Telemetry(QObject):
         return _new_history(["float64"] * len(CHANNELS), _INPUT_HISTORY)
 
     def start(self, ampere_per_count: float) -> None:
-        """Start with an empty history for a board with this current unit (A a count)."""
+        """Start an empty history for a board. `ampere_per_count` is its unit of current."""
         self.currents.clear()
         self.inputs.clear()
         self.ampere = ampere_per_count
         self.clear()
 
     def clear(self) -> None:
-        """Show that nothing is known any more."""
+        """Update all views after the newest values have become unknown."""
         self.updated.emit()
         self._renew_views()
 
     def add(self, sample: Sample) -> None:
-        """Take a sample that is the newest of its kind now. `finish` shows it."""
+        """Add a sample, which is now the newest of its kind. `finish` shows it."""
         if isinstance(sample, Raw):
             values = (math.nan if count is None else count for count in sample.counts)
             self.inputs.append(sample.time, *values)
@@ -149,7 +148,7 @@ class Telemetry(QObject):
                 self.text_due.emit()
 
     def set_seen(self, seen: bool) -> None:
-        """Set whether any window is seen that may show the values."""
+        """Set whether a window that may show the values is visible."""
         self._is_seen = seen
         self._renew_views()
 

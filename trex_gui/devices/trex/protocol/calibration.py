@@ -1,4 +1,4 @@
-"""Channel calibrations, and the remapping of raw inputs to outputs of -127 to 127.
+"""Channel calibrations, and the mapping of raw inputs to outputs of -127 to 127.
 
 Ref: Pololu TReX User's Guide 4.b (regions); TReX 1.0 command documentation 0x87, 0x90-0x94,
 0xA0-0xA4. The arithmetic between the region limits is inferred: no source gives it.
@@ -18,7 +18,7 @@ INVALID_RAW = 0xFFFF  # reply to 0x86 for a channel without a valid pulse
 CALIBRATION_FIELDS = ("minimum", "neutral", "maximum", "deadband")
 FULL_SCALE = 127
 NEARLY_NEUTRAL = 8
-"""Inferred: outputs up to this end safe-start; the guide only says "near neutral"."""
+"""Greatest output that ends safe-start. Inferred: the guide only says "near neutral"."""
 HIGHEST_CODED = 0x3FFF
 
 
@@ -60,9 +60,9 @@ CALIBRATION_KEYS: Mapping[str, CalibrationKey] = {str(key): key for key in Calib
 
 @dataclass(frozen=True, slots=True)
 class Calibration:
-    """Meaning of a channel's raw counts. The board stores one for pulses and one for voltages.
+    """Meaning of a channel's raw counts. The board stores it separately for pulses and voltages.
 
-    Counts are 0.4 us (RC) or 4.89 mV (analog). The board takes them only when
+    A count is 0.4 us (RC) or 4.89 mV (analog). The board accepts a calibration only if
     minimum <= neutral <= maximum and minimum < maximum.
     """
 
@@ -72,7 +72,7 @@ class Calibration:
     deadband: int
 
     def problem(self) -> str | None:
-        """Say why the board would reject these values. `None` if it accepts them."""
+        """Return the reason why the board would reject the values. `None` if it accepts them."""
         for name in self.__slots__:
             if not 0 <= (value := getattr(self, name)) <= HIGHEST_CODED:
                 return tr("{0} is {1}; a calibration value is 0 to {2}").format(
@@ -94,23 +94,23 @@ class Calibration:
 
     @classmethod
     def from_data(cls, data: bytes) -> "Calibration":
-        """Read the eight data bytes of 0xA0-0xA4, whatever they say."""
+        """Decode the eight data bytes of 0xA0-0xA4, without validation."""
         return cls(*(data[i] & 0x7F | (data[i + 1] & 0x7F) << 7 for i in range(0, 8, 2)))
 
 
 def read_count(text: str) -> tuple[int, InputSource | None]:
-    """Return the count in `text` (3750, 1500us, 2.5 V), and whose unit it has.
+    """Return the count in `text` (3750, 1500us, 2.5 V) and its unit's input source.
 
-    Counts are whole. Voltages have no thousands.
+    Counts are integers. Voltages have no thousands separators.
 
     Raises:
-        AmbiguousNumber: the separator may be that of thousands.
-        BadRequest: it is not a count.
+        AmbiguousNumber: the separator may be a thousands separator.
+        BadRequest: the text is not a count.
     """
     number = re.sub(r"(counts?|#)$", "", text.strip().casefold()).strip()
     if number.isdecimal() and len(number) < 10:
         return int(number), None
-    if re.search(r"[^\d.,]$", number):  # no broken count: 1.5 may be ms
+    if re.search(r"[^\d.,]$", number):  # no fractional counts: 1.5 may be ms
         if (seconds := quantity(number, "s")) is not None:
             return InputSource.RC.counts(seconds * 1e6), InputSource.RC
         if (volts := quantity(number, "V", thousands=False)) is not None:
@@ -119,10 +119,10 @@ def read_count(text: str) -> tuple[int, InputSource | None]:
 
 
 def encode_14_bits(value: int) -> bytes:
-    """Code a calibration value, 0-16383, as two data bytes: low seven bits, the seven above.
+    """Encode a calibration value, 0-16383, as two data bytes: low, then high seven bits.
 
-    Inferred: the documentation says "low byte, high byte", but no data byte may exceed 127;
-    this is the only coding that obeys that, and how other controllers of the maker do it.
+    Inferred: the documentation says "low byte, high byte", but no data byte may exceed 127.
+    Only this encoding obeys the limit, and other Pololu controllers use it.
     """
     return bytes([value & 0x7F, value >> 7])
 
@@ -130,7 +130,7 @@ def encode_14_bits(value: int) -> bytes:
 DEFAULT_CALIBRATION = {
     # Inferred: the guide names 1, 1.5 and 2 ms as typical; 30 us of deadband is a guess.
     InputSource.RC: Calibration(2500, 3750, 5000, 75),
-    # Inferred: the whole span of the converter; the deadband is a guess.
+    # Inferred: the full range of the converter; the deadband is a guess.
     InputSource.ANALOG: Calibration(0, 512, 1023, 20),
 }
 
@@ -143,11 +143,11 @@ def remap(
     reversed_: bool = False,
     ignored: bool = False,
 ) -> int:
-    """Return what a channel's raw count becomes: -127 to 127, before mixing and flip.
+    """Return the output for a raw count: -127 to 127, before mixing and flip.
 
-    `None` and 0xFFFF (no valid signal; inferred) and an ignored channel give 0. Full output is
-    reached at minimum and maximum, 0 within `deadband` counts of neutral. Between them the output
-    grows with the fraction of the way, or with its square (parabolic), rounded down.
+    `None` and 0xFFFF (no valid signal; inferred) and an ignored channel give 0. The output is full
+    at minimum and maximum, and 0 within `deadband` counts of neutral. In between it grows with the
+    fraction of the travel, or with the fraction's square (parabolic), rounded down.
     """
     if raw is None or raw == INVALID_RAW or ignored:
         return 0

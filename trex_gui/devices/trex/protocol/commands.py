@@ -1,8 +1,8 @@
-"""Every TReX command: what it carries, and what its reply means.
+"""All TReX commands, with their data and the meaning of their replies.
 
-A command is a frozen value that knows its packet and reads its reply, so the type of a reply
-follows from the command. Opcodes are those of the compact protocol (0x81-0xFF); framing.py turns
-them into bytes on the wire.
+A command is an immutable value that knows its packet and parses its reply, so that the type of a
+reply follows from the command. Opcodes are from the compact protocol (0x81-0xFF). framing.py turns
+commands into bytes on the wire.
 
 Ref: TReX 1.0 command documentation; Pololu TReX User's Guide 5.b, 5.c.
 """
@@ -35,15 +35,15 @@ ReplyT_co = TypeVar("ReplyT_co", covariant=True)
 
 
 class Command(ABC, Generic[ReplyT_co]):
-    """One command. Subclasses are frozen dataclasses."""
+    """A command. Subclasses are frozen dataclasses."""
 
     __slots__ = ()
 
     opcodes: ClassVar[Sequence[int]]  # every command byte that this class covers
-    data_size: ClassVar[int] = 0  # data bytes behind the command byte; the CRC byte is not counted
-    fixed_reply: ClassVar[int] = 0  # bytes of the reply where every reply has the same size
-    moves: ClassVar[bool] = False  # whether it may set a motor moving or stop one
-    # How long the board works before it replies, without the time on the wire
+    data_size: ClassVar[int] = 0  # data bytes after the command byte, without the CRC byte
+    fixed_reply: ClassVar[int] = 0  # bytes of the reply if every reply has the same size
+    moves: ClassVar[bool] = False  # whether the command may start or stop a motor
+    # Longest time until the board replies, without the time on the wire
     seconds_to_answer: ClassVar[float] = 0.0
     has_crc: ClassVar[bool] = True  # whether its packet carries a CRC byte when CRC is enabled
 
@@ -52,23 +52,23 @@ class Command(ABC, Generic[ReplyT_co]):
         return self.opcodes[0]
 
     def data(self) -> bytes:
-        """Return the data bytes. BadRequest names a value that does not fit, and its limits."""
+        """Return the data bytes. BadRequest names a value outside its limits, and the limits."""
         return b""
 
     @classmethod
     def from_packet(cls, opcode: int, data: bytes) -> Self:
-        """Read a command back from its packet. BadRequest if the data cannot be its."""
+        """Decode a command from its packet. BadRequest if the data does not fit the command."""
         del opcode, data
         return cls()
 
     def reply_size(self, head: bytes = b"") -> int:
-        """Return how long the reply is, in bytes, judging by its `head`. 0 is no reply."""
+        """Return the length of the reply in bytes, judging by its `head`. 0: no reply."""
         del head
         return self.fixed_reply
 
     @abstractmethod
     def parse(self, reply: bytes) -> ReplyT_co:
-        """Read a reply of `reply_size` bytes. BadReply if no TReX sends it."""
+        """Parse a reply of `reply_size` bytes. BadReply if no TReX sends such a reply."""
 
 
 def _motor_index(motor: int) -> int:
@@ -109,7 +109,7 @@ class GetSignature(Command[Signature]):
     opcodes = (0x81,)
 
     def reply_size(self, head: bytes = b"") -> int:
-        """7 until two bytes behind `TReX` tell the model."""
+        """Return 7, or 9 once the two bytes after `TReX` identify a TReX Jr."""
         models = device_table().models
         known = (model.signature_size for model in models if head.startswith(model.signature))
         return max(known, default=min(model.signature_size for model in models))
@@ -159,7 +159,7 @@ class GetStatus(Command[Status]):
     fixed_reply = 1
 
     def parse(self, reply: bytes) -> Status:
-        if reply[0] == self.opcode:  # has a bit that no board sets, and would confirm a stop
+        if reply[0] == self.opcode:  # an echo: no board sets this bit, and it would confirm a stop
             raise BadReply(tr("the request came back instead of a status"))
         return Status(reply[0])
 
@@ -177,7 +177,7 @@ class GetUartErrors(Command[UartError]):
 
 @dataclass(frozen=True, slots=True)
 class _ChannelQuery(Command[ReplyT_co]):
-    """A command whose data byte names channels. Bit n is channel n+1."""
+    """A command whose data byte is a mask of channels. Bit n is channel n+1."""
 
     data_size = 1
     reply_of_channel: ClassVar[int] = 1  # bytes
@@ -230,8 +230,8 @@ class GetRemappedChannels(_ChannelQuery[Mapping[int, int]]):
     opcodes = (0x87,)
 
     def parse(self, reply: bytes) -> Mapping[int, int]:
-        # Bit 7 is the direction. The documentation says "lower six bits" of channel 3 and
-        # seven elsewhere; seven is right for a magnitude of 0 to 127.
+        # Bit 7 is the direction. The documentation says "lower six bits" for channel 3, and
+        # seven for other channels. Only seven bits can hold a magnitude of 0 to 127.
         return {
             channel: -(byte & FULL_SCALE) if byte & 0x80 else byte
             for channel, byte in zip(self.channels, reply, strict=True)
@@ -240,7 +240,7 @@ class GetRemappedChannels(_ChannelQuery[Mapping[int, int]]):
 
 @dataclass(frozen=True, slots=True)
 class GetCurrent(Command[int]):
-    """0x8D, 0x8E: current of one motor in counts. `Model.current_unit` is ampere a count."""
+    """0x8D, 0x8E: current of one motor in counts of `Model.current_unit` ampere."""
 
     opcodes = (0x8D, 0x8E)
     fixed_reply = 1
@@ -262,7 +262,7 @@ class GetCurrent(Command[int]):
 
 @dataclass(frozen=True, slots=True)
 class GetCurrents(Command[tuple[int, int]]):
-    """0x8F: currents of both motors in counts. `Model.current_unit` is ampere a count."""
+    """0x8F: currents of both motors in counts of `Model.current_unit` ampere."""
 
     opcodes = (0x8F,)
     fixed_reply = 2
@@ -326,11 +326,11 @@ class GetParameter(Command[int]):
 
 # --- Writes to EEPROM, 0xA0 to 0xAF, in serial mode only --------------------------------
 
-FORMAT_BYTES = b"\x55\x2a"  # what ends every write, so that noise does not become one
+FORMAT_BYTES = b"\x55\x2a"  # end of every write, so that noise cannot imitate a write
 
 
 def _result(reply: bytes) -> ResultCode:
-    """Read the reply to a write, which comes when the board has stored the value."""
+    """Parse the reply to a write, which arrives once the board has stored the value."""
     try:
         return ResultCode(reply[0])
     except ValueError:
@@ -397,7 +397,7 @@ class SetParameter(Command[ResultCode]):
 
 
 class _MotorCommand(Command[None]):
-    """A motor command, 0xC0 to 0xF1: only what the board reports afterwards confirms it."""
+    """A motor command, 0xC0 to 0xF1. Only later reports of the board can confirm it."""
 
     __slots__ = ()
 
@@ -436,8 +436,8 @@ class DriveMotor(_MotorCommand):
 class DriveBoth(_MotorCommand):
     """0xD0-0xEF: set, or accelerate, both motors in one packet.
 
-    The documentation's formula for accelerating says 0xD0; its heading, and programs that
-    work, say 0xE0.
+    For accelerating, the documentation's formula says 0xD0. Its heading and working programs say
+    0xE0.
     """
 
     opcodes = range(0xD0, 0xF0)
@@ -485,15 +485,15 @@ class DriveAuxiliary(_MotorCommand):
 
 
 STOP: tuple[Command[None], ...] = (DriveBoth(Drive.brake(), Drive.brake()), DriveAuxiliary(0))
-"""The packets that stop everything: full brake on both motors, auxiliary motor off.
+"""Commands that stop everything: full brake on both motors, auxiliary motor off.
 
-Set commands, so neither acceleration nor a reversal delays them.
+They are set commands, so neither acceleration nor a reversal delays them.
 """
 
 
 @dataclass(frozen=True, slots=True)
 class Null(Command[None]):
-    """0xFF: does nothing. Only an echo shows that it passed."""
+    """0xFF: does nothing. Only an echo shows that it was transmitted."""
 
     opcodes = (0xFF,)
     has_crc = False  # inferred
@@ -525,4 +525,4 @@ _CLASSES: tuple[type[Command[object]], ...] = (
 COMMANDS: Mapping[int, type[Command[object]]] = {
     opcode: cls for cls in _CLASSES for opcode in cls.opcodes
 }
-"""Every command byte that a TReX knows, and the class that reads its packet."""
+"""Class of the command, by each command byte that a TReX knows."""

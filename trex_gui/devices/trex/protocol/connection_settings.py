@@ -1,4 +1,4 @@
-"""Settings to reach one board: port, line, and wrapping of packets."""
+"""Settings to reach one board: port, line, and framing of packets."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
@@ -12,7 +12,7 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
 
 def numbers_in(text: str) -> frozenset[int]:
-    """Return the device numbers in a list such as `0,1`. ValueError for another text."""
+    """Return the device numbers in a list such as `0,1`. ValueError for any other text."""
     words = text.replace(",", " ").split()
     return frozenset(seven_bits(int(word), tr("device number")) for word in words)
 
@@ -21,10 +21,10 @@ def numbers_in(text: str) -> frozenset[int]:
 class ConnectionSettings(PortSettings):
     """A port and the addressing of a board on it.
 
-    `device_number` is 0-127 for the Pololu protocol, `None` for the compact one. `reserved` are the
-    numbers of other devices that share the line: with any, no packet is compact or goes to one of
-    them, and nothing is sent at another baud rate. `group` are the numbers of the boards that are
-    driven together, that of the `device_number` first; empty for one board alone.
+    `device_number` is 0-127 for the Pololu protocol, `None` for the compact protocol. `reserved`
+    are the numbers of other devices on the line. If there are any, no packet is compact or goes to
+    these devices, and nothing is sent at another baud rate. `group` are the numbers of the boards
+    that are driven together, beginning with `device_number`; empty for a single board.
     """
 
     line: LineSettings = field(default_factory=LineSettings)
@@ -35,7 +35,7 @@ class ConnectionSettings(PortSettings):
 
     @classmethod
     def on(cls, port: PortSettings) -> "ConnectionSettings":
-        """Return the default settings of a board on a port. Keeps those of a board."""
+        """Return default board settings for a port. `ConnectionSettings` are returned unchanged."""
         if isinstance(port, ConnectionSettings):
             return port
         return cls(port.url, name=port.name, timeouts=port.timeouts)
@@ -48,12 +48,12 @@ class ConnectionSettings(PortSettings):
         return f"{reach} {self.polynomial:02X}{shared}"
 
     def unpacked(self, text: str) -> "ConnectionSettings":
-        """Return what was packed, or BadRequest. These `reserved` numbers stay if it has none."""
+        """Return settings from a `packed` text, or BadRequest. `reserved` stays if not in it."""
         try:
             reach, is_shared, reserved = text.partition(SHARED)
             baud, detection, stop_bits, number, polynomial = reach.split(" ")
             line = LineSettings(int(baud), Detection[detection], int(stop_bits))
-            line.to_wire()  # raises for what no board has
+            line.to_wire()  # raises if no board has these settings
             settings = replace(
                 self,
                 line=line,
@@ -67,20 +67,20 @@ class ConnectionSettings(PortSettings):
         return settings
 
     def at(self, line: SerialFormat) -> PortSettings:
-        """Return these settings with another line. Without addressing if no board can have it."""
+        """Return the settings with another line, without addressing if no board can use it."""
         if isinstance(line, LineSettings):
             return replace(self, line=line)
         return PortSettings(self.url, line, name=self.name, timeouts=self.timeouts)
 
     def with_group(self, numbers: Iterable[int]) -> "ConnectionSettings":
-        """Return the settings of these boards, driven together. BadRequest for wrong numbers."""
+        """Return settings to drive these boards together. BadRequest for wrong numbers."""
         group = tuple(seven_bits(one, tr("device number")) for one in numbers)
         if len(set(group)) < 2 or len(set(group)) < len(group) or self.reserved & set(group):
             raise BadRequest(tr("Boards that are driven together need numbers of their own."))
         return replace(self, device_number=group[0], group=group)
 
     def of_board(self, number: int) -> "ConnectionSettings":
-        """Return the settings of one board of the group."""
+        """Return settings for one board of the group. The other boards are reserved."""
         others = self.reserved | (frozenset(self.group) - {number})
         return replace(self, device_number=number, reserved=others)
 

@@ -66,18 +66,18 @@ CHANNEL_ROLES = {
     4: tr_noop("flip switch"),
     5: tr_noop("serial override switch"),
 }
-"""The function of each channel in RC and analog mode; in serial mode they are only measured."""
+"""Function of each channel in RC and analog mode. In serial mode channels are only measured."""
 
 BEYOND_A_STOP = tr_noop(
     "The stop was sent, but the channels control the motors: it takes effect "
     "only when channel 5 gives control to serial commands. Release the "
     "sticks, or cut the power."
 )
-"""A stop is a serial command; it does not stop motors that channels control."""
+"""A stop is a serial command, and does not stop motors that the channels control."""
 
 
 def describe(command: c.Command[Any], board: c.Signature | None = None) -> str:
-    """Say a command in words. Units are those of `board`, else of the newest TReX."""
+    """Return a command in words. The units are of `board`, by default the newest TReX."""
     if (text := _QUERIES.get(type(command))) is not None:
         return tr(text)
     match command:
@@ -112,7 +112,7 @@ def describe(command: c.Command[Any], board: c.Signature | None = None) -> str:
 
 
 def describe_reply(command: c.Command[Any], value: Any, board: c.Signature | None = None) -> str:
-    """Say the result of a command's `parse` in words. Empty for a command without a reply."""
+    """Return the result of a command's `parse` in words. Empty for a command without a reply."""
     match command, value:
         case _, c.Signature():
             return str(value)

@@ -1,7 +1,7 @@
 """Boards, clocks and rates in the device table.
 
-`resources/trex_parameters.toml` is the one place that holds these facts and says which of
-them are inferred; `parameters.py` reads its parameter entries.
+`resources/trex_parameters.toml` is the only source of these facts and marks inferred facts.
+`parameters.py` reads its parameter entries.
 """
 
 import tomllib
@@ -31,7 +31,7 @@ class Model:
 
 @dataclass(frozen=True, slots=True)
 class PwmClock:
-    """Frequency from prescaler and PWM maximum. Inferred, fits both sourced anchors."""
+    """PWM frequency from prescaler and maximum. Inferred, fits both sourced frequencies."""
 
     clock: int
     divisors: tuple[int, ...]
@@ -39,11 +39,11 @@ class PwmClock:
     offset: int
 
     def maximum(self, wire: int) -> int:
-        """Return the timer's top for a wire value of a PWM maximum parameter."""
+        """Return the timer's top value for the wire value of a PWM maximum parameter."""
         return self.scale * wire + self.offset
 
     def frequency(self, prescaler: int, maximum_wire: int) -> float:
-        """Return the frequency in Hz for two wire values. BadRequest without such a prescaler."""
+        """Return the frequency in Hz for two wire values. BadRequest for an unknown prescaler."""
         if not 0 <= prescaler < len(self.divisors):
             raise BadRequest(
                 tr("PWM prescaler is 0 to {0}, not {1}").format(len(self.divisors) - 1, prescaler)
@@ -51,10 +51,10 @@ class PwmClock:
         return self.clock / (self.divisors[prescaler] * (self.maximum(maximum_wire) + 1))
 
     def choices(self, highest: float) -> tuple[tuple[int, int], ...]:
-        """Return prescaler and maximum of each frequency up to `highest` Hz, the slowest first.
+        """Return (prescaler, maximum) of each frequency up to `highest` Hz, lowest first.
 
-        Of several pairs for a frequency it is the one with the greatest maximum, which has the
-        finest steps of speed.
+        If several pairs give a frequency, the pair with the greatest maximum is returned, because
+        its speed steps are finest.
         """
         pairs = [
             (prescaler, top)
@@ -71,7 +71,7 @@ class PwmClock:
 
 @dataclass(frozen=True, slots=True)
 class DeviceTable:
-    """The whole table. `rows` are its parameter entries as written."""
+    """The complete table. `rows` are its unparsed parameter entries."""
 
     models: tuple[Model, ...]
     baud_rates: tuple[int, ...]
@@ -123,7 +123,7 @@ def read_table(text: str) -> DeviceTable:
 
 @cache
 def device_table() -> DeviceTable:
-    """The table that the program ships, read once."""
+    """Return the table that is shipped with the program. It is read only once."""
     return read_table(resource("trex_parameters.toml").read_text(encoding="utf-8"))
 
 

@@ -12,8 +12,8 @@ from trex_gui.devices.trex.protocol.flags import seven_bits
 class Direction(IntEnum):
     """The two direction bits of a motor command.
 
-    The documentation calls both 00 and 11 "brake low"; with them the speed byte is the duty
-    of braking, 127 a full brake and 0 coasting.
+    The documentation calls both 00 and 11 "brake low". The speed byte is then the braking duty,
+    from 0 (coast) to 127 (full brake).
     """
 
     BRAKE = 0b00
@@ -31,7 +31,7 @@ class Drive:
 
     @classmethod
     def at(cls, speed: int) -> "Drive":
-        """Return the drive for a speed of -127 to 127. 0 is forward. Else raise BadRequest."""
+        """Return the drive for a speed, -127 to 127, else raise BadRequest. 0 is forward."""
         if not -FULL_SCALE <= speed <= FULL_SCALE:
             raise BadRequest(tr("a motor's speed is -127 to 127, not {0}").format(speed))
         return cls(Direction.REVERSE if speed < 0 else Direction.FORWARD, abs(speed))
@@ -43,7 +43,7 @@ class Drive:
 
     @property
     def signed(self) -> int:
-        """The speed with its sign. Braking is 0."""
+        """The speed, negative in reverse. Braking is 0."""
         if self.is_brake:
             return 0
         return -self.speed if self.direction is Direction.REVERSE else self.speed

@@ -1,4 +1,4 @@
-"""Errors of a connection to a board: a code with fields, and the sentence for each code."""
+"""Errors of a connection to a board: codes, fields and sentences."""
 
 from enum import Enum, IntEnum, unique
 
@@ -18,7 +18,7 @@ class ResultCode(IntEnum):
 
 @unique
 class ErrorCode(Enum):
-    """Kinds of errors. The value is the sentence with a place for each field."""
+    """Kinds of errors. The value is a sentence with placeholders for the fields."""
 
     # Connecting
     NO_BOARD = tr_noop(
@@ -171,7 +171,7 @@ class TrexError(CodedError):
 
 
 class TrexRequestError(TrexError, BadRequest):
-    """Rejected in the present state. Nothing was sent."""
+    """The request was rejected in the present state. Nothing was sent."""
 
 
 class TrexNoReplyError(TrexError, NoReply):
@@ -179,9 +179,9 @@ class TrexNoReplyError(TrexError, NoReply):
 
 
 class BoardElsewhere(TrexNoReplyError):  # noqa: N818 - nothing went wrong with the board
-    """A board responds, but with other settings than those of the connection.
+    """A board responds, but not with the settings of the connection.
 
-    `settings`, the last field, are the `ConnectionSettings` that reach it.
+    `settings`, the last field, are the `ConnectionSettings` that reach the board.
     """
 
     @property
@@ -192,23 +192,23 @@ class BoardElsewhere(TrexNoReplyError):  # noqa: N818 - nothing went wrong with 
 
 
 class TrexBadReplyError(TrexError, BadReply):
-    """The bytes that arrived are no reply, or the board reads back another value."""
+    """The received bytes are no valid reply, or the board reads back another value."""
 
 
 class TrexInternalError(TrexError, InternalError):
-    """The session failed. What is known of its error is the only field."""
+    """The session failed. The only field describes its error."""
 
 
 class OtherBoard(TrexError):  # noqa: N818 - nothing went wrong with the line
-    """The board that replies is not the one that was read, or stores something else now."""
+    """Another board replies, or the stored values of the board have changed."""
 
 
 class Skipped(TrexError):  # noqa: N818 - nothing went wrong
-    """The write was cancelled before this had its turn. It is unchanged."""
+    """The write was cancelled before this setting was written. It is unchanged."""
 
 
 class Rejected(TrexError):  # noqa: N818 - reads as a result, like `Outcome`
-    """The board understood a write and rejected it. `what` was written, for messages."""
+    """The board understood a write and rejected it. `what` names the written setting."""
 
     def __init__(self, what: str, result: ResultCode) -> None:
         super().__init__(ErrorCode[result.name], what)
@@ -216,12 +216,12 @@ class Rejected(TrexError):  # noqa: N818 - reads as a result, like `Outcome`
 
 
 def is_unsteady(error: BaseException) -> bool:
-    """True if a stored value was read differently again and again."""
+    """True if repeated readings of a stored value differed each time."""
     return isinstance(error, TrexError) and error.code is ErrorCode.READINGS_DIFFER
 
 
 def needs_a_look(error: BaseException) -> bool:
-    """True if wires, jumpers and LEDs of the board show what is wrong."""
+    """True if the board's wires, jumpers and LEDs may show the cause."""
     return isinstance(error, TrexError) and error.code in {
         ErrorCode.NO_BOARD,
         ErrorCode.ECHO_ONLY,
@@ -230,6 +230,6 @@ def needs_a_look(error: BaseException) -> bool:
 
 
 def suggests_scan(error: BaseException) -> bool:
-    """True if the board may have other serial settings: a scan may find it."""
+    """True if a scan may find the board, with other serial settings."""
     is_shared = isinstance(error, TrexError) and error.code is ErrorCode.SEVERAL_BOARDS
     return is_shared or needs_a_look(error)

@@ -1,4 +1,4 @@
-"""Bit fields (status, UART errors, channel masks) and the mode.
+"""Bit fields (status, UART errors, channel masks), input sources and modes.
 
 Ref: TReX 1.0 command documentation, 0x82, 0x84, 0x85, 0x86, 0x95.
 """
@@ -44,7 +44,7 @@ OVER_LIMITS = {1: Status.MOTOR1_OVER_LIMIT, 2: Status.MOTOR2_OVER_LIMIT}
 def stops_motors(bits: Status | UartError, *, errors_stop: bool = False) -> bool:
     """True if the board stops motors while one of these bits is reported.
 
-    `errors_stop`: whether its UART-Error Shutdown (0x08) is set.
+    `errors_stop`: whether UART-Error Shutdown (parameter 0x08) is set on the board.
     """
     if isinstance(bits, UartError):
         return bool(bits & UartError.TIMEOUT or (bits and errors_stop))
@@ -126,7 +126,7 @@ def bit_names(bits: Status | UartError) -> list[str]:
 
 
 class InputSource(Enum):
-    """Measurement of the channel inputs, and the value of one raw count.
+    """Kind of the channel inputs, with the physical value of a raw count.
 
     Ref: Pololu TReX User's Guide 4.b: 0.4 us for RC pulses, 4.89 mV (5 V / 1023) for voltages.
     """
@@ -150,12 +150,12 @@ class InputSource(Enum):
 
     @property
     def highest_count(self) -> int:
-        """The highest raw count that is a value: 6250 (2.5 ms) or 1023 (5 V)."""
+        """Highest valid raw count: 6250 (2.5 ms) or 1023 (5 V)."""
         return 6250 if self is InputSource.RC else 1023
 
     @property
     def lowest_count(self) -> int:
-        """The lowest raw count that is a value: 1250 (0.5 ms) or 0.
+        """Lowest valid raw count: 1250 (0.5 ms) or 0.
 
         Ref: Pololu TReX User's Guide 4.c: shorter and longer pulses are errors.
         """
@@ -168,7 +168,7 @@ class InputSource(Enum):
         return round(physical * self.counts_per_unit)
 
     def text(self, count: float) -> str:
-        """A raw count in physical units, such as `1500 µs` or `2.50 V`."""
+        """Return a raw count in physical units, such as `1500 µs` or `2.50 V`."""
         if self is InputSource.RC:
             return f"{self.physical(count):.0f} µs"
         return f"{Number(self.physical(count)):.2f} V"
@@ -184,12 +184,12 @@ class Mode(Enum):
 
     @property
     def is_serial(self) -> bool:
-        """True if the board takes parameters and obeys serial motor commands."""
+        """True if the board accepts parameters and obeys serial motor commands."""
         return self is Mode.SERIAL_RC or self is Mode.SERIAL_ANALOG
 
     @property
     def source(self) -> InputSource:
-        rc = self is Mode.RC or self is Mode.SERIAL_RC  # a set would hash in the simulator's loop
+        rc = self is Mode.RC or self is Mode.SERIAL_RC  # a set would hash: slow in the simulator
         return InputSource.RC if rc else InputSource.ANALOG
 
 

@@ -52,8 +52,8 @@ EXPANDED_START = 0x80
 class Framing:
     """Wrapping of packets. BadRequest if a number is outside its range."""
 
-    # 0-127 for expanded ("Pololu") packets to one board of several; `None` for compact packets,
-    # which every board on the line obeys
+    # 0-127 for expanded ("Pololu") packets, which address one board on the line; `None` for
+    # compact packets, which every board on the line obeys
     device_number: int | None = None
     polynomial: int | None = None  # 0x80-0xFF if packets and replies end in a CRC-7; else `None`
 
@@ -83,7 +83,7 @@ class Framing:
 
 @dataclass(frozen=True, slots=True)
 class Packet:
-    """A whole packet from a host. `device_number` is `None` in a compact one."""
+    """A complete packet from a host. `device_number` is `None` in a compact packet."""
 
     raw: bytes
     command: Command[object]
@@ -100,23 +100,23 @@ class Malformed:
 
 @dataclass(frozen=True, slots=True)
 class NeedData:
-    """A reply is not whole yet. At least `size` bytes are missing."""
+    """An incomplete reply. At least `size` bytes are missing."""
 
     size: int
 
 
 @dataclass(frozen=True, slots=True)
 class Reply(Generic[ReplyT_co]):
-    """A whole reply: its bytes, echo and CRC included, and what they mean."""
+    """A complete reply: its bytes with echo and CRC, and the parsed value."""
 
     raw: bytes
     value: ReplyT_co
 
 
 class PacketParser:
-    """Cuts what a host sends into packets. `polynomial` is `None` without CRC.
+    """Splits the bytes from a host into packets. `polynomial` is `None` without CRC.
 
-    A command byte in the middle of a packet ends that packet as malformed and begins another
+    A command byte in the middle of a packet ends that packet as malformed and starts a new packet
     (inferred: the documentation calls it an error and does not say where the board resumes).
     """
 
@@ -125,7 +125,7 @@ class PacketParser:
         self._held = bytearray()
 
     def feed(self, data: bytes) -> list[Packet | Malformed]:
-        """Take bytes as they come and return what became whole."""
+        """Add received bytes. Return the packets and errors that they complete."""
         events: list[Packet | Malformed] = []
         for byte in data:
             if byte >= 0x80 and self._held:
@@ -145,7 +145,7 @@ class PacketParser:
         return Malformed(raw, reason)
 
     def _judge(self) -> Packet | Malformed | None:
-        """Look at what is held. `None` while it may still become a packet."""
+        """Check the held bytes. `None` while they may still become a packet."""
         held = self._held
         if held[0] < 0x80:
             return self._give_up(tr("a data byte outside a packet"))
@@ -160,7 +160,7 @@ class PacketParser:
             opcode = held[2] | 0x80
         cls = COMMANDS.get(opcode)
         if cls is None:
-            # How many data bytes follow is not known: those are reported as strays.
+            # The number of data bytes is unknown: each is reported as outside a packet.
             return self._give_up(tr("{0:#04x} is not a TReX command").format(opcode))
         has_crc = self._polynomial is not None and opcode != 0xFF
         size = head + cls.data_size + has_crc
@@ -186,7 +186,7 @@ class PacketParser:
 class ReplyParser(Generic[ReplyT_co]):
     """Collects the reply to one command.
 
-    With `echo`, the bytes of the packet itself come back first, as they do on RS-232.
+    With `echo`, the bytes of the packet itself arrive before the reply, as on RS-232.
     """
 
     command: Command[ReplyT_co]
@@ -195,9 +195,9 @@ class ReplyParser(Generic[ReplyT_co]):
     _held: bytearray = field(default_factory=bytearray, init=False)
 
     def feed(self, data: bytes = b"") -> Reply[ReplyT_co] | NeedData | Malformed:
-        """Take received bytes. Return the reply, how many bytes it lacks, or what is wrong.
+        """Add received bytes. Return the reply, the number of missing bytes, or the error.
 
-        Bytes beyond the end of a reply make it malformed: they belong to nothing.
+        Bytes after the end of a reply make it malformed, because no command explains them.
         """
         self._held += data
         raw = bytes(self._held)

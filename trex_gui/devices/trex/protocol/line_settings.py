@@ -15,7 +15,7 @@ from trex_gui.devices.trex.protocol.device_table import device_table, version_ke
 class Detection(IntEnum):
     """Error detection. The value is the field in bits 6:5 of parameter 0x7E.
 
-    Inferred, except CRC-7: from the bits of the board's processor.
+    All values except CRC-7 are inferred from register bits of the board's processor.
     """
 
     NONE = 0x00
@@ -38,7 +38,7 @@ _PARITIES = {Detection.EVEN: Parity.EVEN, Detection.ODD: Parity.ODD}
 
 @dataclass(frozen=True, slots=True, init=False)
 class LineSettings(SerialFormat):
-    """One setting of the board's serial line. The default is the factory's."""
+    """Settings of the board's serial line. The defaults are the factory defaults."""
 
     parity: Parity = field(init=False)
     detection: Detection = field(default=Detection.NONE)
@@ -46,13 +46,13 @@ class LineSettings(SerialFormat):
     def __init__(
         self, baud: int = 19200, detection: Detection = Detection.NONE, stop_bits: int = 1
     ) -> None:
-        """Set the parity by the error detection: `dataclasses.replace` works with the latter."""
+        """Derive the parity from `detection`, so that `dataclasses.replace` keeps both in step."""
         SerialFormat.__init__(self, baud, _PARITIES.get(detection, Parity.NONE), stop_bits)
         object.__setattr__(self, "detection", detection)
 
     @classmethod
     def from_wire(cls, wire: int) -> "LineSettings":
-        """Read the value of parameter 0x7E. BadRequest if it names no baud rate."""
+        """Decode the value of parameter 0x7E. BadRequest if its baud rate field is invalid."""
         if not 0 <= wire <= 0x7F:
             raise BadRequest(tr("UART settings are a wire value of 0 to 127, not {0}").format(wire))
         code = wire & _BAUD_FIELD
@@ -74,7 +74,7 @@ class LineSettings(SerialFormat):
     def real_baud(self, firmware: str) -> int:
         """Return the rate in bit/s at which the board really runs with this setting.
 
-        Firmware before 1.2 runs at half of two of the rates (forum thread 1491).
+        With firmware before 1.2, two of the rates are halved (forum thread 1491).
         """
         table = device_table()
         is_old = version_key(firmware) < version_key(table.half_rate_fixed_in)
@@ -86,5 +86,5 @@ class LineSettings(SerialFormat):
 
     @property
     def detection_text(self) -> str:
-        """Name of the error detection: `CRC-7`, `even parity`. Empty without one."""
+        """Name of the error detection: `CRC-7`, `even parity`. Empty without error detection."""
         return "CRC-7" if self.has_crc else super(LineSettings, self).detection_text

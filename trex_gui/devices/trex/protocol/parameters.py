@@ -1,6 +1,6 @@
-"""The configuration parameters, read from the one table that describes them.
+"""The configuration parameters, read from the table that describes them.
 
-The wire value (0-127) is the truth; text in physical units is derived here and nowhere else.
+The wire value (0-127) is authoritative. Only this module converts it to text in physical units.
 """
 
 import difflib
@@ -61,19 +61,19 @@ _NAMES = {"motor1": tr_noop("Motor 1"), "motor2": tr_noop("Motor 2")}
 
 
 def other_motor_key(key: str) -> str | None:
-    """Return the key that the other motor's parameter would have. `None`: of no single motor."""
+    """Return the key of the other motor's parameter. `None` if `key` names no motor."""
     motor, _, rest = key.partition("_")
     other = {"motor1": "motor2", "motor2": "motor1"}.get(motor)
     return other and f"{other}_{rest}"
 
 
 def motor_name(key: str) -> str:
-    """Return the name of the motor of a key, such as `Motor 1`. Empty for none."""
+    """Return the name of the motor in a key, such as `Motor 1`. Empty without a motor."""
     return tr(_NAMES.get(key.partition("_")[0], ""))
 
 
 def pwm_keys(key: str) -> tuple[str, ...]:
-    """Return the keys of prescaler and maximum that a key belongs to. Else the key alone."""
+    """Return the motor's prescaler and maximum keys for either of them, else only `key`."""
     for part in (MotorParameter.PWM_PRESCALER, MotorParameter.PWM_MAXIMUM):
         if key.endswith(part) and motor_name(key):
             motor = key.removesuffix(part)
@@ -85,7 +85,7 @@ FULL_SPEED_S = 12.7  # seconds to full speed (127) at one speed step in 100 ms
 
 
 def acceleration_wire(seconds: float) -> int:
-    """Return the wire value with the nearest time to full speed. 0 for none."""
+    """Return the wire value with the nearest time to full speed. 0 if `seconds` is not positive."""
     if seconds <= 0:
         return 0
     longer = max(1, min(int(FULL_SPEED_S / seconds), HIGHEST_WIRE - 1))
@@ -94,7 +94,7 @@ def acceleration_wire(seconds: float) -> int:
 
 @cached_text
 def ramp_seconds(wire: int) -> str:
-    """Return the shortest number of seconds to full speed that means this wire value."""
+    """Return the seconds to full speed. The decimals suffice to identify the wire value."""
     texts = (f"{FULL_SPEED_S / wire:.{decimals}f}" for decimals in range(1, 5))
     return with_decimal_point(
         next(text for text in texts if acceleration_wire(float(text)) == wire)
@@ -102,12 +102,12 @@ def ramp_seconds(wire: int) -> str:
 
 
 _TIME = re.compile(rf"({DECIMAL})\s*(m?)s(?:\s+to full speed)?", re.IGNORECASE)
-_TIME_TOLERANCE = 1.01  # by which a time may be beyond the shortest and the longest
-_ROUNDING = 0.01  # part of a step by which a number may be outside the limits
+_TIME_TOLERANCE = 1.01  # factor by which a time may exceed its limits
+_ROUNDING = 0.01  # fraction of a step by which a number may exceed its limits
 
 
 class Grade(IntEnum):
-    """Evidence for a fact, the best first. `resources/trex_parameters.toml` explains each grade."""
+    """Evidence for a fact, best first. `resources/trex_parameters.toml` explains each grade."""
 
     SOURCED = 0
     TWIN = 1
@@ -115,7 +115,7 @@ class Grade(IntEnum):
 
     @property
     def mark(self) -> str:
-        """The grade behind a fact in a sentence, ` (twin)`. Empty if the fact is sourced."""
+        """Suffix for a fact in a sentence, such as ` (twin)`. Empty if the fact is sourced."""
         return f" {tr(_MARKS[self])}" if self in _MARKS else ""
 
 
@@ -123,7 +123,7 @@ _MARKS = {Grade.TWIN: tr_noop("(twin)"), Grade.INFERRED: tr_noop("(inferred)")}
 
 
 class ParameterKind(StrEnum):
-    """Coding of a parameter, which decides about its editor."""
+    """Encoding of a parameter, which determines its editor."""
 
     NUMBER = "number"
     CHOICE = "choice"
@@ -135,17 +135,17 @@ class ParameterKind(StrEnum):
     RESET = "reset"
 
 
-# A board at line settings that no source knows could not be reached any more.
+# With line settings that no source documents, a board could become unreachable.
 _NEVER_OPEN = {ParameterKind.UART, ParameterKind.POLYNOMIAL, ParameterKind.RESET}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ParameterSpec:
-    """One entry of the parameter table as it holds for one model. No layer repeats it.
+    """One entry of the parameter table for one model. No layer repeats its facts.
 
     `minimum`, `maximum` and `default` are wire values; physical value = wire * `scale` in
-    `unit`. `short_name` does not name the motor. `grades` has the evidence for fields of the
-    table; `doubt` is a sentence with what speaks against an inferred default.
+    `unit`. `short_name` does not name the motor. `grades` is the evidence for fields of the
+    table; `doubt` is a sentence with arguments against an inferred default.
     """
 
     number: int
@@ -169,11 +169,11 @@ class ParameterSpec:
     since: str = "1.0"
     grades: Mapping[str, Grade] = field(default_factory=dict)
     doubt: str = ""
-    section: str = ""  # of the user's guide, such as `4.c`; empty: not known
+    section: str = ""  # of the user's guide, such as `4.c`; empty if unknown
 
     @property
     def readable(self) -> bool:
-        """True if 0x9F reads it. The factory reset can only be written."""
+        """True if 0x9F can read the parameter. The factory reset can only be written."""
         return self.kind is not ParameterKind.RESET
 
     def grade(self, *fields: str) -> Grade:
@@ -185,7 +185,7 @@ class ParameterSpec:
         return self.grade("min", "max").mark
 
     def is_open(self, wire: int) -> bool:
-        """True if only a limit without a source is against this wire value: the board decides."""
+        """True if only an unsourced limit excludes this wire value. The board decides."""
         if self.kind in _NEVER_OPEN or not 0 <= wire <= HIGHEST_WIRE or wire in self.valid:
             return False
         return self.grade("min" if wire < self.minimum else "max") > Grade.SOURCED
@@ -195,7 +195,7 @@ class ParameterSpec:
         return any(map(self.is_open, (0, HIGHEST_WIRE)))
 
     def problem(self, wire: int, *, forced: bool = False) -> str | None:
-        """Say why a value is not allowed. `forced` allows those that are open."""
+        """Return the reason why a value is not allowed. `forced` allows open values."""
         if wire in self.valid or (forced and self.is_open(wire)):
             return None
         return tr("{0} is {1}, not {2}").format(self.name, self.range_text(), wire)
@@ -243,7 +243,7 @@ class ParameterSpec:
         )
 
     def text(self, wire: int) -> str:
-        """Return a wire value in physical units. Any 0-127, allowed or not."""
+        """Return a wire value (0-127, allowed or not) in physical units."""
         match self.kind:
             case ParameterKind.CHANNELS:
                 if wire <= self.maximum:
@@ -270,8 +270,8 @@ class ParameterSpec:
     def wire(self, text: str) -> int:
         """Return the wire value for `text` ("1.5 s", "1.5", "off"). BadRequest names the limits.
 
-        A number between two steps goes to the nearer one, but never to a 0 that means off. A ramp
-        is a time to full speed, or speed steps: "1.3 s", "10 per 100 ms".
+        A number between two steps is rounded to the nearer step, but never to a 0 that means off.
+        A ramp is a time to full speed, or speed steps: "1.3 s", "10 per 100 ms".
         """
         wanted = text.strip()
         for wire in sorted(self.valid):
@@ -306,7 +306,7 @@ class ParameterSpec:
 
     @property
     def decimals(self) -> int:
-        """Decimals that tell neighbouring values apart in the physical unit."""
+        """Number of decimals that distinguishes neighbouring values in the physical unit."""
         return max(0, math.ceil(-math.log10(self.scale)))
 
     def _wire_of_time(self, seconds: float) -> int | None:
@@ -321,14 +321,14 @@ class ParameterSpec:
             return None
         near = round(steps)
         is_quantity = bool(self.unit) or self.kind is ParameterKind.PWM_MAXIMUM
-        if near != steps and not is_quantity:  # nothing lies between two values
+        if near != steps and not is_quantity:  # plain numbers have no values in between
             return None
         if not self.minimum - _ROUNDING <= steps <= self.maximum + _ROUNDING:
             return None
         return 1 if self.zero and near == 0 < steps else near
 
     def _steps(self, text: str) -> float | None:
-        """Return the number in `text` in wire steps, which may be broken. `None`: no number."""
+        """Return the number in `text` in wire steps, perhaps fractional. `None` if not a number."""
         is_coded = self.kind in {ParameterKind.POLYNOMIAL, ParameterKind.UART}
         if is_coded and text.lower().startswith("0x"):
             try:
@@ -374,7 +374,7 @@ def _line_settings(wire: int) -> LineSettings | None:
 
 @dataclass(frozen=True, slots=True)
 class ParameterSet:
-    """The parameters that one model with one firmware has, in the order of their numbers."""
+    """Parameters of a model with a certain firmware, in the order of their numbers."""
 
     model: Model
     firmware: str
@@ -388,9 +388,9 @@ class ParameterSet:
         return tuple(spec for spec in self.specs if spec.readable)
 
     def __getitem__(self, key: str) -> ParameterSpec:
-        """Return the parameter with this key. BadRequest with a guess if there is none."""
+        """Return the parameter with this key or name. BadRequest with a guess if not found."""
         for spec in self.specs:
-            if key == spec.key:  # most are; sessions ask hundreds of times a second
+            if key == spec.key:  # fast path: sessions look up hundreds of keys a second
                 return spec
         wanted = key.strip().lower().replace("-", "_").replace(" ", "_")
         for spec in self.specs:
@@ -421,14 +421,14 @@ def parameters_of(model_key: str, firmware: str) -> ParameterSet:
 
 
 def unconfirmed_defaults(specs: Iterable[ParameterSpec]) -> str:
-    """Return the parameters whose default no source confirms, with the grade. May be empty."""
+    """Return the names of parameters with unsourced defaults, with grades. May be empty."""
     graded = ((spec.name, spec.grade("default").mark) for spec in specs)
     return ", ".join(name + mark for name, mark in graded if mark)
 
 
 @cache
 def parameter_number(key: str) -> int:
-    """Return the number of a parameter, which is the same for every model."""
+    """Return the number of a parameter, which does not depend on the model."""
     for row in device_table().rows:
         if row["key"] == key:
             number: int = row["number"]

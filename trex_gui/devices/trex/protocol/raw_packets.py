@@ -1,4 +1,4 @@
-"""Bytes that a user wants to send: read from text, cut into packets, and judged by what they do."""
+"""Bytes typed by the user: parsed from text, split into packets, classified by effect."""
 
 import re
 from dataclasses import dataclass
@@ -22,7 +22,7 @@ _MOTOR_OPCODES = frozenset(opcode for opcode, cls in COMMANDS.items() if cls.mov
 
 @dataclass(frozen=True, slots=True)
 class RawPacket:
-    """A packet that a user typed, or bytes that are none."""
+    """A packet that a user typed, or bytes that are not a packet."""
 
     packet: Packet | Malformed
 
@@ -32,28 +32,28 @@ class RawPacket:
 
     @property
     def moves(self) -> bool:
-        """True if a board may take it for a motor command, now or with the bytes that follow."""
+        """True if a board may read a motor command from it, perhaps with the next bytes."""
         return may_move(self.packet.raw)
 
     @property
     def writes(self) -> bool:
-        """True if it stores something in the board."""
+        """True if the packet stores a parameter or a calibration in the board."""
         return isinstance(self.packet, Packet) and isinstance(
             self.packet.command, SetParameter | SetCalibration
         )
 
     @property
     def is_query(self) -> bool:
-        """True if it neither moves a motor nor stores anything."""
+        """True if the packet neither moves a motor nor stores anything."""
         return isinstance(self.packet, Packet) and not (self.moves or self.writes)
 
     @property
     def writes_everywhere(self) -> bool:
-        """True if every board on the line stores it."""
+        """True if every board on the line would store the value."""
         return self.writes and self.device_number is None
 
     def is_within_stop(self, device_number: int | None) -> bool:
-        """True if a stop to this number reaches every board that it may move. `None` is all."""
+        """True if a stop to this number (`None`: to all) reaches each board that it may move."""
         return device_number is None or device_number == self.device_number
 
     @property
@@ -62,7 +62,7 @@ class RawPacket:
         return self.packet.device_number if isinstance(self.packet, Packet) else None
 
     def words(self, board: Signature | None = None) -> str:
-        """Return what it means. Units are those of `board`, else of the newest TReX."""
+        """Return a description in the units of `board`, by default of the newest TReX."""
         packet = self.packet
         if isinstance(packet, Malformed):
             return tr("not a TReX packet: {0}").format(packet.reason)
@@ -73,7 +73,7 @@ class RawPacket:
 
 
 def parse_hexadecimal(text: str) -> bytes:
-    """Read bytes such as `86 1F`, `861f` or `0x86, 0x1F`. BadRequest if there are none."""
+    """Parse bytes such as `86 1F`, `861f` or `0x86, 0x1F`. BadRequest for none or too many."""
     try:
         data = bytes.fromhex(re.sub(r"0[xX]|[,;:]", " ", text))
     except ValueError:
@@ -92,15 +92,15 @@ def parse_hexadecimal(text: str) -> bytes:
 
 
 def packets_of(data: bytes, polynomial: int | None) -> tuple[RawPacket, ...]:
-    """Cut bytes into packets. `polynomial` is `None` on a line without CRC."""
+    """Split bytes into packets. `polynomial` is `None` on a line without CRC."""
     parser = PacketParser(polynomial)
     return tuple(map(RawPacket, (*parser.feed(data), *parser.flush())))
 
 
 def may_move(data: bytes) -> bool:
-    """True if a board may find a motor command in these bytes, wherever it begins to read them.
+    """True if a board may find a motor command anywhere in the bytes.
 
-    An expanded packet whose command is still missing counts: the next bytes could be one.
+    An expanded packet without its command byte counts, because a motor command may follow.
     """
     if not _MOTOR_OPCODES.isdisjoint(data):
         return True

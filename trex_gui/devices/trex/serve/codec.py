@@ -1,7 +1,7 @@
-"""Requests and reports as bytes.
+"""Encoding of requests and reports as bytes.
 
-A message is its type by name and its fields, in MessagePack. Decoding checks each field for its
-type, and knows no other types than those of the tables here.
+A message is the name of its type and its fields, in MessagePack. Decoding checks the type of each
+field, and accepts only the types in the tables of this module.
 """
 
 import math
@@ -54,18 +54,18 @@ from trex_gui.devices.trex.session.messages import Report as SessionReport
 from trex_gui.devices.trex.session.messages import Request as SessionRequest
 
 LARGEST_REQUEST = 8192
-"""Bytes; a `Write` of every parameter and calibration with what was read before has 3000."""
+"""Bytes. A `Write` of every parameter and calibration, with their old values, has 3000."""
 
 Request = SessionRequest | ClientRequest
 Report = SessionReport | ServerReport
 _REQUESTS: Any = Request
 _REPORTS: Any = Report | ProbeProgress
 
-_TO_BOARD: Any = BoardRequest  # within a message for one board of several
+_TO_BOARD: Any = BoardRequest  # inside messages to or from one of several boards
 _OF_BOARD: Any = BoardReport
 
 _VALUES: Any = Written | Signature
-"""Types that the value of an `Outcome` may have, beside bytes and none."""
+"""Types of the value of an `Outcome`, in addition to bytes and `None`."""
 
 _ERRORS: dict[str, type[Any]] = {
     kind.__name__: kind
@@ -90,12 +90,12 @@ _ERRORS: dict[str, type[Any]] = {
 
 
 def encode_request(request: Request, *head: float) -> bytes:
-    """Return a request behind its `head` of numbers."""
+    """Return a request as bytes, after its `head` of numbers."""
     return msgpack.encode([*head, _codec().unstructure(request, _REQUESTS)])
 
 
 def decode_request(data: bytes, head: int) -> tuple[tuple[float, ...], Request]:
-    """Return the `head` numbers and the request. BadRequest if these bytes are none."""
+    """Return the `head` numbers and the request. BadRequest if the bytes are not a request."""
     return _decode(data, head, _REQUESTS)
 
 
@@ -109,7 +109,7 @@ def with_head(report: Any, *head: float) -> bytes:
 
 
 def decode_report(data: bytes, head: int) -> tuple[tuple[float, ...], Report]:
-    """Return the `head` numbers and the report. BadRequest if these bytes are none."""
+    """Return the `head` numbers and the report. BadRequest if the bytes are not a report."""
     return _decode(data, head, _REPORTS)
 
 
@@ -133,7 +133,7 @@ def _codec() -> cattrs.Converter:
     codec = make_converter(forbid_extra_keys=True, detailed_validation=False)
     for kind in (int, float, str, bytes, bool):
         codec.register_structure_hook(kind, _strict(kind))
-    for base, plain in ((IntEnum, int), (StrEnum, str)):  # else the hooks of these serve them
+    for base, plain in ((IntEnum, int), (StrEnum, str)):  # else the hooks of `int` and `str` apply
         codec.register_structure_hook(base, _member(plain))
     codec.register_unstructure_hook_func(_is_code, lambda code: code.name)
     codec.register_structure_hook_func(_is_code, lambda name, kind: kind[name])
@@ -167,7 +167,7 @@ def _codec() -> cattrs.Converter:
 
 
 def _strict(kind: type) -> Callable[[Any, Any], Any]:
-    """Return what lets values of this type through, and a whole number as a `float`."""
+    """Return a hook that accepts only values of `kind`, and an `int` as a `float`."""
 
     def check(value: Any, _kind: Any) -> Any:
         if type(value) is kind or (kind is float and type(value) is int):
@@ -178,12 +178,12 @@ def _strict(kind: type) -> Callable[[Any, Any], Any]:
 
 
 def _member(plain: type) -> Callable[[Any, Any], Any]:
-    """Return what makes a member of an enumeration of its plain value."""
+    """Return a hook that converts a plain value to a member of an enumeration."""
     return lambda value, kind: kind(_strict(plain)(value, plain))
 
 
 def _is_code(kind: Any) -> bool:
-    """Return whether an enumeration has texts for users as values, or numbers without meaning."""
+    """Return whether the members of an enumeration are encoded by name, not by value."""
     return isinstance(kind, type) and issubclass(kind, Enum) and kind.__name__ in _BY_NAME
 
 

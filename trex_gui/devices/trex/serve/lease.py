@@ -1,4 +1,4 @@
-"""Who drives: one client at a time, as long as its heartbeats arrive."""
+"""Lease to drive, held by one client as long as its heartbeats arrive."""
 
 from dataclasses import dataclass, field
 from enum import IntEnum
@@ -20,7 +20,7 @@ class Role(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class User:
-    """Somebody who may connect, known by a secret."""
+    """A user who may connect, identified by a secret."""
 
     name: str
     role: Role
@@ -29,7 +29,7 @@ class User:
 
 @dataclass(frozen=True, slots=True)
 class Party:
-    """One client of the server."""
+    """A client of the server, and its user."""
 
     id: str  # of the client
     user: str
@@ -40,16 +40,16 @@ class Party:
 class Lease:
     """State of the lease. Times are in seconds of a monotonic clock.
 
-    The caller stops the motors whenever `number` changes or the lease ends.
+    The caller stops the motors whenever a holder loses the lease.
     """
 
     holder: Party | None = None
-    number: int = 0  # counts the holders; a message with another number is of an earlier lease
-    waiting: list[Party] = field(default_factory=list)  # those that asked, the first one first
+    number: int = 0  # counts the holders, so that every new holder has a new number
+    waiting: list[Party] = field(default_factory=list)  # in the order of their requests
     _alive_at: float = 0.0
 
     def request(self, party: Party, now: float) -> bool:
-        """Give a free lease to a party, or let it wait. Return whether it holds the lease."""
+        """Grant a free lease to a party, or queue the party. Return whether it holds the lease."""
         if party.role < Role.DRIVE:
             return False
         if self.holder is None or self.holder == party:
@@ -59,7 +59,7 @@ class Lease:
         return self.holder == party
 
     def hand_over(self, by: Party, user: str, now: float) -> bool:
-        """Hand the lease of `by` to the waiting party of a user. Return whether it did."""
+        """Hand the lease of `by` over to a user's waiting party. Return whether that succeeded."""
         heir = next((one for one in self.waiting if one.user == user), None)
         if heir is None or by != self.holder:
             return False
@@ -67,14 +67,14 @@ class Lease:
         return True
 
     def claim(self, by: Party, now: float) -> bool:
-        """Take the lease from its holder, which only an owner may. Return whether it did."""
+        """Take the lease from its holder, as only an owner may. Return whether that succeeded."""
         if by.role < Role.OWN:
             return False
         self._grant(by, now)
         return True
 
     def remove(self, party: Party) -> bool:
-        """Forget a party. Return whether it held the lease, which is free now."""
+        """Remove a party. Return whether it held the lease, which is then free."""
         self.waiting = [one for one in self.waiting if one != party]
         if party != self.holder:
             return False
@@ -86,7 +86,7 @@ class Lease:
             self._alive_at = now
 
     def seconds_left(self, now: float) -> float:
-        """Return how long the lease lives without another heartbeat. Infinite if it is free."""
+        """Return the seconds until the lease ends without a heartbeat. Infinite if it is free."""
         if self.holder is None:
             return float("inf")
         return self._alive_at + LEASE_TIMEOUT - now

@@ -1,8 +1,8 @@
-"""Messages between a server and its clients, beside the requests and reports of a session."""
+"""Messages between server and clients, besides a session's requests and reports."""
 
 from dataclasses import dataclass
 
-VERSION = 1  # of the messages; a server refuses clients of another one
+VERSION = 1  # of the messages; a server refuses clients with another version
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,7 +20,7 @@ class Alive:
 
 @dataclass(frozen=True, slots=True)
 class Leave:
-    """Request, the last one of a client."""
+    """Request: the last message of a client."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,12 +32,12 @@ class Welcome:
 
 @dataclass(frozen=True, slots=True)
 class Tick:
-    """Report: nothing else was to be reported for a moment."""
+    """Report: nothing else to report, but the server still runs."""
 
 
 @dataclass(frozen=True, slots=True)
 class Refused:
-    """Report, the last one: why this client is not, or no longer, served."""
+    """Report: the last message to a client that is not, or no longer, served."""
 
     reason: str
 

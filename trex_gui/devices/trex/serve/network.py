@@ -1,7 +1,7 @@
-"""The network below servers and clients: Zenoh, its users and encryption.
+"""Network of servers and clients: the engine Zenoh, its users and encryption.
 
-Every user has key expressions of its own, and the engine lets nobody else use them: a message of
-`from/alice/…` is one of Alice's.
+Every user has separate key expressions, and the engine lets no other user use them: a message at
+`from/alice/…` is from Alice.
 """
 
 import json
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     import zenoh
 
 _MOST_SCOUTED = 32
-_DEAD_MS = 4000  # without a message of the engine, after which a connection has ended
+_DEAD_MS = 4000  # without a message of the engine; then a connection counts as ended
 _ROOT = "trex/v1"
 
 
@@ -35,7 +35,7 @@ def open_client(address: Address) -> "zenoh.Session":
     """Connect to a server.
 
     Raises:
-        PortUnavailable: none is there, or it does not know the user.
+        PortUnavailable: no server responds, or it does not accept the user.
     """
     config: dict[str, Any] = {
         "mode": "client",
@@ -62,7 +62,7 @@ def open_client(address: Address) -> "zenoh.Session":
 
 
 def get(session: "zenoh.Session", *parts: str, seconds: float) -> list[bytes]:
-    """Return what a host answers to a query of this key in so many seconds."""
+    """Return the replies to a query of a key that arrive within `seconds`."""
     try:
         replies = session.get(key(*parts), timeout=seconds)
     except _engine().ZError:  # the session was closed
@@ -71,7 +71,7 @@ def get(session: "zenoh.Session", *parts: str, seconds: float) -> list[bytes]:
 
 
 def scout(seconds: float) -> tuple[Address, ...]:
-    """Return the computers on the local network that answer in this time."""
+    """Return the computers on the local network that reply within `seconds`."""
     engine = _engine()
     found: dict[Address, None] = {}
     config = _config({"scouting/multicast/enabled": True})
@@ -88,7 +88,7 @@ def scout(seconds: float) -> tuple[Address, ...]:
                 continue
             for locator in hello.locators:
                 kind, _, where = str(locator).partition("/")
-                with suppress(BadRequest):  # whoever is on the network may have sent it
+                with suppress(BadRequest):  # any computer on the network may have sent it
                     if kind in {"tcp", "tls"} and len(found) < _MOST_SCOUTED:
                         found[Address.of_host(where.split("?")[0])] = None
     finally:
@@ -97,13 +97,13 @@ def scout(seconds: float) -> tuple[Address, ...]:
 
 
 class ClientLink:
-    """The connections of one client to a server: one for all messages, one for stops.
+    """The connections of a client to a server: one for all messages, one for stops.
 
-    A packet that the network loses delays what follows in its connection. A stop goes both ways.
+    A lost network packet delays later packets of its connection. A stop is sent over both.
 
     Args:
         address: of the board.
-        receive: gets each message of the server, in a thread of the engine.
+        receive: called with each message of the server, in a thread of the engine.
     """
 
     def __init__(self, address: Address, receive: Callable[[bytes], None]) -> None:
@@ -114,7 +114,7 @@ class ClientLink:
         def name(part: str) -> str:
             return key(address.name, part, user, client)
 
-        self._kept = (  # the engine ends what nothing refers to
+        self._kept = (  # the engine ends subscribers and tokens without a reference
             self._session.declare_subscriber(
                 name("to"), lambda sample: receive(bytes(sample.payload))
             ),
@@ -143,21 +143,21 @@ def open_server(
 ) -> "zenoh.Session":
     """Listen for clients. `tls` are the files of certificate and key.
 
-    The engine reads the secrets from a file in `folder`, which belongs to this program alone.
+    The engine reads the secrets from a file in `folder`, which only this program may use.
 
     Raises:
-        PortUnavailable: an address cannot be listened at.
+        PortUnavailable: the engine cannot listen at an address.
     """
     is_public = bool(users)
     config: dict[str, Any] = {
         "mode": "peer",
         "listen/endpoints": list(listen),
         "listen/exit_on_failure": True,
-        # Answers who looks for servers, and looks for none itself
+        # Replies to scouting clients, and does not scout itself
         "scouting/multicast/enabled": is_public,
         "scouting/multicast/autoconnect": [],
         "scouting/gossip/enabled": False,
-        # A stranger that only connects keeps nobody out for long.
+        # Clients that connect without logging in cannot block others for long.
         "transport/unicast/accept_pending": 1000,
         "transport/link/tx/lease": _DEAD_MS,
         "transport/unicast/accept_timeout": 3000,
@@ -171,7 +171,7 @@ def open_server(
         secrets.touch(mode=0o600)
         lines = [f"{user.name}:{user.secret}\n" for user in users]
         secrets.write_text("".join(lines), "utf-8")
-        # The engine wants a user of its own, which nobody can be.
+        # The engine requires its own user: no client can know this password.
         config["transport/auth/usrpwd"] = {
             "user": "-",
             "password": os.urandom(16).hex(),
@@ -188,7 +188,7 @@ def open_server(
 
 
 def declare_publisher(session: "zenoh.Session", name: str) -> "zenoh.Publisher":
-    """Return a publisher that loses nothing, and delays nothing to send more at once."""
+    """Return a publisher that drops no messages and sends each at once, without batching."""
     engine = _engine()
     block = engine.CongestionControl.BLOCK
     publisher: zenoh.Publisher = session.declare_publisher(
@@ -203,14 +203,14 @@ _MESSAGES = {
     "query": (["query"], ["reply", "declare_queryable"]),
     "token": (["liveliness_token"], ["liveliness_query", "declare_liveliness_subscriber"]),
 }
-"""Kinds of keys: messages of the engine that a client may send, and those that it may get."""
+"""By kind of key: engine messages that a client may send, and messages that it may receive."""
 
 
 def _access(name: str, users: Sequence[User]) -> dict[str, Any]:
-    """Return the rules of the engine: a user reaches its own keys, and what all may read."""
+    """Return the engine's access rules: users reach their own keys, and the public keys."""
 
     def rules(number: str, keys: Mapping[str, str]) -> list[dict[str, Any]]:
-        """Return two rules for each kind of key: what comes in, and what goes out."""
+        """Return two rules for each kind of key: incoming and outgoing messages."""
         return [
             {
                 "id": f"{number}-{kind}-{flow}",

@@ -1,4 +1,4 @@
-"""The session of a served board, as its clients see it: the same requests, the same reports."""
+"""Session of a served board, with the messages of a local session."""
 
 import logging
 import math
@@ -65,23 +65,23 @@ from trex_gui.version import __version__
 
 log = logging.getLogger(__name__)
 
-_SLICE = 0.005  # longest seconds until a report that has come is passed on
+_SLICE = 0.005  # seconds until a received report is passed on, at most
 _HEARTBEAT = 0.1  # seconds between two heartbeats
 _SILENCE = 0.7
-"""Seconds without a report after which the network counts as silent; the server sends ten a
-second, and stops the motors of a client that it has not heard for half a second."""
+"""Seconds without a report after which the network counts as silent. The server sends ten reports
+a second, and stops the motors of a client that is silent for half a second."""
 
 _LOST = 5.0  # seconds of silence after which the connection is given up
-_ANSWER = 3.0  # seconds within which a server welcomes a client, or answers about the lease
+_ANSWER = 3.0  # timeout in seconds for the server's welcome, and for its reply about the lease
 
-_LEAVING = 1.0  # seconds within which the stop is confirmed when the connection is closed
-_LAST_STOP = -2  # id of that stop
+_LEAVING = 1.0  # timeout in seconds for the confirmation of the stop before leaving
+_LAST_STOP = -2  # id of the stop before leaving
 _DELAY_INTERVAL = 1.0  # seconds between two reports of the delay
 
 
 @dataclass(slots=True)
 class _Waiting:
-    """Requests that wait until it is known whether this client may drive."""
+    """Requests that wait for the lease until a deadline."""
 
     requests: list[Request]
     until: float
@@ -90,7 +90,7 @@ class _Waiting:
 class RemoteSession:
     """Serves requests through a server, from connecting to leaving.
 
-    Has the arguments of a `TrexSession`. The lease is requested with the first request that needs
+    Takes the arguments of a `TrexSession`. The lease is requested with the first request that needs
     it, and returned at the end.
     """
 
@@ -108,8 +108,8 @@ class RemoteSession:
         self._may_move = may_move
         self._received: deque[tuple[float, bytes]] = deque()
         self._counter = count(1)
-        self._seen = 0.0  # newest time of the server that arrived
-        self._offset = math.inf  # of its clock from ours, at most
+        self._seen = 0.0  # newest server time in a report
+        self._offset = math.inf  # our clock minus the server's, an upper bound
         self._heard_at = 0.0
         self._beat_at = 0.0
         self._watched = SetWatched(True)
@@ -118,15 +118,15 @@ class RemoteSession:
         self._waiting: _Waiting | None = None
         self._board: Connected | None = None
         self._is_silent = False
-        self._has_armed = False  # motors that were not stopped since
+        self._has_armed = False  # whether this client armed motors and has not stopped them since
         self._closed: Closed | None = None
         self._counters = Counters()
         self._unanswered: set[int] = set()
-        self._stops: set[int] = set()  # of them those of stops
+        self._stops: set[int] = set()  # ids of unconfirmed stops
         self._delay_at = 0.0  # when the delay was last reported
 
     def run(self) -> None:
-        """Serve until the server or the network is lost, or `Close` comes. Never raises."""
+        """Serve until `Close` arrives, or the server or the network is lost. Never raises."""
         error = run_until_closed(
             self._open, self._step, lambda detail: TrexInternalError(ErrorCode.INTERNAL, detail)
         )
@@ -224,7 +224,7 @@ class RemoteSession:
             case _ if isinstance(request, LeaseRequest) or self._may_pass(request):
                 self._pass_on(request)
             case SetMotor() | SetMotors() | SetAuxiliary() if self._waiting is not None:
-                self._waiting.requests.append(request)  # behind an `Arm`
+                self._waiting.requests.append(request)  # after an `Arm`
             case Arm() | Write() | SelectBoard() | ProbeNumber() | Reload() | SendPacket():
                 self._wait_for_lease(request)
 
@@ -255,7 +255,7 @@ class RemoteSession:
         self._waiting.requests.append(request)
 
     def _reject_waiting(self) -> None:
-        """Tell that another client drives, or that this one may not."""
+        """Report that another client drives, or that this client may not drive."""
         waiting, self._waiting = self._waiting, None
         code = ErrorCode.OTHER_DRIVES if self._lease.may_drive else ErrorCode.MAY_NOT_DRIVE
         for request in waiting.requests if waiting else ():
@@ -273,7 +273,7 @@ class RemoteSession:
     # --- Reports ------------------------------------------------------------------------
 
     def _receive(self, message: bytes) -> None:
-        """Queue a message, in any thread."""
+        """Queue a received message. Called from any thread."""
         self._received.append((self._clock(), message))
 
     def _handle_reports(self) -> None:
@@ -314,9 +314,9 @@ class RemoteSession:
                 self._pass_back(report)
 
     def _pass_back(self, report: Report | ServerReport, board: int | None = None) -> None:
-        """Pass on a report of the board's session, with the clock of this computer.
+        """Pass on a report of the board's session, in this computer's time.
 
-        `board` is the number of one that is driven with the first.
+        `board` is the number of another board that is driven with the first board.
         """
 
         def emit(own: BoardReport) -> None:
@@ -346,11 +346,11 @@ class RemoteSession:
                 moved = (replace(one, time=one.time + self._offset) for one in events)
                 self._emit(Traffic(tuple(moved)))
             case MotorsStopped(reason=reason, confirmed=confirmed):
-                # The end of a lease has stopped every board, else the others report theirs
+                # The end of a lease stops every board. After other stops each board reports its own
                 is_alone = self._board is None or not self._board.settings.group
                 is_alone = is_alone or reason is ErrorCode.LEASE_LOST
                 self._may_move = self._may_move and not (confirmed and is_alone)
-                if self._has_armed or reason is None:  # else those of another client
+                if self._has_armed or reason is None:  # else another client's motors
                     emit(report)
                 if is_alone:
                     self._has_armed = self._has_armed and reason is None
@@ -360,7 +360,7 @@ class RemoteSession:
                 emit(report)
 
     def _here(self, outcome: Outcome, board: int | None) -> Outcome:
-        """Take an outcome, and return it as it is for this computer."""
+        """Record an outcome. Return it with this computer's URL of the board."""
         self._unanswered.discard(outcome.id)
         if outcome.id in self._stops and outcome.error is None:
             self._may_move = False
@@ -373,7 +373,7 @@ class RemoteSession:
         return replace(outcome, value=written)
 
     def _as_here(self, settings: ConnectionSettings) -> ConnectionSettings:
-        """Return settings of the server's line with the URL by which it is reached from here."""
+        """Return settings of the server's line with this computer's URL for it."""
         return replace(settings, url=self._settings.url, name=self._settings.name)
 
     def _handle_lease(self, report: LeaseChanged) -> None:
@@ -390,5 +390,5 @@ class RemoteSession:
 
 
 def _inner(request: Request) -> Request:
-    """Return what a request is, whichever board it is for."""
+    """Return a request without the number of the board that it is for."""
     return request.request if isinstance(request, ToBoard) else request

@@ -1,4 +1,4 @@
-"""The boards that are served on a network: a list of them, and a stop for all at once."""
+"""Served boards on a network: list them, and stop all at once."""
 
 import json
 from collections.abc import Iterable
@@ -13,17 +13,17 @@ from trex_gui.devices.trex.serve.sessions import NEEDS_EXTRA
 
 _SCOUTING_S = 0.7
 _ANSWER_S = 2.0
-_KEPT_S = 1.0  # a connection that was kept may be dead
-_STOP_S = 10.0  # a stop is repeated for so long on a line that corrupts bytes
+_KEPT_S = 1.0  # timeout on a kept connection, which may be dead
+_STOP_S = 10.0  # a stop may take this long on a line that corrupts bytes
 _MOST_AT_ONCE = 100  # connections
 ALL = "all"
 
 
 class Robots:
-    """The boards that are served, over connections to their hosts that are kept until `close`."""
+    """Served boards. Connections to their hosts stay open until `close`."""
 
     def __init__(self) -> None:
-        self._kept: dict[Address, Any] = {}  # the newest one, by host, user and port
+        self._kept: dict[Address, Any] = {}  # newest connection, by host, user and port
         self._opened: list[Any] = []
 
     def __enter__(self) -> Self:
@@ -38,10 +38,10 @@ class Robots:
             connection.close()
 
     def find(self, hosts: Iterable[str] = ()) -> list[dict[str, Any]]:
-        """Return what each served board says of itself, with its `url`, by name.
+        """Return the info of each served board, with its `url`, sorted by name.
 
         Raises:
-            StudioError: no host can be asked at all.
+            StudioError: no host can be queried at all.
         """
         addresses = _addresses(hosts)
         with ThreadPoolExecutor(_MOST_AT_ONCE) as pool:
@@ -49,10 +49,10 @@ class Robots:
         return sorted(rows.values(), key=lambda row: (row["name"], row["url"]))
 
     def stop(self, names: Iterable[str]) -> dict[str, str]:
-        """Stop these served boards, or all, at once.
+        """Stop these served boards, or all, at the same time.
 
-        Names are those of the list of robots, or URLs. Return why each is not confirmed, empty if
-        it is, by URL, or by the name of a board that is not found.
+        `names` are names from the list of robots, or URLs. Return errors by URL, empty for a
+        confirmed stop. A board that is not found has its error under its name.
         """
         wanted = list(names)
         addresses = [Address.of(one) for one in wanted if "://" in one]
@@ -79,7 +79,7 @@ class Robots:
         return rows
 
     def _stop(self, board: Address) -> str:
-        """Stop one board. Return why that is not confirmed, empty if it is."""
+        """Stop one board. Return why the stop is not confirmed, or an empty text."""
         user = board.user or LOCAL_USER
         try:
             answers = self._get(board, board.name, "stop", user, seconds=_STOP_S)
@@ -88,7 +88,7 @@ class Robots:
         return str(json.loads(answers[0])["error"]) if answers else tr("It did not answer.")
 
     def _get(self, address: Address, *parts: str, seconds: float) -> list[bytes]:
-        """Return the answers of a host. A kept connection that gives none is made again."""
+        """Return the replies of a host. Reconnect if a kept connection gives no reply."""
         host, network = replace(address, name=""), _network()
         if kept := self._kept.get(host):
             answers: list[bytes] = network.get(kept, *parts, seconds=_KEPT_S)
@@ -111,7 +111,7 @@ def _addresses(hosts: Iterable[str]) -> list[Address]:
 
 
 def _row_of(data: bytes) -> dict[str, Any] | None:
-    """Return what a server says of itself. `None` if that cannot be."""
+    """Parse a server's info about its board. `None` if it is invalid."""
     try:
         row = json.loads(data)
         texts = row["name"], row["board"] or "", row["driver"] or "", *row["problems"]
@@ -122,7 +122,7 @@ def _row_of(data: bytes) -> dict[str, Any] | None:
 
 
 def require_network() -> None:
-    """Raise PortUnavailable if the packages of the network are not installed."""
+    """Raise PortUnavailable if the packages for the network are not installed."""
     _network()
 
 

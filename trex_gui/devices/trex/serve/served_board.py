@@ -1,4 +1,4 @@
-"""A board that is served: its session in one thread, the network in those of the engine."""
+"""Served board: session in one thread, network in threads of the engine."""
 
 import json
 import logging
@@ -41,13 +41,13 @@ log = logging.getLogger(__name__)
 
 _RETRY_S = 1.0  # between two attempts to open the line
 _LEAVING = 0.5  # seconds for the last messages to a client
-_MOST_CLIENTS = 16  # of one user, also those whose connection was cut a moment ago
+_MOST_CLIENTS = 16  # of one user, including clients whose connection was just cut
 _MOST_EVENTS = 1000  # of the line in a batch
-_MOST_WAITING = 300  # messages for a client that does not take them: some five seconds
+_MOST_WAITING = 300  # messages for a client that does not receive them: some five seconds
 
 
 class _Outbox:
-    """Sends the messages of one client in a thread of its own, which alone waits for it."""
+    """Sends messages to one client. Only its own thread waits for the client."""
 
     def __init__(self, session: "zenoh.Session", name: str, full: Callable[[], None]) -> None:
         self._messages: deque[bytes | None] = deque()
@@ -58,12 +58,12 @@ class _Outbox:
         self._thread.start()
 
     def close(self, seconds: float) -> None:
-        """Send what is queued, for so long at most."""
+        """Send the queued messages, and wait for at most `seconds`."""
         self.put(None)
         self._thread.join(seconds)
 
     def put(self, message: bytes | None) -> None:
-        """Queue a message. `None` ends the thread after those before it."""
+        """Queue a message. `None` ends the thread after the messages before it."""
         with self._ready:
             if len(self._messages) >= _MOST_WAITING:
                 self._messages.clear()
@@ -88,15 +88,15 @@ class _Outbox:
 
 
 class ServedBoard:
-    """Serves the board at a line under a name, until it is told to end.
+    """Serves the board on a line under a name.
 
     Args:
         settings: how to reach the board.
-        name: under which it is served.
+        name: under which the board is served.
         listen: endpoints of the engine, such as `tcp/0.0.0.0:7477`.
-        users: who may connect; none: every program that reaches the endpoint owns the board.
-        computer: its ports, threads and clock.
-        say: receives what the operator of the server should know.
+        users: who may connect. If empty, every program that reaches the endpoint owns the board.
+        computer: provides ports, threads and clock.
+        say: receives messages for the operator of the server.
         tls: files of certificate and key.
     """
 
@@ -117,10 +117,10 @@ class ServedBoard:
         self._inbox = RequestQueue(computer.condition())
         self.server = BoardServer(name, self._put, self._send, computer.clock)
         self._board = BoardMirror(Keeper(log.info, log.warning).memory)
-        self._others: dict[int, BoardMirror] = {}  # that are driven with it, by number
+        self._others: dict[int, BoardMirror] = {}  # driven together with `_board`, by number
         self._traffic: list[TrafficEvent] = []  # since the last batch of samples
         self._logs = False  # whether `_traffic` is filled
-        self._present: set[Party] = set()  # clients whose connection is there
+        self._present: set[Party] = set()  # clients that are connected
         self._outboxes: dict[Party, _Outbox] = {}
         self._is_ending = False
         self._closed = threading.Event()
@@ -128,9 +128,9 @@ class ServedBoard:
             self._network = open_server(name, listen, users, Path(folder), tls=tls)
         self._measurements = self._network.declare_publisher(key(name, "data", "measurements"))
         self._table: MeasurementTable | None = None
-        self._is_subscribed = False  # to the measurements
+        self._is_subscribed = False  # whether a program subscribes to the measurements
         listener = self._measurements.declare_matching_listener(self._on_matching)
-        # By user: the engine tells a client only of expressions that it may use.
+        # One expression per user: the engine announces to clients only expressions they may use.
         self._kept: list[object] = [
             listener,
             self._network.declare_queryable(key(name, "info"), self._on_query),
@@ -145,9 +145,9 @@ class ServedBoard:
             ]
 
     def run(self, is_ended: Callable[[], object]) -> Closed:
-        """Serve until `is_ended`. Then stop the motors, close the line, and return how it ended.
+        """Serve until `is_ended`, then stop the motors and close the line. Return its last report.
 
-        A line that is lost is opened again.
+        A lost line is opened again.
         """
         said = ""
         while not is_ended():
@@ -189,14 +189,14 @@ class ServedBoard:
     _is_open = False
 
     def _put(self, request: object) -> None:
-        if isinstance(request, SetReconnectCandidates):  # clients have another address of the line
+        if isinstance(request, SetReconnectCandidates):  # clients reach the line by another URL
             here = self._settings
             places = (replace(one, url=here.url, name=here.name) for one in request.settings)
             request = SetReconnectCandidates(tuple(places))
         self._inbox.put(request)
 
     def _report(self, report: Report) -> None:
-        """Take a report of the session, in its thread."""
+        """Handle a report of the session. Called in the session's thread."""
         if isinstance(report, OfBoard):
             if report.number not in self._others:
                 self._others[report.number] = BoardMirror(Keeper(log.info, log.warning).memory)
@@ -222,7 +222,7 @@ class ServedBoard:
             self.server.report(report)
 
     def _record_traffic(self, event: TrafficEvent) -> None:
-        """Keep what is on the line for clients that show it, from a whole request on."""
+        """Record bytes on the line for clients that show them, beginning with a request."""
         begins = event.direction is not TrafficDirection.RECEIVED
         self._logs = self.server.shows_traffic and (self._logs or begins)
         if self._logs and len(self._traffic) < _MOST_EVENTS:
@@ -237,7 +237,7 @@ class ServedBoard:
     # --- The network, in threads of the engine ------------------------------------------
 
     def _party(self, expression: object) -> Party | None:
-        """Return whose keys these are: `…/USER/CLIENT`."""
+        """Return the client that owns a key `…/USER/CLIENT`. `None` for an unknown user."""
         user, client = str(expression).split("/")[-2:]
         role = self._roles.get(user)
         return None if role is None else Party(client, user, role)
@@ -248,7 +248,7 @@ class ServedBoard:
             self.server.handle(party, bytes(sample.payload))
 
     def _on_client(self, sample: "zenoh.Sample") -> None:
-        """Take that a client has come, or that its connection ended."""
+        """Add a client that has connected, or remove a client whose connection ended."""
         import zenoh  # noqa: PLC0415 - an extra
 
         party = self._party(sample.key_expr)
@@ -259,7 +259,7 @@ class ServedBoard:
             self._remove(party)
             return
         own = {one for one in self._present if one.user == party.user}
-        if len(own) >= _MOST_CLIENTS:  # the engine may not have told that some have gone
+        if len(own) >= _MOST_CLIENTS:  # the engine may not have reported lost clients yet
             gone = own - self.server.parties
             for one in gone:
                 self._remove(one)
@@ -290,7 +290,7 @@ class ServedBoard:
         query.reply(key(self.name, "info"), json.dumps(self.info()))
 
     def _on_stop(self, query: "zenoh.Query") -> None:
-        """Stop the motors for a user, and reply once that is confirmed or not."""
+        """Stop the motors for a user, and reply with the outcome."""
 
         def reply(outcome: Outcome) -> None:
             text = "" if outcome.error is None else str(outcome.error)
@@ -312,7 +312,7 @@ class ServedBoard:
         self._is_subscribed = status.matching
 
     def info(self) -> dict[str, Any]:
-        """Return what a list of robots shows, with the keys of `trexcmd robots --json`."""
+        """Return the board's entry in a list of robots. Keys as in `trexcmd robots --json`."""
         board, lease = self._board, self.server.lease
         state = board.state
         boards = [board, *self._others.values()]

@@ -1,7 +1,7 @@
-"""The server of a line: its session, the lease, and the clients, without a network.
+"""Server of a line, without the network: its session, lease and clients.
 
-`take` gets what clients sent, and `send` is called with what they get. Every method may be called
-from any thread; a stop never waits for a client.
+`handle` receives the clients' messages, and `send` is called with messages for clients. Every
+method may be called from any thread. A stop never waits for a client.
 """
 
 import logging
@@ -72,46 +72,46 @@ log = logging.getLogger(__name__)
 
 NumberedT = TypeVar("NumberedT", bound=Any)
 
-_MOST_WAITING = 32  # clients and requests that one stop serves
+_MOST_WAITING = 32  # client requests that one stop confirms
 MOST_REQUESTS = 600  # of a user in a second: a window that drives sends some 120
-MOST_JOBS = 8  # requests of a client that wait for their turn
-_LONGEST_PACKET = 16  # bytes; nothing else has its turn while one is on the wire
+MOST_JOBS = 8  # queued requests of a client
+_LONGEST_PACKET = 16  # bytes; a packet on the wire delays everything else
 _MOST_ATTEMPTS = 3
-_CLIENT_TIMEOUT = 5.0  # seconds without any message after which a client is gone
+_CLIENT_TIMEOUT = 5.0  # seconds without any message after which a client is removed
 _TICK_INTERVAL = 0.1
-_IDLE_INTERVAL = 0.25  # seconds between two steps without a client; half of what a lease lives
+_IDLE_INTERVAL = 0.25  # seconds between two steps without a client; half of the lease timeout
 _NO_OUTCOME = 0
 
 _STALE = SetpointRequest | Arm
-"""Requests that have no effect once they are older than a lease lives without a heartbeat."""
+"""Requests that have no effect once they are older than the lease timeout."""
 
 
-_WATCHES = SetWatched(True)  # what a client does that has not said otherwise
+_WATCHES = SetWatched(True)  # default of a client that has not sent `SetWatched`
 
 
 @dataclass(slots=True, eq=False)
 class _Client:
     party: Party
     counter: float  # of its last request
-    stopped: float  # the same of its last stop, which may overtake the others
+    stopped: float  # counter of its last stop, which may overtake other requests
     heard_at: float
-    echo: float = 0.0  # its clock at its last request, on that of the server
+    echo: float = 0.0  # the client's clock minus the server's, at the last request
     sent: int = 0
     sent_at: float = 0.0
     watched: SetWatched = _WATCHES
     jobs: deque[Job | ToBoard] = field(
         default_factory=deque
-    )  # that wait until the one in flight is done
-    in_flight: int = 0  # id of a job that was requested; 0: none was
+    )  # that wait until the job in flight is done
+    in_flight: int = 0  # id of the job that the session has; 0 without a job
 
 
 class BoardServer:
     """Lets clients share one board, or boards that are driven together.
 
     Args:
-        name: of the board, as it is served.
+        name: under which the board is served.
         request: receives the requests for the session.
-        send: receives a client and a message for it; must not wait.
+        send: receives a client and a message for it; must not block.
         clock: of the reports of the session, in seconds.
     """
 
@@ -124,29 +124,29 @@ class BoardServer:
     ) -> None:
         self.name = name
         self.lease = Lease()
-        self.refused: Counter[str] = Counter()  # why messages were refused, and how many
+        self.refused: Counter[str] = Counter()  # number of refused messages, by reason
         self.polynomial: int | None = None  # of packets on the line; `None`: without CRC
         self._request, self._send, self._clock = request, send, clock
         self._lock = threading.RLock()
         self._clients: dict[Party, _Client] = {}
         self._ids = count(1)
-        # Who waits for the outcome of each request: clients and their ids of it
+        # By id of a request: clients that wait for its outcome, and the ids that they gave it
         self._outcomes: dict[int, list[tuple[Party, int]]] = {}
-        self._pending_stop = 0  # id of a stop that nothing has followed which may move a motor
-        self._seconds: dict[str, tuple[int, int]] = {}  # by user: a second, and requests in it
+        self._pending_stop = 0  # id of a stop, until something that may move a motor follows it
+        self._seconds: dict[str, tuple[int, int]] = {}  # by user: second, and its requests
         self._newest: dict[type, Report] = {}  # reports that a new client gets
         self._watched_stops: dict[int, Callable[[Outcome], None]] = {}  # by id
         self._lease_stop = 0  # id of the stop at the end of a lease
-        # Set by the driver since the last stop, by board (0: the first) and motor; as reported last
+        # Speeds since the last stop, by board (0: the first) and motor; then as last reported
         self._speeds: dict[int, dict[int, int]] = {}
         self._reported_speeds: dict[int, SetpointsChanged] = {}
         self._others: dict[int, Connected | None] = {}  # other boards of the line, by number
-        self._silent: dict[int, NotResponding] = {}  # those of them that do not respond
+        self._silent: dict[int, NotResponding] = {}  # other boards that do not respond
 
     # --- Time ---------------------------------------------------------------------------
 
     def step(self) -> float:
-        """Do what is due, and return the seconds until something may be due again."""
+        """Apply the timeouts. Return the seconds until the next step."""
         with self._lock:
             now = self._clock()
             if self.lease.seconds_left(now) <= 0 and self.lease.holder is not None:
@@ -163,7 +163,7 @@ class BoardServer:
     # --- Clients ------------------------------------------------------------------------
 
     def handle(self, party: Party, data: bytes) -> None:
-        """Take a message of a client."""
+        """Handle a message of a client."""
         if len(data) > LARGEST_REQUEST:
             self._refuse("too large")
             return
@@ -214,12 +214,12 @@ class BoardServer:
 
     @property
     def shows_traffic(self) -> bool:
-        """True if a client wants the bytes on the line."""
+        """True if any client shows the bytes on the line."""
         return any(client.watched.traffic for client in list(self._clients.values()))
 
     @property
     def parties(self) -> set[Party]:
-        """The clients, without those that have been silent for seconds."""
+        """The clients, without clients that were removed for their silence."""
         with self._lock:
             return set(self._clients)
 
@@ -229,7 +229,7 @@ class BoardServer:
         return tuple(client.party.user for client in list(self._clients.values()))
 
     def floods(self, user: str) -> bool:
-        """Count a request before it is decoded: that takes time from everybody."""
+        """Count a request. True if its user sends too many to decode, which would delay all."""
         with self._lock:
             now = int(self._clock())
             second, count = self._seconds.get(user, (now, 0))
@@ -279,7 +279,7 @@ class BoardServer:
     # --- Requests -----------------------------------------------------------------------
 
     def _serve(self, client: _Client, request: Request, age: float) -> None:
-        """Serve what concerns client and lease. The rest is for the board."""
+        """Handle a request for client or lease. Pass others on to the board."""
         lease, party, now = self.lease, client.party, client.heard_at
         match request:
             case Alive():
@@ -307,7 +307,7 @@ class BoardServer:
     def _serve_board(
         self, client: _Client, request: Request, age: float, number: int | None = None
     ) -> None:
-        """Serve a request for the board with this number, of several. `None` is the first one."""
+        """Handle a request for a board. `number` selects among several, `None` is the first."""
         if isinstance(request, ToBoard):
             if request.number in self._others or request.number in self._first:
                 self._serve_board(client, request.request, age, request.number)
@@ -326,7 +326,7 @@ class BoardServer:
         elif isinstance(request, SetpointRequest) and not _is_possible(request):
             self._refuse("impossible setpoint")
         elif isinstance(request, Heartbeat):
-            self._request(Heartbeat())  # on the clock of this computer
+            self._request(Heartbeat())  # in the time of this computer
         elif number is not None and isinstance(request, SetpointRequest):
             self._pending_stop = 0
             self._record_speeds(0 if number in self._first else number, request)
@@ -340,7 +340,7 @@ class BoardServer:
 
     @property
     def _first(self) -> tuple[int, ...]:
-        """The number of the first board, of several."""
+        """The number of the first of several boards. Empty for a single board."""
         connected = self._newest.get(Connected)
         return connected.settings.group[:1] if isinstance(connected, Connected) else ()
 
@@ -358,7 +358,7 @@ class BoardServer:
         return self.lease.holder == client.party and len(client.jobs) < MOST_JOBS
 
     def _request_next_job(self, client: _Client) -> None:
-        """Let each client have one job in flight: the others end with its lease."""
+        """Request a client's next job if none is in flight. Queued jobs end with its lease."""
         if client.jobs and not client.in_flight:
             request = client.jobs.popleft()
             job = request.request if isinstance(request, ToBoard) else request
@@ -371,14 +371,14 @@ class BoardServer:
             self._request(replace(request, request=job) if isinstance(request, ToBoard) else job)
 
     def _drop_jobs(self, party: Party) -> None:
-        """Reject what a client has requested that does not drive any more."""
+        """Reject the queued jobs of a client that no longer drives."""
         if (client := self._clients.get(party)) is not None:
             jobs, client.jobs = client.jobs, deque()
             for job in jobs:
                 self._reject(client, job.request if isinstance(job, ToBoard) else job)
 
     def _change(self, change: Callable[[], bool]) -> None:
-        """Stop the motors of one driver before another one may arm them."""
+        """Change the lease. Stop the motors of the old driver before the new driver may arm."""
         number, former = self.lease.number, self.lease.holder
         if change() and self.lease.number != number:
             if former is not None:
@@ -401,7 +401,7 @@ class BoardServer:
         self._request(Stop(self._lease_stop))
 
     def _forward(self, client: _Client, request: Request) -> None:
-        """Pass a stop or a motor command on. A stop that is pending serves another one, too."""
+        """Pass on a stop or a motor command. A pending stop also serves later stop requests."""
         if not isinstance(request, Stop):
             self._pending_stop = 0
             if isinstance(request, SetpointRequest):
@@ -428,7 +428,7 @@ class BoardServer:
             self._post(client, encode_report(self._lease_for(client)), client.heard_at)
 
     def _cut(self, packet: RawPacket) -> RawPacket:
-        """Return the packet that its bytes are on this line. What is none stays as it is."""
+        """Parse a packet for this line. Return it unchanged if it is not exactly one packet."""
         cut = packets_of(packet.packet.raw, self.polynomial)
         return cut[0] if len(cut) == 1 else packet
 
@@ -438,7 +438,7 @@ class BoardServer:
     # --- Reports ------------------------------------------------------------------------
 
     def report(self, report: Report) -> None:
-        """Pass a report of the session on to every client, an `Outcome` to the one that waits."""
+        """Pass a report on to every client, but an `Outcome` only to waiting clients."""
         with self._lock:
             now = self._clock()
             match report:
@@ -479,7 +479,7 @@ class BoardServer:
             self._post_all(report, (one for one in self._all if _is_for(report, one.watched)))
 
     def _report_lease_stop(self, *, confirmed: bool) -> None:
-        """Report the stop at the end of a lease, but not to a driver who has armed since."""
+        """Report the stop at the end of a lease. A new holder gets only an unconfirmed stop."""
         holder = self.lease.holder if confirmed else None
         others = (one for one in self._all if one.party != holder)
         self._post_all(MotorsStopped(ErrorCode.LEASE_LOST, confirmed), others)
@@ -493,9 +493,9 @@ class BoardServer:
                 self.report(OfBoard(board, setpoints) if board else setpoints)
 
     def _report_outcome(self, outcome: Outcome, now: float, board: int | None = None) -> None:
-        """Pass an outcome on to those that wait for it. Its client may have the next job.
+        """Pass an outcome on to waiting clients. Request the next job of its client.
 
-        `board` is the number of another board than the first one.
+        `board` is the number of a board other than the first.
         """
         waiting = self._outcomes.pop(outcome.id, [])
         if isinstance(outcome.value, Written):
@@ -511,7 +511,7 @@ class BoardServer:
                 self._request_next_job(client)
 
     def _report_written(self, written: Written, writers: list[Party], board: int | None) -> None:
-        """Let everybody but its writer know what a board stores now."""
+        """Report the stored settings of a board to all clients except the writers."""
         connected = self._newest.get(Connected) if board is None else self._others.get(board)
         if not isinstance(connected, Connected):
             return
@@ -526,7 +526,7 @@ class BoardServer:
             self._post_all(OfBoard(board, reloaded), others)
 
     def end(self, error: StudioError | None, *, may_move: bool) -> None:
-        """Tell every client that the line was closed."""
+        """Report to every client that the line was closed, and remove all clients."""
         with self._lock:
             self.report(Closed(error or TrexError(ErrorCode.CLOSED), may_move))
             self._clients.clear()
@@ -569,7 +569,7 @@ class BoardServer:
 
 
 def _is_for(report: Report, watched: SetWatched) -> bool:
-    """Return whether a client that watches like this gets a report."""
+    """Return whether a client with these `watched` settings gets a report."""
     if isinstance(report, OfBoard):
         return _is_for(report.report, watched)
     if isinstance(report, Traffic):
@@ -578,7 +578,7 @@ def _is_for(report: Report, watched: SetWatched) -> bool:
 
 
 def _inner(request: Request) -> Request:
-    """Return what a request is, whichever board it is for."""
+    """Return a request without the number of the board that it is for."""
     return request.request if isinstance(request, ToBoard) else request
 
 
@@ -591,7 +591,7 @@ def _speed(setpoint: Setpoint) -> int:
 
 
 def _is_possible(request: SetpointRequest) -> bool:
-    """Return whether a board has such motors and speeds."""
+    """Return whether a board has the motors and speeds of a request."""
     setpoints = setpoints_in(request)
     motors = [one.motor for one in setpoints]
     try:

@@ -1,4 +1,4 @@
-"""The session of a board, at a line of this computer or served by another one."""
+"""Session of a board on a line of this computer, or on a server."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -39,7 +39,7 @@ def session_at(
     *,
     may_move: bool = False,
 ) -> BoardSession:
-    """Return the session of the board at these settings. See `TrexSession` for the arguments."""
+    """Return the local or remote session for `settings`. `TrexSession` explains the arguments."""
     if not is_served(settings.url):
         return TrexSession(settings, inbox, emit, open_transport, may_move=may_move)
     try:

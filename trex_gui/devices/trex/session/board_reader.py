@@ -1,4 +1,4 @@
-"""Reading a board: everything at first, then values in turn, and again after it was silent."""
+"""Reading of a board: first everything, then values in turn, and everything after silence."""
 
 import itertools
 import math
@@ -25,7 +25,7 @@ _SAFETY_READ_INTERVAL = 0.25
 
 
 class BoardReader:
-    state: DeviceState  # since everything was read for the first time
+    state: DeviceState  # set once everything was read
 
     def __init__(self, line: OpenLine) -> None:
         self.signature: Signature | None = None  # of the board that was read last
@@ -33,20 +33,20 @@ class BoardReader:
         self.safety_read_at = -math.inf
         self.port_rates: frozenset[int] | None = None  # what the port supports; `None`: unknown
         self._line = line
-        # How often to read again what the board may store otherwise than `state` says, and when:
+        # Number and time of further readings, if the board may store other values than `state`:
         self._stale_reads = 0
         self._stale_read_at = -math.inf
         self._safety_keys = itertools.cycle(SAFETY_PARAMETERS)
 
     def expect_changes(self) -> None:
-        """Read everything again a few times: what failed may be stored all the same."""
+        """Read everything again a few times: a failed write may be stored all the same."""
         self._stale_reads = _STALE_READS
 
     def read_everything(self, occasion: ReadReason) -> None:
-        """Read everything and report it. Unless it is merely reloaded, nothing drives meanwhile.
+        """Read everything and report it. Unless merely reloaded, the board is not driven meanwhile.
 
-        The window does not know yet that the board was without power, or is another one, and
-        goes on sending setpoints. Every motor is stopped and has to be armed again.
+        The window does not know yet that the board was without power, or that it is another board,
+        and goes on sending setpoints. So every motor is stopped and has to be armed again.
         """
         line = self._line
         if occasion.power_cycled:
@@ -69,7 +69,7 @@ class BoardReader:
         line.motors.handle(OutputEvent.BOARD_READ, line.now())
         line.transport.wait_for_guardian()
         line.report_guardian()
-        if occasion is not ReadReason.SELECTED:  # what was sampled meanwhile is of the new board
+        if occasion is not ReadReason.SELECTED:  # samples taken meanwhile are of the new board
             line.flush()
         client = line.client
         line.emit(
@@ -130,10 +130,10 @@ class BoardReader:
             line.record_failure(error, topic)
 
     def check_safety_parameter(self, now: float) -> None:
-        """Read a stored value that decides what the board does by itself to protect motors.
+        """Read a stored value that decides how the board protects its motors by itself.
 
-        If it changed unnoticed, the power was off too briefly for a missing reply: everything is
-        read, and motors have to be armed again.
+        If the value changed unnoticed, the power was off too briefly for a missing reply. Then
+        everything is read, and motors have to be armed again.
         """
         line = self._line
         self.safety_read_at = now + _SAFETY_READ_INTERVAL

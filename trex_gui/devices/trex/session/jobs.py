@@ -48,7 +48,7 @@ class JobServer:
         except (BadRequest, NoReply, BadReply, Rejected, OtherBoard) as error:
             line.emit(Outcome(job.id, error=error))
         except BaseException:
-            # The session ends, and reports an outcome of every queued request.
+            # The session ends, and reports an outcome for every queued request.
             line.queue.jobs.appendleft(job)
             raise
         else:
@@ -76,10 +76,10 @@ class JobServer:
                 return None
 
     def _select(self, job: SelectBoard) -> None:
-        """Address another board once the motors of the present one are known to be stopped.
+        """Address another board after a confirmed stop of the present board.
 
-        What was requested for the present board reaches no other one: setpoints are dropped, and
-        arming has no effect until everything is read, and then only for the new `selection`.
+        Requests for the present board never reach another board. Setpoints are dropped, and arming
+        has no effect until everything is read, and then only for the new `selection`.
         """
         line = self._line
         line.require_alone()
@@ -103,7 +103,7 @@ class JobServer:
             if not line.liveness.silent:
                 motors.handle(OutputEvent.BOARD_READ, line.now())
             raise
-        line.liveness.expect(())  # these were for the other board
+        line.liveness.expect(())  # the candidates were for the previous board
 
     def _address(self, job: SelectBoard) -> None:
         client = self._line.client
@@ -124,10 +124,10 @@ class JobServer:
         self._line.has_driven = False
 
     def _send_packet(self, packet: RawPacket) -> bytes:
-        """Send what the user typed. A packet that moves goes the way of a motor command."""
+        """Send a packet that the user typed. Handle it as a motor command if it moves motors."""
         line = self._line
         if not packet.is_query and not packet.moves:
-            line.require_alone()  # it may store another number, or more than it seems
+            line.require_alone()  # the packet may store another number, or more than it seems
         if packet.moves:
             number = line.client.settings.device_number
             if not line.motors.is_armed:
@@ -141,7 +141,7 @@ class JobServer:
         try:
             reply = line.client.send_packet(packet.packet)
         except (NoReply, BadReply):
-            line.status.uart_due = True  # it may have cleared bits
+            line.status.uart_due = True  # the packet may have cleared bits
             if packet.writes:
                 self._reader.expect_changes()
             raise
@@ -152,7 +152,7 @@ class JobServer:
         return reply.raw
 
     def _read_after_write(self) -> None:
-        """Read what a packet of the user's has stored, and where the board will be with it."""
+        """Read everything after a packet that writes. Derive reconnect candidates from it."""
         before = self._reader.state.parameters
         self._reader.read_everything(ReadReason.RELOADED)
         state = self._reader.state
@@ -164,12 +164,12 @@ class JobServer:
 
     @property
     def _own_numbers(self) -> set[int | None]:
-        """The device numbers of packets to the board that was read. `None` in compact ones."""
+        """Device numbers of packets to the board that was read. `None` for compact packets."""
         stored = self._reader.state.parameters.get(ParameterKey.DEVICE_NUMBER)
         return {None, stored, self._line.client.settings.device_number}
 
     def _report_cleared(self, value: object) -> None:
-        """Report bits that a packet of the user's has read, and so cleared."""
+        """Report bits that a user's packet has read, and so cleared."""
         status = self._line.status
         if isinstance(value, Status):
             status.uart_due |= bool(value & Status.UART_ERROR)
@@ -180,10 +180,10 @@ class JobServer:
             self._line.batcher.add(latched)
 
     def _write(self, job: Write) -> Written:
-        """Write until it is done or `Close` comes, which leaves no value half written.
+        """Write all values, or until `Close` comes. No value is left half written.
 
-        Motors that may be moving are stopped before that. If another board replies, it is read and
-        nothing counts as written.
+        On `Close`, motors that may be moving are stopped first. If another board replies, it is
+        read and nothing counts as written.
         """
         line = self._line
         state, stop_is_due = self._reader.state, True

@@ -1,6 +1,6 @@
 """Requests to a line session and its reports, which cross threads.
 
-`core.session` has those that every device shares, `driving.requests` those for the motors.
+Messages that all devices share are in `core.session`, messages for motors in `driving.requests`.
 """
 
 from dataclasses import dataclass
@@ -23,8 +23,8 @@ from trex_gui.devices.trex.protocol.raw_packets import RawPacket
 class SendPacket:
     """Send a packet that the user typed, as it is. The value of its `Outcome` is the `bytes` reply.
 
-    One that may move a motor is rejected unless the motors are armed. What it stores is read
-    again; the bits that it clears are reported.
+    A packet that may move a motor is rejected unless the motors are armed. Values that the packet
+    stores are read again, and status bits that it clears are reported.
     """
 
     id: int
@@ -35,9 +35,9 @@ class SendPacket:
 class Write:
     """Store parameters (key, wire value) and calibrations (key, values).
 
-    The value of the `Outcome` is a `Written`; see `writing.write_all`. `before` is what the sender
-    knows as stored, `None` for what was read last. Another device number is rejected while motors
-    are armed or may be moving: if its reply were lost, no stop would reach the board.
+    The value of the `Outcome` is a `Written`; see `writing.write_all`. `before` is the state known
+    to the sender, `None` for the last read state. A new device number is rejected while motors are
+    armed or may be moving: if its reply were lost, no stop would reach the board.
     """
 
     id: int
@@ -71,7 +71,7 @@ class SelectBoard:
     """Address the board with this device number from now on, and read everything from it.
 
     A `Connected` is reported before the `Outcome`. Motors that may be moving are stopped first;
-    without a confirmation, or if the board does not respond, the present one stays selected.
+    without a confirmation, or if the board does not respond, the present board stays selected.
     `sharing` are the numbers of all boards known on the line: commands without a number reached
     every one of them.
     """
@@ -83,7 +83,7 @@ class SelectBoard:
 
 @dataclass(frozen=True, slots=True)
 class SetReconnectCandidates:
-    """Look for a board that does not respond at these settings too. Has no outcome.
+    """Look for a silent board at these settings too. Has no outcome.
 
     Replaces earlier candidates, and is dropped when the board responds at other settings. Send it
     before a `Write` of UART settings: the power of the board may fail right after it.
@@ -94,10 +94,10 @@ class SetReconnectCandidates:
 
 @dataclass(frozen=True, slots=True)
 class SetWatched:
-    """Poll at full rate, or slowly since nothing shows or records samples. Has no outcome.
+    """Poll at full rate, or slowly while nothing shows or records samples. Has no outcome.
 
     While motors may be moving the rate is full in either case. `traffic`: a server also sends the
-    bytes on its line; those of a line of this computer are logged where it is opened.
+    bytes on its line. A line of this computer is logged where it is opened.
     """
 
     watched: bool
@@ -106,9 +106,9 @@ class SetWatched:
 
 @dataclass(frozen=True, slots=True)
 class AskLease:
-    """Drive a board that is served to several, as soon as that is possible.
+    """Drive a board that is served to several clients, as soon as possible.
 
-    A `LeaseChanged` follows. This and the next three have no effect at a line of this computer.
+    A `LeaseChanged` follows. Lease requests have no effect at a line of this computer.
     """
 
 
@@ -121,12 +121,12 @@ class HandOver:
 
 @dataclass(frozen=True, slots=True)
 class TakeLease:
-    """Drive in place of whoever does. Only owners may."""
+    """Drive in place of the current driver. Only owners may do so."""
 
 
 @dataclass(frozen=True, slots=True)
 class ReturnLease:
-    """Drive no more. Motors that may be moving are stopped."""
+    """Stop driving. Motors that may be moving are stopped."""
 
 
 LeaseRequest = AskLease | HandOver | TakeLease | ReturnLease
@@ -141,8 +141,8 @@ BoardRequest = Job | MotorRequest | SetReconnectCandidates
 class ToBoard:
     """A request for one of the boards that are driven together, by its number.
 
-    A `Stop`, `Arm` or `Heartbeat` by itself is for all of them; the `Outcome` of such a stop is
-    reported once that of each board is known. Any other request is for the first one.
+    A `Stop`, `Arm` or `Heartbeat` without `ToBoard` is for all boards. The `Outcome` of such a stop
+    is reported once all boards have an outcome. Any other request is for the first board.
     """
 
     number: int
@@ -171,19 +171,19 @@ class Connected:
     """A board responds and was read. Reported again whenever everything is read."""
 
     state: DeviceState
-    echo: bool  # whether everything sent comes back: the RS-232 side of the board
+    echo: bool  # whether everything sent comes back, as on the RS-232 side of the board
     occasion: ReadReason
-    settings: ConnectionSettings  # how the line is set and the board addressed now
+    settings: ConnectionSettings  # present settings of the line, and address of the board
     may_move: bool = False  # whether motors were driven and no stop was confirmed since
     # The baud rates that this computer's port supports; `None`: unknown
     port_rates: frozenset[int] | None = None
-    # Id of the `SelectBoard` that chose this board; 0 for that of the line's opening
+    # Id of the `SelectBoard` that selected this board; 0 for the board at the line's opening
     selection: int = 0
 
 
 @dataclass(frozen=True, slots=True)
 class GuardianChanged:
-    """A guardian process stops the motors if this program fails, or none does any more."""
+    """State of the guardian process, which stops the motors if this program fails."""
 
     is_ready: bool
 
@@ -198,7 +198,7 @@ class Written:
 
     @property
     def uncertain(self) -> set[str]:
-        """Keys of values of which it is not known whether the board stores them."""
+        """Keys of values that the board may or may not store."""
         uncertain = {result.key for result in self.results if result.error is not None}
         if any(result.key == ParameterKey.FACTORY_RESET for result in self.results):
             uncertain |= self.state.parameters.keys()
@@ -212,7 +212,7 @@ class ProbeProgress(Progress):
 
 @dataclass(frozen=True, slots=True)
 class NotResponding:
-    """The board has stopped responding. The session goes on trying.
+    """The board has stopped responding. The session keeps trying.
 
     `is_network`: nothing is known of the board, since its server does not respond.
     """
@@ -232,7 +232,7 @@ class Batch:
 
 @dataclass(frozen=True, slots=True)
 class LeaseChanged:
-    """Who drives a board that is served to several clients, and who waits for that."""
+    """Driver of a board that is served to several clients, and users who wait to drive."""
 
     user: str = ""  # the user of this client
     driver: str = ""  # the user who drives; empty: nobody

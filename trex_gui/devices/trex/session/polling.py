@@ -1,4 +1,4 @@
-"""Which value to poll next.
+"""Schedule of the polled values.
 
 Each value is polled as often as the board renews it. Polling faster reads the same value again and
 takes time in which a motor command could have been sent.
@@ -33,13 +33,13 @@ _MARGIN = 0.015
 """Seconds between a reply and the next query: the board's response delay (1 ms), half of its 10 ms
 cycle, and a busy host (some milliseconds, measured beside a window that paints)."""
 
-_KEEPALIVE_SHARE = 0.4  # of the serial timeout, after which something is polled in any case
+_KEEPALIVE_SHARE = 0.4  # share of the serial timeout after which a topic is polled in any case
 
 _CHEAPEST = Control  # polled to feed the serial timeout: one byte out, one byte in
 
 
 def rates(source: InputSource, *, watched: bool = True) -> Mapping[Topic, float]:
-    """Return how often a second to poll each topic. Of those due at once, the first is polled."""
+    """Return the polls per second of each topic. If several are due, the first is polled."""
     is_analog = source is InputSource.ANALOG
     return {
         topic: (not watched and polled.unwatched)
@@ -79,27 +79,27 @@ def survives_a_loss(line: LineSettings, timeout: float, lateness: float) -> bool
 
 
 class Schedule:
-    """When each topic is due. On a slow line each topic gets the same share of its rate."""
+    """Times when topics are due. On a slow line each topic gets the same share of its rate."""
 
     def __init__(self) -> None:
         self._rates: Mapping[Topic, float] = {}
         self._due: dict[Topic, float] = {}
 
     def start(self, wanted: Mapping[Topic, float], now: float) -> None:
-        """Poll these topics, each so many times a second, from `now` on."""
+        """Poll each topic at its rate in `wanted`, from `now` on."""
         self._rates = wanted
         self._due = dict.fromkeys(wanted, now)
 
     def next(self, now: float) -> Topic | None:
-        """Return the topic that was due first. `None` while none is."""
+        """Return the topic that was due first. `None` while no topic is due."""
         topic = min(self._due, key=self._due.__getitem__, default=None)
         return topic if topic is not None and self._due[topic] <= now else None
 
     def polled(self, topic: Topic, now: float) -> None:
         """Count a topic as polled.
 
-        It is due again one period after it was due, so the rate is met on average. Where the
-        line falls behind, everything is delayed by the same time, so that nothing starves.
+        It is due again one period after it was due, so the rate is met on average. If the line
+        falls behind, all topics are delayed by the same time, so that none starves.
         """
         if topic in self._due:
             self._due[topic] += 1 / self._rates[topic]
@@ -136,8 +136,8 @@ class Polling:
     ) -> Topic | None:
         """Return the topic to poll now, and count it as polled. `None` while none is due.
 
-        The serial `timeout` (seconds, 0 for none) does not expire. `careful` omits queries that
-        one damaged bit turns into a motor command.
+        Polls keep the serial `timeout` (seconds, 0 for none) from expiring. `careful` omits queries
+        that one damaged bit turns into a motor command.
         """
         left_out: Collection[Topic] = too_slow(line, timeout)
         if careful:

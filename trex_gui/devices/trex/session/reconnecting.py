@@ -1,4 +1,4 @@
-"""Finding a board again that has stopped responding, perhaps at other line settings."""
+"""Search for a board that has stopped responding, perhaps at other line settings."""
 
 import logging
 from collections import Counter, deque
@@ -25,9 +25,9 @@ log = logging.getLogger(__name__)
 _FAILURES = 3  # failed transactions in a row after which a board counts as not responding
 
 _STRICT = frozenset({Control, ModeSample})
-"""Topics that are counted by themselves, too: few bytes are a reply to them.
+"""Topics that are also counted separately, because few byte values are valid replies to them.
 
-Where wires touch, requests that come back can pass for measurements and go on without end.
+Where wires touch, requests come back and can pass for measurements without end.
 """
 
 
@@ -36,7 +36,7 @@ class LivenessMonitor:
 
     def __init__(self, timeouts: Timeouts) -> None:
         self.retry_at = 0.0  # when to look for the board again, on the line's clock
-        self.candidates: tuple[ConnectionSettings, ...] = ()  # where to look for it, too
+        self.candidates: tuple[ConnectionSettings, ...] = ()  # settings at which to look, too
         self._retry = timeouts.retry
         self._failures_of = Counter[Topic]()
         self._places = deque[ConnectionSettings]()
@@ -80,8 +80,8 @@ class LivenessMonitor:
     def is_scanning(self, client: TrexClient) -> bool:
         """True if a silent board may be at other settings.
 
-        Then only stops and probes may be sent. After the first probe it stays so: a board at
-        another rate may have received other bytes.
+        Then only stops and probes may be sent. This does not change after the first probe: a board
+        at another rate may have received other bytes.
         """
         can_probe = client.transport.is_configurable
         return self.silent and can_probe and (self._has_probed or bool(self.candidates))
@@ -154,7 +154,7 @@ def after_power_cycle(
 ) -> ConnectionSettings | None:
     """Return how to reach a board from its next start on. `None` if it stores invalid values.
 
-    `stored` are wire values by key; settings that it does not contain stay as in `link`. Firmware
+    `stored` are wire values by key; missing settings stay as in `link`. Firmware
     before 1.2 runs two baud rates at half the rate: the result has the rate on the line.
     """
     line, polynomial = link.line, link.polynomial
@@ -176,12 +176,12 @@ def after_power_cycle(
 def reconnect_places(
     used: ConnectionSettings, expected: Iterable[ConnectionSettings]
 ) -> tuple[ConnectionSettings, ...]:
-    """Return the settings at which a silent board may be, those in use first.
+    """Return the settings at which a silent board may be, starting with the settings in use.
 
     The factory default comes last: a power cut while UART settings were being stored leaves it. A
-    board answers with one stop bit as well as with two, so candidates that differ only in these
-    replace the settings in use. A probe that a board at another of these places could take for a
-    motor command is left out. A line that other devices share keeps the settings in use.
+    board answers with one stop bit as well as with two, so a candidate that differs only in stop
+    bits replaces the settings in use. A place is left out if a board at another place could take
+    its probe for a motor command. A line that other devices share keeps the settings in use.
     """
     if used.reserved:
         return (used,)
@@ -212,13 +212,13 @@ def _may_mishear(line: LineSettings, places: Iterable[ConnectionSettings]) -> bo
 
 
 def client_at(wire: Transport, settings: ConnectionSettings) -> TrexClient | None:
-    """Return a client if the board responds at these settings. The line is set to them then.
+    """Return a client if the board responds at these settings, which the line then has.
 
-    Without a reply it takes about 0.3 s on a local port. A board that is addressed by number gets
+    Without a reply this takes about 0.3 s on a local port. A board that is addressed by number gets
     a second query with its number.
 
     Raises:
-        BadRequest: the port cannot be set so.
+        BadRequest: the port does not support the settings.
         PortUnavailable: the line is gone.
     """
     if not settings.reserved:

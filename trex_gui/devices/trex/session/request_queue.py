@@ -1,4 +1,4 @@
-"""Sorts the requests to a line session by board: those for the motors go first."""
+"""Queue of requests to a line session, sorted by board. Motor requests go first."""
 
 from collections import Counter, deque
 from collections.abc import Callable, Mapping
@@ -30,14 +30,14 @@ class BoardQueue:
     report: Callable[[Outcome], None]
     _clock: Callable[[], float]
     jobs: deque[Job] = field(default_factory=deque)
-    # Id of the `SelectBoard` that chose the present board; 0 before the first
+    # Id of the `SelectBoard` that selected the present board; 0 before the first `SelectBoard`
     selection: int = 0
 
     def add(self, request: BoardRequest, *, is_closing: bool) -> None:
         """Sort a request. `is_closing`: motor commands come too late.
 
-        A stop drops setpoints that came before it, and those that come until an `Arm`: they may
-        have been sent before their sender knew of it.
+        A stop drops earlier setpoints, and later setpoints until an `Arm`: their sender may not
+        have known of the stop.
         """
         match request:
             case Stop():
@@ -69,19 +69,19 @@ class BoardQueue:
 
 @dataclass(slots=True, eq=False)
 class TrexRequestQueue:
-    """The requests for every board of a line. See `ToBoard` for whom each is."""
+    """The requests for every board of a line. See `ToBoard` for the board of each request."""
 
     _inbox: Inbox[Request]
-    _boards: Mapping[int | None, BoardQueue]  # by number in the group, the first one first
+    _boards: Mapping[int | None, BoardQueue]  # by number, in the order of the group
     is_ready: bool = True  # whether every board was read
     is_closing: bool = False  # whether a `Close` came
     is_watched: bool = True  # whether anything shows or records samples
-    # Of stops of several boards, by id: outcomes that are not known yet, and the first error
+    # For stops of several boards, by id: number of missing outcomes, and the first error
     _awaited: Counter[int] = field(default_factory=Counter)
     _failed: dict[int, Outcome] = field(default_factory=dict)
 
     def collect(self, seconds: float = 0.0) -> None:
-        """Sort every request that has come, waiting up to `seconds` for the first.
+        """Sort all received requests, waiting up to `seconds` for the first.
 
         `Close` drops all setpoints.
         """
@@ -96,7 +96,7 @@ class TrexRequestQueue:
                 case SetWatched(watched=watched):
                     self.is_watched = watched
                 case _ if isinstance(request, LeaseRequest):
-                    pass  # nobody else is at a line of this computer
+                    pass  # a line of this computer has no other clients
                 case ToBoard(number=number, request=inner):
                     self._dispatch(number, inner)
                 case Arm() if not self.is_ready:
@@ -123,7 +123,7 @@ class TrexRequestQueue:
         return self._awaited[outcome.id] > 0
 
     def joined(self, outcome: Outcome, number: int) -> Outcome | None:
-        """Return the outcome of a stop of every board once that of each is known."""
+        """Return the outcome of a stop of all boards. `None` until every outcome is known."""
         stop = outcome.id
         if outcome.error is not None:
             error = TrexNoReplyError(ErrorCode.OF_BOARD, number, outcome.error)
@@ -134,7 +134,7 @@ class TrexRequestQueue:
         return self._failed.pop(stop, outcome)
 
     def sees_close(self) -> bool:
-        """Sort what has come. Return whether a `Close` is or was among it."""
+        """Sort received requests. Return whether a `Close` was received."""
         self.collect()
         return self.is_closing
 

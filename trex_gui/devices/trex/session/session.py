@@ -1,4 +1,4 @@
-"""The loop that owns a line: it takes requests, runs one transaction at a time and reports.
+"""Loop that owns a line: it handles requests, runs one transaction at a time and reports.
 
 It knows neither threads nor Qt. Order of service: stop, drive, requests, polling. A stop is the
 one motor command that is sent unprompted.
@@ -49,9 +49,9 @@ log = logging.getLogger(__name__)
 
 @dataclass(slots=True, eq=False)
 class _Board:
-    """One board of the line, from before it is opened."""
+    """One board of the line, created before the line is opened."""
 
-    number: int | None  # in a group
+    number: int | None  # device number in a group; `None` without a group
     settings: ConnectionSettings
     motors: MotorOutput
     liveness: LivenessMonitor
@@ -61,12 +61,12 @@ class _Board:
     line: OpenLine = field(init=False)
     reader: BoardReader = field(init=False)
     jobs: JobServer = field(init=False)
-    had_job: bool = False  # since its last poll
-    stopped_another: bool = False  # the board that answered at the end is not the one driven
+    had_job: bool = False  # whether a request was served since its last poll
+    stopped_another: bool = False  # the board that replied at the end is not the driven board
 
 
 class TrexSession:
-    """Serves one line, and each board of its group, from opening it to closing it.
+    """Serves one line, and each board of its group, from opening to closing the line.
 
     Args:
         settings: how to reach the board.
@@ -94,13 +94,13 @@ class TrexSession:
         self._boards = [self._board(*one, may_move) for one in boards.items()] or [
             self._board(None, settings, may_move)
         ]
-        self._has_driven = False  # and not polled since, with several boards
-        self._in_turn = list(self._boards)  # who was served least recently comes first
+        self._has_driven = False  # whether the last step drove one of several boards
+        self._in_turn = list(self._boards)  # the least recently served board first
         self._requests = TrexRequestQueue(inbox, {one.number: one.queue for one in self._boards})
         self._requests.is_ready = len(self._boards) == 1
 
     def _board(self, number: int | None, settings: ConnectionSettings, may_move: bool) -> _Board:
-        """Return a board. `number` is that of one in a group."""
+        """Return a board. `number` is its device number in a group."""
 
         def emit(report: BoardReport) -> None:
             if number is None:
@@ -112,7 +112,7 @@ class TrexSession:
                 self._emit(report if number == self._settings.group[0] else OfBoard(number, report))
 
         motors = MotorOutput(emit, settings.timeouts, may_move=may_move)
-        if number is not None:  # driven once all of them were read and armed together
+        if number is not None:  # a group is driven once all its boards were read and armed together
             motors.handle(OutputEvent.STOP, 0.0)
         liveness = LivenessMonitor(settings.timeouts)
         queue = BoardQueue(motors, liveness, emit, self._now)
@@ -139,7 +139,7 @@ class TrexSession:
     def _now(self) -> float:
         return self._transport.clock() if self._is_open else 0.0
 
-    # --- Beginning and end --------------------------------------------------------------
+    # --- Opening and closing ------------------------------------------------------------
 
     def _open(self) -> None:
         _ = self._settings.framing  # impossible settings must not open the port
@@ -161,7 +161,7 @@ class TrexSession:
             try:
                 self._start(client)
             except BadReply:
-                # A line that was just opened may have swallowed the echo that was waited for.
+                # A line that was just opened may have swallowed the expected echo.
                 self._start(client)
         except (NoReply, BadReply) as error:
             raise self._why_not_found(client, error) from error
@@ -174,7 +174,7 @@ class TrexSession:
         )
 
     def _add(self, board: _Board, client: TrexClient, lines: list[OpenLine]) -> None:
-        """Make the parts of a board. `client` is that of the first one, `lines` is shared."""
+        """Create the parts of a board. `client` is for the first board, `lines` is shared."""
         own = client if board is self._boards[0] else client.to_board(board.settings)
         status, batcher = StatusReader(self._transport.clock), SampleBatcher(board.emit)
         see = self._requests.sees_close
@@ -198,7 +198,7 @@ class TrexSession:
         board.jobs = JobServer(board.line, board.reader)
 
     def _why_not_found(self, client: TrexClient, error: StudioError) -> StudioError:
-        """Probe for what is there instead, unless motors have to be stopped first."""
+        """Diagnose why no board was found, unless motors have to be stopped first."""
         if self._is_stop_wanted():
             return explain(self._settings, echo=client.echo, error=error)
         return diagnose(client, error, progress=self._report_probe, cancelled=self._is_stop_wanted)
@@ -234,7 +234,7 @@ class TrexSession:
         return joined_stops([one.line.client.stop_sequence(names) for one in boards])
 
     def _on_taken_over(self, confirmed: bool | None) -> None:
-        """Drop the setpoints. The motors are stopped again before the line is used for more."""
+        """Drop the setpoints. The motors are stopped again before any other use of the line."""
         code = ErrorCode.NO_GUARDIAN if confirmed is None else ErrorCode.NO_HEARTBEAT
         for board in self._boards:
             board.motors.quality.is_shared = True
@@ -266,7 +266,7 @@ class TrexSession:
                     board.stopped_another = self._is_another(board)
             boards[0].line.client.drain()
             self._is_open = any(one.motors.may_move for one in boards)
-            transport.beat()  # a guardian that is not told so keeps the boards as left running
+            transport.beat()  # else the guardian still counts the boards as left running
         except StudioError:
             log.info("the line was closed without a confirmed stop", exc_info=True)
         except Exception:
@@ -278,12 +278,12 @@ class TrexSession:
         try:
             for board in boards:
                 board.line.flush()
-        except Exception:  # the receiver may be what failed; the port is closed all the same
+        except Exception:  # the receiver may have failed; the port is closed anyway
             log.exception("the last samples could not be reported")
         boards[0].line.client.close()
 
     def _is_another(self, board: _Board) -> bool:
-        """True if the board that replies now is known not to be the one that was read."""
+        """True if the board that replies now is certainly not the board that was read."""
         signature = board.reader.signature
         try:
             return signature is not None and (
@@ -314,22 +314,22 @@ class TrexSession:
             return
         failing = len(self._boards) > 1 and any(one.liveness.is_failing for one in self._boards)
         if not self._has_driven and not failing and first.drive_next():
-            # Where several boards share the line, a poll that is due has its turn first
+            # With several boards on the line, a poll that is due comes before the next setpoints
             self._has_driven = len(self._boards) > 1
             return
         has_driven, self._has_driven = self._has_driven, False
-        # One that may have fallen silent comes first: it stops the others
+        # A board that may have fallen silent comes first: its silence stops the others
         for board in sorted(self._in_turn, key=lambda one: not one.liveness.is_failing):
             if self._serve(board, now, watched=watched):
                 self._in_turn.remove(board)
                 self._in_turn.append(board)
                 return
         if has_driven:
-            return  # what is due to be driven comes next
+            return  # setpoints that are due come next
         first.collect(self._seconds_to_wait(now))
 
     def _serve(self, board: _Board, now: float, *, watched: bool) -> bool:
-        """Do what is due for one board. Return whether the line was used."""
+        """Do the next due task of one board. Return whether the line was used."""
         reader, liveness, jobs = board.reader, board.liveness, board.queue.jobs
         if jobs and not board.had_job:
             self._serve_job(board)
@@ -347,7 +347,7 @@ class TrexSession:
         return True
 
     def _serve_job(self, board: _Board) -> None:
-        """Serve a request. A poll that is due has its turn before the next one."""
+        """Serve a request. A poll that is due has its turn before the next request."""
         board.had_job = True
         board.jobs.serve(board.queue.jobs.popleft())
 

@@ -37,7 +37,7 @@ class TrexDecoder(Decoder):
     """Decodes both sub-protocols, with and without CRC and echo."""
 
     def __init__(self) -> None:
-        # The board on the line, once it is known: its units and parameters
+        # Signature of the board on the line, for units and parameters; `None` until it is read
         self.board: Signature | None = None
 
     def shown(self, data: bytes) -> str:
@@ -47,7 +47,7 @@ class TrexDecoder(Decoder):
         return bytes.fromhex(shown)
 
     def learn(self, transaction: Transaction) -> None:
-        """Take the units of the board whose signature this is."""
+        """Use the units of a board after its signature was read."""
         match last_exchange(transaction):
             case _, Reply(value=Signature() as board):
                 self.board = board
@@ -66,7 +66,7 @@ class TrexDecoder(Decoder):
         return may_move(sent)
 
     def is_whole(self, transaction: Transaction) -> bool:
-        """True if the reply has its size, behind its echo if there is one."""
+        """True if the reply has its full size, after its echo if there is one."""
         if not transaction.sent:
             return False
         _, reply = last_exchange(transaction)
@@ -124,7 +124,7 @@ def _packets(sent: bytes, polynomial: int | None) -> tuple[Packet | Malformed, .
 def last_exchange(
     transaction: Transaction,
 ) -> tuple[Packet | Malformed | None, Reply[object] | NeedData | Malformed | None]:
-    """Return the last packet that was sent, and its reply. `None` for what there is not."""
+    """Return the last packet that was sent, and its reply. `None` if missing."""
     if not transaction.sent:
         return None, None
     packet = _packets(transaction.sent, _polynomial(transaction.settings))[-1]
@@ -132,7 +132,7 @@ def last_exchange(
 
 
 def _reply(packet: Packet, transaction: Transaction) -> Reply[object] | NeedData | Malformed:
-    """Parse the received bytes. If an echo is unknown, their length shows whether there is one."""
+    """Parse the received bytes. They also show an echo if `transaction.echo` is unknown."""
     framing = Framing(packet.device_number, _polynomial(transaction.settings))
     received, echo = transaction.received, transaction.echo
     if echo is not None:

@@ -1,4 +1,4 @@
-"""Values beyond inferred limits that boards have stored, remembered for their firmware."""
+"""Saved values beyond inferred limits that boards have stored, by model and firmware."""
 
 import json
 import logging
@@ -17,15 +17,15 @@ Accepted = Mapping[str, frozenset[int]]  # wire values by parameter
 
 
 class AcceptedValues:
-    """One file for all boards, which the window and the command line share."""
+    """A file for all boards, shared by the window and the command line."""
 
     def __init__(self, path: Path | None = None) -> None:
         self.path = path or data_folder() / "accepted_values.json"
 
     def of(self, board: Signature) -> Accepted:
-        """Return what boards with this model and firmware have stored.
+        """Return the values that boards with this model and firmware have stored.
 
-        A file that cannot be used counts as empty: then the user is asked again.
+        An unusable file counts as empty, so that the user has to confirm again.
         """
         found = self._read().get(_name(board))
         return {
@@ -35,10 +35,10 @@ class AcceptedValues:
         }
 
     def add(self, board: Signature, values: Mapping[str, int]) -> Accepted:
-        """Remember values that a board has stored. Return all of its model and firmware.
+        """Save values that a board has stored. Return all values for its model and firmware.
 
         Raises:
-            SettingsError: that failed; what was remembered is still there.
+            SettingsError: saving failed; the earlier values are still saved.
         """
         known = dict(self.of(board))
         for key, wire in values.items():

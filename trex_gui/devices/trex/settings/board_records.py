@@ -1,10 +1,10 @@
-"""Records on this computer beside the settings of a board, in a file for each board.
+"""Records of each board's last applied settings, on this computer.
 
-A record is a settings file. Its parameters are those that were applied last, none if nothing ever
-was; its calibrations are those of both input sources, although a board shows one set only. Comments
-at its head say when the parameters were applied, since when each set is known, whether the serial
-timeout stopped the motors when that was tried, and at which adapter the board was. Two boards may
-share a record; another adapter is the only sign of that there is.
+A record is a settings file. It holds the parameters that were applied last, if any, and the
+calibrations of both input sources, although a board shows only one set. Comments at its head say
+when the parameters were applied, when each calibration set was applied or read, whether a trial of
+the serial timeout stopped the motors, and which adapter the board was connected to. Two boards may
+share a record. A different adapter is the only sign of it.
 """
 
 import re
@@ -39,7 +39,7 @@ _NEVER = datetime.min.replace(tzinfo=UTC)
 
 @dataclass(frozen=True, slots=True)
 class Known:
-    """Since when values are known: the time of the last write, or of the last reading."""
+    """Time when values were last written to the board, or last read from it."""
 
     time: datetime  # in UTC
     is_applied: bool
@@ -47,17 +47,17 @@ class Known:
 
 @dataclass(frozen=True, slots=True)
 class BoardRecord:
-    """The settings in a record, and what its head says. Changes make a new one."""
+    """Settings in a record, and the facts in its head. Immutable."""
 
     settings: Settings
     applied: datetime | None = None  # when parameters were written last; `None`: never
-    known: Mapping[InputSource, Known] = field(default_factory=dict)  # the calibrations
-    adapter: str = ""  # the key of the last one that the board was at; empty if not known
+    known: Mapping[InputSource, Known] = field(default_factory=dict)  # calibrations
+    adapter: str = ""  # key of the adapter that the board was last connected to; empty if unknown
     trial: TimeoutTrial | None = None  # of the serial timeout; `None`: never tried
 
     @property
     def time(self) -> datetime | None:
-        """When any of it was applied or read last. `None`: never."""
+        """Time when values of the record were last applied or read. `None`: never."""
         times = [each.time for each in self.known.values()]
         return max([*times, self.applied] if self.applied else times, default=None)
 
@@ -66,7 +66,7 @@ class BoardRecord:
         return {key: found for key, found in given.items() if key.source is source}
 
     def applied_to(self, stored: Settings) -> Settings:
-        """Return what was applied, as far as a board that stores this shows it."""
+        """Return the applied settings, with only the calibrations that the board shows now."""
         applied = {
             key: found
             for key, found in self.settings.calibrations.items()
@@ -75,14 +75,14 @@ class BoardRecord:
         return replace(self.settings, firmware=stored.firmware, calibrations=applied)
 
     def differences(self, stored: Settings) -> Comparison:
-        """Compare what a board stores with what was applied. Has the rows that differ."""
+        """Return the differences between stored and applied settings."""
         if self.applied is None:
             return Comparison(())
         rows = compare(stored, self.applied_to(stored)).rows
         return Comparison(tuple(row for row in rows if row.changed))
 
     def after_reading(self, stored: Settings, source: InputSource, now: datetime) -> "BoardRecord":
-        """Take the calibrations of the active input source, unless others were applied."""
+        """Add the active input source's calibrations, unless other calibrations were applied."""
         known = self.known.get(source)
         if known is not None and known.is_applied:
             if self.calibrations(source) != stored.calibrations:
@@ -96,13 +96,13 @@ class BoardRecord:
         )
 
     def before_writing(self, keys: Collection[str]) -> "BoardRecord":
-        """Forget values that may change without a confirmation."""
+        """Remove values that may change without a confirmation."""
         return replace(self, settings=self.settings.without(keys))
 
     def after_writing(
         self, stored: Settings, source: InputSource, uncertain: Collection[str], now: datetime
     ) -> "BoardRecord":
-        """Take what was not known before. What was applied earlier and got lost stays wanted."""
+        """Add stored values that the record lacks. Applied values that the board lost remain."""
         was_applied = source in self.known and self.known[source].is_applied
         earlier = self.settings.calibrations if was_applied else {}
         others = {k: c for k, c in self.settings.calibrations.items() if k.source is not source}
@@ -121,19 +121,19 @@ class BoardRecord:
         return record.before_writing(uncertain)
 
     def accepting(self, stored: Settings, source: InputSource, now: datetime) -> "BoardRecord":
-        """Take what a board stores in place of what was applied."""
+        """Replace the applied values with the values that the board stores."""
         keys = {*self.settings.parameters, *self.calibrations(source)}
         return self.before_writing(keys).after_writing(stored, source, (), now)
 
     def after_reset(self) -> "BoardRecord":
-        """Expect nothing of the parameters, which the next start of the board resets."""
+        """Remove the parameters, which the board resets at its next start."""
         return replace(self, settings=replace(self.settings, parameters={}), applied=None)
 
     def with_notes(self, notes: Mapping[str, str]) -> "BoardRecord":
         return replace(self, settings=replace(self.settings, notes=notes))
 
     def together_with(self, earlier: "BoardRecord") -> "BoardRecord":
-        """Add the notes and calibrations that were kept of the same board under another number."""
+        """Add notes and calibrations from this board's record under an earlier number."""
         old, new = earlier.settings, self.settings
         calibrations = {**old.calibrations, **new.calibrations}
         return replace(
@@ -144,9 +144,9 @@ class BoardRecord:
         )
 
     def with_hidden(self, stored: Settings, source: InputSource) -> tuple[Settings, list[str]]:
-        """Return what a board stores with what it hides, and comments on the age of that.
+        """Return the stored settings with the hidden ones, and comments on their age.
 
-        It hides the calibrations of the other input source and the notes.
+        Hidden are the calibrations of the inactive input source, and the notes.
         """
         others = {k: c for k, c in self.settings.calibrations.items() if k.source is not source}
         lines = [_line(_name(key), each) for key, each in self.known.items() if key is not source]
@@ -156,7 +156,7 @@ class BoardRecord:
 
 
 class BoardRecords:
-    """The records in one folder, which is created with the first one."""
+    """The records in a folder, which is created for the first record."""
 
     def __init__(self, folder: Path | None = None) -> None:
         self.folder = folder or data_folder() / "boards"
@@ -168,17 +168,17 @@ class BoardRecords:
         """Replace the record of a board. `None` removes it.
 
         Raises:
-            SettingsError: that failed; the old one is still there.
+            SettingsError: the change failed; the old record is still there.
         """
         replace_file(self.path(board), None if record is None else _text(record))
 
     def load(self, board: BoardIdentity) -> BoardRecord | None:
-        """Return the record of a board. `None`: there is none.
+        """Return the record of a board. `None` if the board has no record.
 
-        A damaged file is renamed to `….damaged`: it may hold notes, and will be replaced.
+        A damaged file is renamed to `….damaged`, so that its notes survive the next `save`.
 
         Raises:
-            SettingsError: it cannot be read, is damaged, or is of another model.
+            SettingsError: the file cannot be read, is damaged, or is of another model.
         """
         path = self.path(board)
         if not is_there(path):
@@ -192,7 +192,7 @@ class BoardRecords:
             raise
 
     def of_other_number(self, board: BoardIdentity, adapter: str) -> BoardRecord | None:
-        """Return what was applied last at an adapter to a board like this with another number."""
+        """Return the newest record of a like board with another number at this adapter."""
         others: list[BoardRecord] = []
         for number in range(HIGHEST_WIRE + 1):
             if number == board.device_number:
@@ -205,7 +205,7 @@ class BoardRecords:
 
 
 def has_factory_line(stored: Settings) -> bool:
-    """True if device number and UART settings are those of a board that lost its settings."""
+    """True if device number and UART settings are defaults, as after a loss of settings."""
     keys = ParameterKey.DEVICE_NUMBER, ParameterKey.UART_SETTINGS
     return all(stored.parameters.get(key) == stored.specs[key].default for key in keys)
 
@@ -234,12 +234,12 @@ def _name(source: InputSource) -> str:
 
 
 def _record(settings: Settings, text: str) -> BoardRecord:
-    """Read the head. Values without a line in it, or with a damaged one, are not known."""
+    """Create a record. Values without a valid line in the head count as unknown."""
     found: dict[str, Known] = {}
     for name, verb, stamp in _HEAD.findall(text):
         with suppress(ValueError, OverflowError):
             time = datetime.fromisoformat(stamp).astimezone(UTC)
-            if 1970 < time.year < 9999:  # others cannot be shown in every time zone
+            if 1970 < time.year < 9999:  # other years cannot be shown in every time zone
                 found[name] = Known(time, verb == "applied")
     known = {source: found[_name(source)] for source in InputSource if _name(source) in found}
     given = {key: c for key, c in settings.calibrations.items() if key.source in known}

@@ -1,4 +1,4 @@
-"""Export settings as a program in C, Python or for Arduino, from a Jinja template for each."""
+"""Export settings as a C, Python or Arduino program, each from its Jinja template."""
 
 import textwrap
 from collections.abc import Iterator
@@ -22,13 +22,13 @@ from trex_gui.version import __version__
 _COMMENT_WIDTH = 86
 
 _SOURCE_LETTERS = {mode.source: mode.value for mode in Mode if mode.is_serial}
-"""The mode letter in serial mode, by the inputs whose calibrations the board then shows."""
+"""Letter of a serial mode, by the input source whose calibrations the board shows in that mode."""
 
 
 def file_name(settings: Settings, language: Language) -> str:
     """Return a name for the exported file, such as `trex_board.c`.
 
-    The Arduino environment wants `trex_board.ino` in a folder `trex_board`.
+    The Arduino environment requires `trex_board.ino` in a folder `trex_board`.
     """
     return f"{settings.product.key}_board{language.suffix}"
 
@@ -36,8 +36,8 @@ def file_name(settings: Settings, language: Language) -> str:
 def export_code(settings: Settings, link: ConnectionSettings, language: Language) -> str:
     """Return a complete program that stores and checks settings and drives motors.
 
-    The same settings and line give the same text, plain ASCII and in English. A value that the
-    board would reject is named in a comment and left out. The port of `link` is not used.
+    The text is plain ASCII in English, and always identical for equal settings and line. Values
+    that the board would reject are left out and named in a comment. The port of `link` is not used.
 
     Raises:
         BadRequest: the settings hold a key that their model and firmware do not have, or the
@@ -94,7 +94,7 @@ def _program(settings: Settings, link: ConnectionSettings, language: Language) -
 
 
 def _notes(settings: Settings) -> Iterator[str]:
-    """Yield the notes on settings, one after the other in lines of limited length."""
+    """Yield the notes on settings, wrapped to lines of limited length."""
     for key in sorted(settings.notes):
         text = plain(f"{key}: {settings.notes[key]}".replace("\n", " / "))
         yield textwrap.fill(text, _COMMENT_WIDTH, subsequent_indent="    ")

@@ -1,4 +1,4 @@
-"""Differences between two sets of settings, and values that one set cannot take."""
+"""Differences between two sets of settings, and values that cannot be carried over."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -25,30 +25,30 @@ class ComparisonRow:
     key: str  # of a parameter, or a `CalibrationKey`
     name: str  # for the user
     before: int | Calibration | None  # wire value or calibration; `None`: not known, or not given
-    after: int | Calibration | None  # likewise; `None` leaves a setting as it is
+    after: int | Calibration | None  # wire value or calibration; `None`: setting does not change
     text_before: str  # in physical units; empty for `None`
-    text_after: str  # likewise
+    text_after: str  # in physical units; empty for `None`
     note_before: str = ""
     note_after: str = ""
 
     @property
     def changed(self) -> bool:
-        """True if going from before to after writes this setting."""
+        """True if applying the settings after writes this setting."""
         return self.after is not None and self.before != self.after
 
     @property
     def brings_note(self) -> bool:
-        """True if the settings after have a note that those before lack."""
+        """True if the settings after have a new or different note."""
         return bool(self.note_after) and self.note_after != self.note_before
 
     @property
     def is_offered(self) -> bool:
-        """True if there is something to take from the settings after: a value or a note."""
+        """True if the settings after offer a different value or note."""
         return self.changed or self.brings_note
 
     @property
     def is_missing(self) -> bool:
-        """True if only the settings before have it: it stays as it is."""
+        """True if the settings after lack this setting, so that it does not change."""
         return self.after is None
 
     @property
@@ -57,7 +57,7 @@ class ComparisonRow:
 
     @property
     def differing_fields(self) -> tuple[str, ...]:
-        """The fields in which calibrations differ: all if one is not known."""
+        """Fields in which the calibrations differ: all if one calibration is unknown."""
         if not self.is_calibration or self.before == self.after:
             return ()
         old, new = self.before, self.after
@@ -68,9 +68,9 @@ class ComparisonRow:
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
-    """Every setting that both sides can have and at least one side gives."""
+    """The settings that at least one side gives and both sides can have."""
 
-    rows: tuple[ComparisonRow, ...]  # in the order of the parameter table, calibrations behind
+    rows: tuple[ComparisonRow, ...]  # in the order of the parameter table, then calibrations
     left_out: tuple[str, ...] = ()  # a sentence for each setting that one side cannot have
 
     @property
@@ -119,10 +119,10 @@ class Comparison:
 
 
 def compare(before: Settings, after: Settings) -> Comparison:
-    """Compare the settings of a board or a file with those that will replace them.
+    """Compare the settings of a board or a file with their replacements.
 
-    Rows with the same wire values are equal. A wire value that means something else to the other
-    model is left out.
+    Rows with the same wire values are equal. A wire value with another meaning for the other model
+    is left out.
     """
     numbers = {spec.number: key for side in (before, after) for key, spec in _specs(side).items()}
     keys = [key for _, key in sorted(numbers.items())]
@@ -133,12 +133,12 @@ def compare(before: Settings, after: Settings) -> Comparison:
 
 
 def compare_with_board(stored: Settings, source: InputSource, wanted: Settings) -> Comparison:
-    """Compare what a board stores with settings that all fit it.
+    """Compare a board's stored settings with wanted settings, which must all fit it.
 
-    Calibrations of the inputs other than this `source` are left out: the board hides them.
+    Only calibrations of this `source` are compared, because the board hides the others.
 
     Raises:
-        BadRequest: they are for another model, or the board lacks a parameter.
+        BadRequest: the settings are for another model, or the board lacks a parameter.
     """
     if wanted.product.key != stored.product.key:
         text = tr("These settings are for a {0}, not a {1}")
@@ -153,7 +153,7 @@ def compare_with_board(stored: Settings, source: InputSource, wanted: Settings) 
 def values_to_write(
     rows: Iterable[ComparisonRow],
 ) -> tuple[tuple[tuple[str, int], ...], tuple[tuple[CalibrationKey, Calibration], ...]]:
-    """Return the parameters and the calibrations of the second side."""
+    """Return the parameters and the calibrations of the `after` side."""
     after = [(row.key, row.after) for row in rows]
     return (
         tuple((key, value) for key, value in after if isinstance(value, int)),
@@ -164,7 +164,7 @@ def values_to_write(
 def settings_after(
     before: Settings, written: Iterable[tuple[str, int | Calibration | None]]
 ) -> Settings:
-    """Return the settings once these values are stored. `None` leaves a setting as it is."""
+    """Return the settings with these values stored. `None` does not change a setting."""
     parameters, calibrations = dict(before.parameters), dict(before.calibrations)
     for key, value in written:
         if isinstance(value, Calibration):
@@ -175,7 +175,7 @@ def settings_after(
 
 
 def _why_not_carried(key: str, before: Settings, after: Settings) -> str:
-    """Say why the other side cannot have this parameter. Empty if it can."""
+    """Return the reason why the other side cannot have a parameter. Empty if it can."""
     for side, other in ((before, after), (after, before)):
         spec, wire = _specs(side).get(key), side.parameters.get(key)
         if spec is not None and wire is not None and key not in _specs(other):
@@ -236,14 +236,14 @@ def _counts(rows: list[ComparisonRow], one: str, many: str) -> str:
 
 
 def _cells(row: ComparisonRow) -> Iterator[tuple[str, str, str]]:
-    """Yield the lines of a row: key, wire values, physical values. Then its note."""
+    """Yield lines of key, wire values and physical values for a row, then its note."""
     yield from _value_cells(row)
     if text := note_text(row.note_before, row.note_after):
         yield tr("{0} note").format(row.key), "", text
 
 
 def note_text(before: str, after: str) -> str:
-    """Return the note of a row on one line, old → new if the two differ. Empty without one."""
+    """Return the note of a row on one line, old → new if they differ. Empty without a note."""
     notes = (note.replace("\n", " / ") for note in (before, after))
     return " → ".join(dict.fromkeys(filter(None, notes)))
 

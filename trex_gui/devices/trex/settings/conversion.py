@@ -1,4 +1,4 @@
-"""Settings for another model or firmware: what is carried over, changed and left out."""
+"""Conversion of settings to another model or firmware, with changes and omissions."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -28,8 +28,8 @@ class ConvertedRow:
     name: str
     fate: Fate
     before: str
-    after: str  # empty for what was left out
-    reason: str  # a sentence; empty for what was carried over
+    after: str  # empty if the setting was left out
+    reason: str  # a sentence; empty if the setting was carried over
 
     def __str__(self) -> str:
         is_same = self.after in {"", self.before}
@@ -39,14 +39,14 @@ class ConvertedRow:
 
 @dataclass(frozen=True, slots=True)
 class Conversion:
-    """Settings for another board, and what became of each setting, changes first."""
+    """Converted settings, and the fate of each setting, changes first."""
 
     settings: Settings
     rows: tuple[ConvertedRow, ...]
 
     @property
     def board(self) -> str:
-        """The model and firmware that the settings are for now."""
+        """Model and firmware of the converted settings."""
         return f"{self.settings.product.name} {self.settings.specs.firmware}"
 
     @property
@@ -63,7 +63,7 @@ class Conversion:
         return text.format(self.board, *counts)
 
     def compared_with(self, before: Settings) -> Comparison:
-        """Compare the settings before the conversion with those after it."""
+        """Compare the settings before and after the conversion."""
         old, new = ({**s.parameters, **s.calibrations} for s in (before, self.settings))
         return Comparison(
             tuple(
@@ -76,10 +76,10 @@ class Conversion:
 
 
 def convert(settings: Settings, product: Model, firmware: str | None) -> Conversion:
-    """Convert settings for a model and a firmware, by default the newest one known.
+    """Convert settings for a model and a firmware, by default its newest known firmware.
 
-    Physical values stay where the wire values mean something else. A current limit is rounded
-    down: a conversion never raises one, except from below the least that the model has.
+    Physical values stay the same if wire values have another meaning. Current limits are rounded
+    down: a conversion never raises a limit, except to the lowest limit of the model.
     """
     target = Settings(product, firmware)
     parameters: dict[str, int] = {}
@@ -114,7 +114,7 @@ def convert(settings: Settings, product: Model, firmware: str | None) -> Convers
 
 
 def _wire(old: ParameterSpec, new: ParameterSpec, wire: int, product: Model) -> tuple[int, str]:
-    """Return the wire value that means the same, and why it differs. Empty if it does not."""
+    """Return the wire value for the same physical value. A reason follows if it differs."""
     if old.scale == new.scale or wire == 0:
         return wire, ""
     steps = wire * old.scale / new.scale
@@ -134,7 +134,7 @@ def _wire(old: ParameterSpec, new: ParameterSpec, wire: int, product: Model) -> 
 
 
 def _line(settings: Settings, target: Settings, wire: int) -> tuple[int, str]:
-    """Keep the baud rate that the board really has, which old firmware halves for two rates."""
+    """Return UART settings with the same real baud rate. Old firmware halves two of the rates."""
     before, after = settings.firmware, target.specs.firmware
     try:
         line = LineSettings.from_wire(wire)
@@ -145,7 +145,7 @@ def _line(settings: Settings, target: Settings, wire: int) -> tuple[int, str]:
         return wire, ""
     kept = replace(line, baud=real)
     if kept.real_baud(after) != real:
-        return wire, ""  # this firmware cannot have that rate; the rules say so
+        return wire, ""  # the new firmware lacks this rate; a rule reports it
     reason = tr("Firmware {0} really runs at {1} baud when set to {2}.").format(
         before, real, line.baud
     )
@@ -153,7 +153,7 @@ def _line(settings: Settings, target: Settings, wire: int) -> tuple[int, str]:
 
 
 def conversion_lines(conversion: Conversion) -> Iterator[str]:
-    """Yield the conversion as lines of text: what was altered one by one, the rest by its keys."""
+    """Yield a summary, a line per altered setting, and the other keys."""
     yield conversion.summary()
     for row in conversion.rows:
         if row.fate is not Fate.CARRIED_OVER:

@@ -1,4 +1,4 @@
-"""The settings of a board, as read, as written in a file, or as shipped."""
+"""Settings of a board, a file or the factory."""
 
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, field, replace
@@ -28,7 +28,7 @@ class Settings:
     firmware: str | None = None  # `None`: unknown
     parameters: Mapping[str, int] = field(default_factory=dict)  # wire values by key
     calibrations: Mapping[CalibrationKey, Calibration] = field(default_factory=dict)
-    notes: Mapping[str, str] = field(default_factory=dict)  # why, by key; see `settings.notes`
+    notes: Mapping[str, str] = field(default_factory=dict)  # by key; see `settings.notes`
 
     @property
     def specs(self) -> ParameterSet:
@@ -41,7 +41,7 @@ class Settings:
         return [(spec, given[spec.key]) for spec in self.specs.readable if spec.key in given]
 
     def calibration_items(self) -> list[tuple[CalibrationKey, Calibration]]:
-        """Return the given calibrations, those for RC pulses first."""
+        """Return the given calibrations, RC pulses before analog voltages."""
         return [(key, self.calibrations[key]) for key in CalibrationKey if key in self.calibrations]
 
     @property
@@ -50,7 +50,7 @@ class Settings:
         return {*self.parameters, *self.calibrations}
 
     def only(self, keys: Collection[str]) -> "Settings":
-        """Leave out the parameters and calibrations with other keys."""
+        """Return only the parameters and calibrations with these keys."""
         return replace(
             self,
             parameters={key: wire for key, wire in self.parameters.items() if key in keys},
@@ -61,7 +61,7 @@ class Settings:
         return self.only(self.keys.difference(keys))
 
     def without_invalid(self, *, forced: bool = True) -> "Settings":
-        """Leave out what no board takes. Without `forced`, also what only a board can tell."""
+        """Return the settings without invalid values. Without `forced`, also omit open values."""
         return replace(
             self,
             parameters={
@@ -74,7 +74,7 @@ class Settings:
 
 
 def open_values(specs: ParameterSet, parameters: Mapping[str, int]) -> dict[str, int]:
-    """Return the values that only an inferred limit is against, by key."""
+    """Return the values, by key, that only an unsourced limit excludes."""
     return {
         spec.key: parameters[spec.key]
         for spec in specs.readable
@@ -83,14 +83,14 @@ def open_values(specs: ParameterSet, parameters: Mapping[str, int]) -> dict[str,
 
 
 def specs_for(product: Model, firmware: str | None) -> ParameterSet:
-    """Return the parameters of a model with a firmware, by default the newest one known."""
+    """Return the parameters of a model with a firmware, by default the newest known."""
     return parameters_of(product.key, firmware or product.firmware[-1])
 
 
 def settings_of(state: DeviceState) -> Settings:
-    """Return what the board stores, including values that it would reject.
+    """Return the stored settings, including values that the board would reject.
 
-    The calibrations are those of the active input source; the board hides the others.
+    They include only the calibrations of the active input source; the board hides the others.
     """
     stored = state.parameters
     return Settings(
@@ -105,7 +105,7 @@ def settings_of(state: DeviceState) -> Settings:
 
 
 def factory_settings(product: Model, firmware: str | None) -> Settings:
-    """Return the default parameters. A reset does not change the calibrations.
+    """Return the default parameters. A factory reset does not change calibrations.
 
     Some defaults are not sourced: see `unconfirmed_defaults`.
     """

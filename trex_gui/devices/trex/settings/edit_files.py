@@ -1,4 +1,4 @@
-"""Edits that were not applied, in a file for each board: they outlive the program."""
+"""Files of unapplied edits, one per board, which survive the end of the program."""
 
 from dataclasses import dataclass
 from datetime import UTC, datetime
@@ -16,7 +16,7 @@ from trex_gui.devices.trex.settings.writer import write_settings
 
 @dataclass(frozen=True, slots=True)
 class BoardIdentity:
-    """Key that tells boards apart, as for snapshots. Two boards may share it."""
+    """Key that distinguishes boards, as for snapshots. Two boards may share a key."""
 
     product: Model
     firmware: str
@@ -42,7 +42,7 @@ class SavedEdits:
 
 
 class EditFiles:
-    """Settings files in one folder, with nothing but edits. Each is replaced as a whole."""
+    """Settings files in a folder that contain only edits. Each save replaces the whole file."""
 
     def __init__(self, folder: Path | None = None) -> None:
         self.folder = folder or data_folder() / "edits"
@@ -51,36 +51,36 @@ class EditFiles:
         return self.folder / f"{board}.txt"
 
     def save(self, board: BoardIdentity, edits: Settings | None) -> None:
-        """Replace what is saved for a board. `None` removes it.
+        """Replace the saved edits of a board. `None` removes them.
 
         Raises:
-            SettingsError: that failed; what was saved is still there.
+            SettingsError: the change failed; the earlier edits are still saved.
         """
         title = ["Edits that were not applied"]
         text = None if edits is None else write_settings(edits, title_lines=title)
         replace_file(self.path(board), text)
 
     def load(self, board: BoardIdentity) -> SavedEdits | None:
-        """Return what is saved for a board.
+        """Return the saved edits of a board. `None` if there are no edits.
 
         Raises:
-            SettingsError: it cannot be read, is damaged, or is of another model.
+            SettingsError: the file cannot be read, is damaged, or is of another model.
         """
         path = self.path(board)
         try:
             saved = datetime.fromtimestamp(path.stat().st_mtime, UTC)
         except FileNotFoundError:
             return None
-        except (OSError, ValueError, OverflowError) as error:  # also a time beyond the calendar
+        except (OSError, ValueError, OverflowError) as error:  # also file times outside `datetime`
             raise SettingsError.of(path, f"{tr('it cannot be read')}: {error}") from error
         return SavedEdits(settings_of_board(load(path), path, board), saved)
 
 
 def replace_file(path: Path, text: str | None) -> None:
-    """Write a file, in a folder that is made if it is missing. `None` removes it.
+    """Write a file, and create its folder if missing. `None` removes the file.
 
     Raises:
-        SettingsError: that failed; the old file is still there.
+        SettingsError: the change failed; the old file is still there.
     """
     with explained(path, tr("it cannot be written")):
         if text is None:
@@ -91,12 +91,12 @@ def replace_file(path: Path, text: str | None) -> None:
 
 
 def put_aside(path: Path) -> Path | None:
-    """Rename a file that is about to be replaced by that of another board.
+    """Rename a file before the file of another board replaces it.
 
-    Return its new name, which no file has yet; `None`: there is no such file.
+    Return the new, unused name, or `None` if the file does not exist.
 
     Raises:
-        SettingsError: it cannot be renamed.
+        SettingsError: the file cannot be renamed.
     """
     names = (path.with_name(f"{path.stem}.replaced-{number}.txt") for number in count(1))
     aside = next(name for name in names if not name.exists())
@@ -112,7 +112,7 @@ def settings_of_board(data: bytes, path: Path, board: BoardIdentity) -> Settings
     """Return the settings in a file of a board.
 
     Raises:
-        SettingsError: they are damaged, or of another model.
+        SettingsError: the settings are damaged, or of another model.
     """
     settings, _ = read_settings(data, str(path))
     if settings.product != board.product:

@@ -1,8 +1,8 @@
-"""Change values in a settings file and keep everything else that the user wrote.
+"""Change values in a settings file without touching the rest of the text.
 
-The round trip of ruamel.yaml keeps comments and order, but not spaces before and after colons,
-margins, mappings in braces over several lines, `+5`, `? key`, comments after `...` or line ends.
-So the text is edited at the positions of ruamel.yaml's nodes.
+The round trip of ruamel.yaml retains comments and order, but not spaces around colons, margins,
+mappings in braces over several lines, `+5`, `? key`, comments after `...` or line ends. Therefore
+the text is edited at the positions of ruamel.yaml's nodes.
 """
 
 import re
@@ -37,13 +37,13 @@ _COMMA_AFTER = re.compile(r"(?:\s|#[^\r\n]*[\r\n])*,")
 
 
 def amend(text: str, settings: Settings, name: str = "settings") -> str:
-    """Return the text of a settings file with other settings in it. Errors call it `name`.
+    """Return the text of a settings file, changed to hold `settings`. Errors call it `name`.
 
-    Changed values are replaced where they are, in the same base. A comment beside a value is
-    updated if the program wrote it; the user's comments stay, and notes change where they are or
-    are put above their setting. Missing settings are appended;
-    removed settings become comments, and so do values that the board would reject. A text that
-    has the settings already does not change. Line ends and a byte order mark stay.
+    Changed values are replaced in place, in their number base. A comment beside a value is
+    updated if the program wrote it. The user's comments stay. Notes are changed in place, new
+    notes are inserted above their settings. Missing settings are appended. Removed settings, and
+    values that the board would reject, become comments. A text that already holds the settings
+    does not change. Line ends and a byte order mark stay.
 
     Raises:
         SettingsError: the text cannot be read, or cannot be changed in place.
@@ -79,7 +79,7 @@ def _reads_as(settings: Settings, text: str) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class _Entry:
-    """A setting with the positions of its first character and behind its last."""
+    """A setting: position of its first character, position after its last, and value."""
 
     start: int
     end: int
@@ -101,18 +101,18 @@ class _Document:
             self.entries[str(key.value)] = _Entry(first, last, value)
         self._line_starts = [0, *(found.end() for found in LINE_END.finditer(body))]
         self._line_ends = [*self._line_starts[1:], len(body)]
-        # By line: first and last column, and the text that replaces what is between.
+        # By line: start column, end column, and the text that replaces the range.
         self._edits: dict[int, list[tuple[int, int, str]]] = defaultdict(list)
         self._comments: dict[int, str] = {}
         self._insertions: dict[int, str] = {}  # text to insert before a line
         self._removed: set[int] = set()  # lines
-        self.notes: dict[str, list[int]] = defaultdict(list)  # their lines by key
+        self.notes: dict[str, list[int]] = defaultdict(list)  # line numbers of the notes by key
         for number, line in enumerate(LINE_END.split(self.body)):
             if key := note_line_key(line):
                 self.notes[key].append(number)
 
     def text(self) -> str:
-        """Return the changed text. Comments keep their columns if there is room."""
+        """Return the changed text. Comments keep their columns if there is space."""
         parts = []
         for number in range(len(self._line_starts)):
             old, gap, comment, end = self._parts(number)
@@ -138,7 +138,7 @@ class _Document:
             self._edit(start, end, _spelled_like(old, wire))
 
     def update_comment(self, key: str, old: Collection[str], new: str) -> None:
-        """Replace the comments beside a setting that read one of `old`."""
+        """Replace comments beside a setting whose text is in `old`."""
         if new in old:
             return
         for number in self._lines_of(self.entries[key]):
@@ -151,7 +151,7 @@ class _Document:
                 self._comments[number] = f"# {new}"
 
     def remove(self, key: str) -> None:
-        """Make a comment of a setting's lines. In a file in braces, delete it and its comma."""
+        """Comment out a setting's lines. In a file in braces, delete the setting and its comma."""
         entry = self.entries[key]
         for number in self._lines_of(entry):
             code, start = self._parts(number)[0], self._line_starts[number]
@@ -182,9 +182,9 @@ class _Document:
         self._insertions[number] = self._insertions.get(number, "") + text
 
     def set_note(self, key: str, lines: list[str]) -> bool:
-        """Put a note where the old one was, or above its setting. Return whether there is a place.
+        """Replace the old note, or insert a note above its setting. False if it has no place.
 
-        No lines remove a note.
+        An empty list removes the note.
         """
         old = self.notes.get(key, [])
         self._removed.update(old)
@@ -202,7 +202,7 @@ class _Document:
 
     @property
     def _line_end(self) -> str:
-        """The first line end of the text, if it is an ordinary one."""
+        """The first line end of the text. A line feed unless that is CR, LF or CRLF."""
         found = LINE_END.search(self.body)
         return found[0] if found and found[0] in {"\r\n", "\n", "\r"} else "\n"
 
@@ -220,7 +220,7 @@ class _Document:
     def _parts(self, number: int) -> tuple[str, str, str, str]:
         """Return code, gap, comment and end of a line.
 
-        No `#` of a valid settings file is part of a key or a value.
+        In a valid settings file, no key or value contains a `#`.
         """
         line = self.body[self._line_starts[number] : self._line_ends[number]]
         before, sign, text = line.partition("#")
@@ -230,14 +230,14 @@ class _Document:
 
 
 def _end_of(node: Node) -> int:
-    """Return the position behind a node. In a block mapping, behind its last value."""
+    """Return the position after a node. In a block mapping, after its last value."""
     if isinstance(node, MappingNode) and not node.flow_style:
         return _end_of(node.value[-1][1])
     return int(node.end_mark.index)
 
 
 def _spelled_like(old: str, wire: int) -> str:
-    """Return a number in the format of another one: `0x0f` makes `0x7b` of 123."""
+    """Return `wire` in the number format of `old`: 123 like `0x0f` is `0x7b`."""
     if old[:2] not in {"0x", "0X"}:
         return f"+{wire}" if old.startswith("+") else str(wire)
     digits = old[2:]
@@ -259,7 +259,7 @@ def _change_entries(document: _Document, old: Settings, new: Settings) -> None:
             old_wire = old.parameters[key]
             spec = old.specs[key]
             texts = {parameter_text(spec, old_wire, old), plain_text(spec, old_wire)}
-            if spec.kind is ParameterKind.ACCELERATION:  # as it was written before
+            if spec.kind is ParameterKind.ACCELERATION:  # comments of earlier versions
                 texts.add(f"{old_wire} {spec.unit}")
                 texts.add(f"{old_wire} {spec.unit}, {spec.text(old_wire)}")
             document.update_comment(key, texts, parameter_text(new.specs[key], wire, new))
@@ -276,7 +276,7 @@ def _change_entries(document: _Document, old: Settings, new: Settings) -> None:
 def _change_notes(
     document: _Document, old: Mapping[str, str], new: Mapping[str, str]
 ) -> dict[str, str]:
-    """Change, add or remove notes. Return those on settings that the text lacks."""
+    """Change, add or remove notes. Return the notes on settings that the text lacks."""
     changed = [key for key in {**old, **new} if old.get(key) != new.get(key)]
     return {key: new[key] for key in changed if not document.set_note(key, note_lines(key, new))}
 
@@ -284,7 +284,7 @@ def _change_notes(
 def _missing_lines(
     document: _Document, settings: Settings, notes: Mapping[str, str]
 ) -> Iterator[str]:
-    """Yield a line for each setting that the text lacks, in the order of the table, and notes."""
+    """Yield the missing settings in the order of the table, each below its note."""
     if settings.firmware is not None and "firmware" not in document.entries:
         yield f"firmware: {settings.firmware}"
     lines = [

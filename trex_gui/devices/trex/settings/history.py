@@ -1,7 +1,7 @@
-"""Snapshots: settings files with what a board stored before each change.
+"""Snapshots: settings files with a board's stored settings before each change.
 
 Comments at the head say when, why and of which board a snapshot was taken. A small text file in
-the same folder says to all programs how many snapshots to keep; other files are left alone.
+the folder sets the number of retained snapshots for all programs. Other files are not touched.
 """
 
 import heapq
@@ -29,7 +29,7 @@ from trex_gui.devices.trex.settings.notes import clean_note
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 
-KEPT = 500  # how many snapshots are kept by default: one or two megabytes
+KEPT = 500  # default number of retained snapshots: one or two megabytes
 _NAME = re.compile(r"(\d{8}T\d{6}Z)-(?:(\d+)-)?[a-z]+-[\d.]+\.txt")
 _TIME = "%Y%m%dT%H%M%SZ"
 _TIME_LENGTH = 16
@@ -52,10 +52,10 @@ kept: {}
 
 
 Stamp = tuple[int, int]
-"""Time of change (ns) and size of a file, which differ after a change; (0, 0) if unknown."""
+"""Modification time (ns) and size of a file, to detect changes; (0, 0) if unknown."""
 
 Order = tuple[datetime, int, str]
-"""By which snapshots are sorted: when each was taken, its turn within the second, its name."""
+"""Sort key of a snapshot: time when it was taken, its number within the second, file name."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,13 +63,13 @@ class Snapshot:
     path: Path
     taken: datetime  # in UTC
     product: str = ""  # empty if it cannot be read
-    firmware: str = ""  # likewise
+    firmware: str = ""  # empty if it cannot be read or is not given
     device_number: int | None = None
     adapter: str = ""  # the port of the board, for the user
     reason: str = ""  # the operation that followed
     problem: str = ""  # why the file cannot be used, judging by its head; empty if it can
-    name: str = ""  # by the user; one that has a name is kept
-    note: str = ""  # likewise
+    name: str = ""  # by the user; a snapshot with a name is never removed automatically
+    note: str = ""  # by the user
     stamp: Stamp = field(default=(0, 0), compare=False)
 
 
@@ -77,7 +77,7 @@ class Snapshot:
 class Bound:
     """Number of snapshots to keep: at least 1, or `None` for all.
 
-    If the setting cannot be read, `problem` is a sentence and all are kept.
+    If the setting cannot be read, `problem` is a sentence and no snapshot is removed.
     """
 
     kept: int | None = KEPT
@@ -85,9 +85,9 @@ class Bound:
 
 
 class SettingsHistory:
-    """The snapshots in one folder, which is created with the first one.
+    """The snapshots in a folder, which is created for the first snapshot.
 
-    Only the user's limit removes snapshots, the oldest first, never the newest or one with a name.
+    Snapshots beyond the user's limit are removed, oldest first, except the newest and named ones.
     """
 
     def __init__(self, folder: Path | None = None) -> None:
@@ -102,12 +102,12 @@ class SettingsHistory:
         remarks: Sequence[str] = (),
         now: datetime | None = None,
     ) -> Snapshot:
-        """Save the settings of a board. `reason` is what follows: `Apply of 3 settings`.
+        """Save the settings of a board before an operation, named by `reason`.
 
-        `remarks` are further comments for the head of the file.
+        `reason` is, for example, `Apply of 3 settings`; `remarks` are more comments for the head.
 
         Raises:
-            SettingsError: they cannot be saved; then nothing must be written to the board.
+            SettingsError: saving failed; then nothing must be written to the board.
         """
         taken = (now or datetime.now(UTC)).astimezone(UTC).replace(microsecond=0)
         self._create_folder()
@@ -128,25 +128,25 @@ class SettingsHistory:
         return Snapshot(path, taken, settings.product.name, firmware, number, adapter, reason)
 
     def snapshots(self) -> tuple[Snapshot, ...]:
-        """Return all snapshots, the newest first, including those that cannot be read."""
+        """Return all snapshots, newest first, including unreadable ones."""
         return tuple(self.look_at(order) for order in self.files())
 
     def files(self) -> list[Order]:
-        """Return the files of all snapshots, the newest first, without opening one."""
+        """Return the files of all snapshots, newest first, without opening them."""
         try:
             with os.scandir(self.folder) as entries:
                 names = [entry.name for entry in entries]
-        except OSError:  # not made yet, or not ours to read
+        except OSError:  # not created yet, or not readable
             return []
         matches = (match for name in names if (match := _NAME.fullmatch(name)))
         found = list(map(_order, matches))
-        # One long `sort` would hold up every other thread.
+        # A single long `sort` would block every other thread.
         starts = range(0, len(found), _SORTED_AT_ONCE)
         pieces = [sorted(found[n : n + _SORTED_AT_ONCE], reverse=True) for n in starts]
         return list(heapq.merge(*pieces, reverse=True))
 
     def look_at(self, file: Order, known: Snapshot | None = None) -> Snapshot:
-        """Return the head of a snapshot. `known` itself while its file has not changed."""
+        """Read the head of a snapshot. Return `known` itself if its file has not changed."""
         taken, _, name = file
         path = self.folder / name
         if known is not None and known.stamp == _stamp(path):
@@ -157,17 +157,17 @@ class SettingsHistory:
         """Return the settings in a snapshot.
 
         Raises:
-            SettingsError: the file is gone or damaged.
+            SettingsError: the file is missing or damaged.
         """
         settings, _ = read_settings(load(snapshot.path), str(snapshot.path))
         return settings
 
     def label(self, snapshot: Snapshot, **texts: str) -> None:
-        """Give a snapshot a `name`, a `note` or both. An empty text removes one.
+        """Set the `name`, the `note` or both of a snapshot. An empty text removes them.
 
         Raises:
-            BadRequest: the name is a number or that of another snapshot, or a text is too long.
-            SettingsError: the file is gone, or cannot be written.
+            BadRequest: the name is a number or used by another snapshot, or a text is too long.
+            SettingsError: the file is missing, or cannot be written.
         """
         cleaned = {kind: " ".join(clean_note(text).split()) for kind, text in texts.items()}
         for kind, text in cleaned.items():
@@ -178,7 +178,7 @@ class SettingsHistory:
             raise BadRequest(tr("{0} would be the number of a snapshot.").format(name))
         if name and any(one.name == name != snapshot.name for one in self.snapshots()):
             raise BadRequest(tr("Another snapshot has the name {0}.").format(name))
-        lines = load(snapshot.path).split(b"\n")  # all others stay as they are
+        lines = load(snapshot.path).split(b"\n")  # other lines do not change
         for kind, text in cleaned.items():
             begin = f"# {kind}: ".encode()
             first, *rest = (line for line in lines[:_HEAD_LINES] if not line.startswith(begin))
@@ -189,7 +189,7 @@ class SettingsHistory:
         """Remove a snapshot. A missing file is not an error.
 
         Raises:
-            SettingsError: it cannot be removed.
+            SettingsError: the file cannot be removed.
         """
         with explained(snapshot.path, tr("it cannot be removed")):
             snapshot.path.unlink(missing_ok=True)
@@ -213,15 +213,15 @@ class SettingsHistory:
         return Bound(None if match[1] == "all" else int(match[1]))
 
     def beyond(self, kept: int | None) -> tuple[Snapshot, ...]:
-        """Return the oldest snapshots without a name, if only so many are kept."""
+        """Return the unnamed snapshots that a limit of `kept` snapshots would remove."""
         older = () if kept is None else map(self.look_at, self.files()[kept:])
         return tuple(found for found in older if not found.name)
 
     def set_limit(self, kept: int | None) -> tuple[Snapshot, ...]:
-        """Set how many are kept, for all programs. Remove the oldest beyond, and return them.
+        """Set the limit for all programs. Remove snapshots beyond it, and return them.
 
         Raises:
-            SettingsError: the bound cannot be saved; then nothing was removed.
+            SettingsError: the limit cannot be saved; then nothing was removed.
         """
         if kept is not None and not 1 <= kept < 10**7:
             raise ValueError(tr("a history keeps at least one snapshot, not {0}").format(kept))
@@ -230,9 +230,9 @@ class SettingsHistory:
         return tuple(found for found in self.beyond(kept) if _removed(found.path))
 
     def _remove_oldest(self, own: Path) -> None:
-        """Remove the oldest beyond the bound, but none that was saved after our own snapshot.
+        """Remove the oldest snapshots beyond the limit, but none saved after our own snapshot.
 
-        Otherwise each of two programs could remove the other's.
+        Otherwise two programs could remove each other's snapshots.
         """
         bound = self.bound()
         if bound.problem or bound.kept is None:
@@ -241,9 +241,9 @@ class SettingsHistory:
             names = os.listdir(self.folder)  # noqa: PTH208 - ten times faster than paths
         except OSError:
             return
-        if len(names) <= bound.kept:  # usual, and cheaper than looking at each name
+        if len(names) <= bound.kept:  # the usual case, cheaper than checking each name
             return
-        # The file system's clock counts; the name tells apart what was saved at once.
+        # The file system's clock decides; the name orders snapshots saved at the same time.
         ours = _stamp(own)[0], own.name
         others = [name for name in names if _NAME.fullmatch(name) and name != own.name]
         for name in _oldest(others, len(others) + 1 - bound.kept):
@@ -263,13 +263,13 @@ class SettingsHistory:
 def _order(match: re.Match[str]) -> Order:
     try:
         taken = datetime.fromisoformat(match[1])
-    except ValueError:  # digits that are no date
+    except ValueError:  # the digits are not a date
         taken = _NO_DATE
     return taken, int(match[2] or 1), match[0]
 
 
 def _oldest(names: Sequence[str], count: int) -> list[str]:
-    """Return the oldest snapshots, without taking every name apart."""
+    """Return the oldest snapshots, without parsing every name."""
     if count <= 0:
         return []
     last = heapq.nsmallest(count, names)[-1][:_TIME_LENGTH]

@@ -1,7 +1,7 @@
 """Notes on settings in the text of a file: why a setting has its value.
 
-Each line of a note is a comment of its own, `# Note on serial_timeout: the radio drops out`, mostly
-above the setting. To readers that know no notes it is a comment like any other.
+Each line of a note is a separate comment, `# Note on serial_timeout: the radio drops out`, usually
+above its setting. Programs that do not know notes read it as an ordinary comment.
 """
 
 import re
@@ -11,19 +11,19 @@ from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.settings.yaml_subset import LINE_END
 
-LONGEST_NOTE = 1000  # characters; with a note on each setting a file is still read
+LONGEST_NOTE = 1000  # characters; a file with such a note on each setting can still be read
 
 _NOTE = re.compile(r"[ \t]*# Note on ([a-z0-9_]+): (.*\S)[ \t]*")
 
 
 def note_line_key(line: str) -> str:
-    """Return the key that a line of a settings file is a note on. Empty for any other line."""
+    """Return the key of the setting that a line is a note on. Empty if it is not a note."""
     found = _NOTE.fullmatch(line)
     return found[1] if found and _can_have_note(found[1]) else ""
 
 
 def read_notes(text: str) -> dict[str, str]:
-    """Return the notes in a text by key, with their lines. The order of the text does not count."""
+    """Return the notes in a text by key. The lines of a note are joined."""
     notes: dict[str, list[str]] = {}
     for line in LINE_END.split(text):
         found = _NOTE.fullmatch(line)
@@ -33,12 +33,12 @@ def read_notes(text: str) -> dict[str, str]:
 
 
 def note_lines(key: str, notes: Mapping[str, str]) -> list[str]:
-    """Return a note as lines of a settings file. None if there is none."""
+    """Return a note as lines of a settings file. Empty if the setting has no note."""
     return [f"# Note on {key}: {line}" for line in clean_note(notes.get(key, "")).splitlines()]
 
 
 def clean_note(text: str) -> str:
-    """Return a note as files can keep it: printable, without empty lines and spaces at the ends."""
+    """Return a note as files store it: printable, without empty lines and surrounding spaces."""
     lines = (line.expandtabs().strip() for line in text.splitlines())
     shown = ("".join(c if c.isprintable() else "?" for c in line) for line in lines)
     return "\n".join(filter(None, shown))

@@ -1,4 +1,4 @@
-"""The record of the boards that were set up: a CSV file with a line for each."""
+"""Record of the boards that were set up, a CSV line per board."""
 
 import csv
 import hashlib
@@ -17,8 +17,8 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow
 from trex_gui.devices.trex.settings.document import Settings
 
-FACTORY_NUMBER = 7  # given to no board, so that one that has it is new
-NEW, KNOWN, NUMBER_ONLY = "new", "known", "number only"  # how sure it is which board it is
+FACTORY_NUMBER = 7  # never assigned, so that a board with this number is new
+NEW, KNOWN, NUMBER_ONLY = "new", "known", "number only"  # certainty of a board's identity
 BEGUN, SKIPPED = "begun", "skipped"  # results
 NOT_TRIED = "ended while motors were tried"
 
@@ -29,11 +29,11 @@ class ProvisionedBoard:
 
     time: str  # local, with the offset to UTC
     name: str
-    number: int  # that the board has, or may have
+    number: int  # device number that the board has, or may have
     board: str  # model and firmware
-    calibrations: str  # a hash of them: boards have no serial number
-    differences: str  # keys of what was to be written
-    result: str  # begins with ok, or is skipped, begun, or what went wrong
+    calibrations: str  # hash of the calibrations, because boards have no serial number
+    differences: str  # keys of the settings to write
+    result: str  # begins with ok, or is skipped, begun, or an error
     certainty: str  # `NEW`, `KNOWN`, or `NUMBER_ONLY`
 
     @classmethod
@@ -45,9 +45,9 @@ _COLUMNS = [field.name for field in fields(ProvisionedBoard)]
 
 
 class ProvisionRecord:
-    """Boards with numbers and names. A number that was given is never given again.
+    """Boards with their numbers and names. A number is never assigned twice.
 
-    `name` becomes that of a new board, with its number for `{number}`; `first` is the first number.
+    `name` is the name for new boards, with `{number}` replaced; `first` is the first number.
 
     Raises:
         StudioError: the file cannot be used.
@@ -72,10 +72,10 @@ class ProvisionRecord:
     def propose(
         self, stored: Settings, board: str, differing: Collection[ComparisonRow]
     ) -> ProvisionedBoard:
-        """Return the line of a board that stores this: with the number and name it has or gets.
+        """Return a board's line, with its existing or a new number and name.
 
         Raises:
-            BadRequest: every number is given.
+            BadRequest: all numbers are assigned.
         """
         number, prints = stored.parameters[ParameterKey.DEVICE_NUMBER], fingerprint(stored)
         known = self._known(number)
@@ -98,19 +98,19 @@ class ProvisionRecord:
         )
 
     def skipped(self, board: ProvisionedBoard, stored: Settings) -> ProvisionedBoard:
-        """Return the line of a board that stays as it is."""
+        """Return the line of a board that is not changed."""
         number = stored.parameters[ParameterKey.DEVICE_NUMBER]
         known = self._known(number)
         prints = known.calibrations if known else board.calibrations
         return replace(board, number=number, calibrations=prints, result=SKIPPED)
 
     def _known(self, number: int) -> ProvisionedBoard | None:
-        """Return the newest line of the board that was given this number."""
+        """Return the newest line of the board to which this number was assigned."""
         given = (row for row in reversed(self._rows) if row.result != SKIPPED)
         return next((row for row in given if row.number == number != FACTORY_NUMBER), None)
 
     def free_number(self) -> int:
-        """Return a number that no board was given. Raises BadRequest if there is none."""
+        """Return an unassigned number. Raises BadRequest if all are assigned."""
         taken = {FACTORY_NUMBER, *(row.number for row in self._rows)}
         numbers: list[int] = [*range(self._first, NUMBERS), *range(self._first)]
         for number in numbers:
@@ -120,13 +120,13 @@ class ProvisionRecord:
         raise BadRequest(text.format(NUMBERS, self._file))
 
     def put(self, row: ProvisionedBoard) -> None:
-        """Add a line, in place of the last one if that has begun. Call `save` then."""
+        """Add a line. It replaces the last line if that is `BEGUN`. Call `save` afterwards."""
         if self._rows and self._rows[-1].result == BEGUN:
             self._rows.pop()
         self._rows.append(row)
 
     def save(self) -> None:
-        """Write the file. After a StudioError it is as before."""
+        """Write the file. A StudioError leaves the file unchanged."""
         table = io.StringIO(newline="")
         writer = csv.DictWriter(table, _COLUMNS, lineterminator="\n")
         writer.writeheader()
@@ -141,19 +141,19 @@ class ProvisionRecord:
 
 
 def differing(comparison: Comparison) -> tuple[ComparisonRow, ...]:
-    """Return what a profile changes of a board: all but the number, which the record gives."""
+    """Return the changes of a profile without the device number, which the record assigns."""
     return tuple(
         row for row in comparison.rows if row.changed and row.key != ParameterKey.DEVICE_NUMBER
     )
 
 
 def fingerprint(stored: Settings) -> str:
-    """Return a hash of the calibrations that a board shows."""
+    """Return a hash of the calibrations that a board shows, 8 hexadecimal digits."""
     return hashlib.sha256(repr(sorted(stored.calibrations.items())).encode()).hexdigest()[:8]
 
 
 def result_text(wanted: Settings, stored: Settings, left: Collection[ComparisonRow]) -> str:
-    """Return the result of a board that stores this now, and still differs in `left`."""
+    """Return the result for a board's stored settings, with the remaining differences `left`."""
     if left:
         return f"differs: {' '.join(row.key for row in left)}"
     hidden = " ".join(key for key in wanted.calibrations if key not in stored.calibrations)

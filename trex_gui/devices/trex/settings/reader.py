@@ -1,4 +1,4 @@
-"""Read settings from text. All errors and warnings are reported, by line."""
+"""Read settings from text, and report all errors and warnings by line."""
 
 import difflib
 import re
@@ -25,7 +25,7 @@ from trex_gui.devices.trex.settings.document import Settings, specs_for
 from trex_gui.devices.trex.settings.notes import read_notes
 from trex_gui.devices.trex.settings.yaml_subset import compose, line_of, shortened
 
-MOST_FINDINGS = 100  # a file with more is no settings file; the rest is counted
+MOST_FINDINGS = 100  # a file with more is no settings file; further errors are only counted
 _QUANTITIES = {ParameterKind.NUMBER, ParameterKind.ACCELERATION, ParameterKind.PWM_MAXIMUM}
 _INTEGER = re.compile(r"[-+]?(?:0|[1-9][0-9]{0,17})|0[xX][0-9A-Fa-f]{1,16}")
 _FIRMWARE = re.compile(r"[0-9](?:\.[0-9]{1,3}){1,2}")
@@ -67,8 +67,8 @@ def read_settings(
     """Return the settings in a file, and warnings. Errors call the file `name`.
 
     Raises:
-        SettingsError: the file cannot be used; has every error and warning. Settings are only
-            checked in sound YAML with a product.
+        SettingsError: the file cannot be used. Contains every error and warning. Settings are
+            only checked in valid YAML with a product.
     """
     data = text if isinstance(text, bytes) else text.encode("utf-8", "surrogatepass")
     content = decode(data, name)
@@ -83,7 +83,7 @@ def read_settings(
 
 
 class TextFix(NamedTuple):
-    """A part of a text that is not valid, and what it plainly means."""
+    """An invalid part of a text, and the text that replaces it."""
 
     start: int
     end: int
@@ -93,13 +93,13 @@ class TextFix(NamedTuple):
 
 
 def text_fixes(content: str, name: str) -> tuple[TextFix, ...]:
-    """Return what makes values of a settings file valid, in the order of the text.
+    """Return fixes for invalid values, in the order of the text.
 
-    A value with its unit or in words gets its wire value, a number beyond its range the nearest
-    one in it, and a misspelt product its name. What could mean several things is left.
+    A value with a unit or in words is replaced with its wire value, a number outside its range
+    with the nearest limit, and a misspelt product with its name. Ambiguous values are not fixed.
 
     Raises:
-        SettingsError: it is not sound YAML.
+        SettingsError: the text is not valid YAML.
     """
     reader = _Reader()
     reader.read(compose(content, name), {})
@@ -136,14 +136,14 @@ class _Reader:
             self.fixes.append(TextFix(start, end, text, entry.line, message))
 
     def sorted_findings(self) -> tuple[Finding, ...]:
-        """Return the findings by line. Those about the whole file come last."""
+        """Return the findings by line. Findings about the whole file come last."""
         found = sorted(self.findings, key=lambda f: (f.line is None, f.line or 0))
         if self.left_out:
             found.append(_finding(None, None, "more_errors", Severity.ERROR, count=self.left_out))
         return tuple(found)
 
     def read(self, root: MappingNode, notes: Mapping[str, str]) -> Settings | None:
-        """Return the settings. `None` without a product."""
+        """Return the settings. `None` if the product is missing or unknown."""
         entries = self._entries(root, None)
         product = self._product(entries)
         if product is None:
@@ -245,7 +245,7 @@ class _Reader:
             return
         specs = specs_for(product, firmware).readable
         keys = ["product", "firmware", *(s.key for s in specs), *CALIBRATION_KEYS]
-        guess = _guess(key, keys) if len(self.findings) < MOST_FINDINGS else ""  # it takes long
+        guess = _guess(key, keys) if len(self.findings) < MOST_FINDINGS else ""  # guessing is slow
         self.error(line, shortened(key), "key_unknown", guess=guess)
 
     def _read_calibration(self, key: str, entry: _Entry) -> None:
@@ -296,7 +296,7 @@ def _finding(
 
 
 def _integer(node: Node) -> int | None:
-    """Return the value of a plain decimal number, or a hexadecimal one with 0x."""
+    """Return the value of an unquoted integer, decimal or hexadecimal with 0x, else `None`."""
     if not isinstance(node, ScalarNode) or node.style is not None:
         return None
     text = str(node.value)
@@ -320,7 +320,7 @@ def _shown(node: Node) -> str:
 
 
 def _range(spec: ParameterSpec) -> str:
-    """Return the allowed wire values, as in the file, and their physical values."""
+    """Return the allowed wire values, and the range in physical units."""
     if spec.kind in {ParameterKind.CHOICE, ParameterKind.UART}:
         return spec.range_text()
     low, high = spec.text(spec.minimum), spec.text(spec.maximum)
@@ -334,7 +334,7 @@ def _range(spec: ParameterSpec) -> str:
 
 
 def _hint(spec: ParameterSpec, node: Node) -> str:
-    """Return how a physical value, such as `1.5 s`, is written in a settings file."""
+    """Return a hint on the spelling of a physical value, such as `1.5 s`, in a file."""
     meant, text = _meant(spec, node), _words(node)
     if not isinstance(meant, int):
         return f"; {meant}" if meant else ""
@@ -347,14 +347,14 @@ def _hint(spec: ParameterSpec, node: Node) -> str:
 
 
 def _meant(spec: ParameterSpec, node: Node) -> int | AmbiguousNumber | None:
-    """Return the wire value of a physical one, such as `1.5 s`, or of a number in quotes."""
+    """Return the wire value of a physical value (`1.5 s`) or a quoted number."""
     text = _words(node)
     if len(text) > len("19200 baud, no error detection, 1 stop bit"):
         return None
     if _INTEGER.fullmatch(text) and _integer(node) is None:  # in quotes
         wire = int(text, 0)
         return wire if spec.problem(wire) is None else None
-    # 9600 or 1.5 might be meant in any unit; a whole polynomial is known by its highest bit.
+    # 9600 or 1.5 could be in any unit. A complete polynomial is recognized by its highest bit.
     if spec.kind is not ParameterKind.POLYNOMIAL and not any(c.isalpha() for c in text):
         return None
     try:

@@ -1,4 +1,4 @@
-"""Repair settings: values of a file that are not valid, and settings that do not fit together."""
+"""Repair invalid values in settings files, and settings that do not fit together."""
 
 from collections.abc import Collection, Mapping
 from dataclasses import replace
@@ -13,12 +13,12 @@ _NO_CONTEXT = Context()
 
 
 def repair_values(data: bytes, name: str) -> tuple[str, tuple[str, ...]]:
-    """Return the text with what is not valid in single values repaired, where that is plain.
+    """Repair invalid values in a text if their meaning is clear.
 
-    Also return a line for each repair.
+    Return the text and one line for each repair.
 
     Raises:
-        SettingsError: it is not the text of a settings file.
+        SettingsError: `data` is not the text of a settings file.
     """
     body = decode(data, name)
     fixes = text_fixes(body, name)
@@ -31,11 +31,11 @@ def repair_values(data: bytes, name: str) -> tuple[str, tuple[str, ...]]:
 def accept_proposals(
     settings: Settings, context: Context = _NO_CONTEXT, *, kept: Collection[str] = ()
 ) -> tuple[Settings, tuple[LintFinding, ...]]:
-    """Make the changes that the rules propose. Return the settings, and what was accepted.
+    """Apply the changes that the rules propose. Return settings and accepted findings.
 
-    Proposals that change one of the parameters `kept` are not accepted.
+    Proposals that change a parameter in `kept` are not accepted.
 
-    A change may be why another rule speaks, so the rules are asked again, each once per setting.
+    A change can cause a new finding, so the rules run again. Each rule changes a setting only once.
     """
     accepted: dict[tuple[str, tuple[str, ...]], LintFinding] = {}
     for _ in RULES:

@@ -1,6 +1,6 @@
-"""Rules for settings that are valid one by one but questionable together.
+"""Rules for settings that are valid individually but questionable in combination.
 
-A rule never forbids. It reports a finding and, where one change is plainly better, proposes it.
+A rule never forbids settings. It reports a finding, and proposes a change that is clearly better.
 """
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
@@ -27,7 +27,7 @@ _SHORTEST_PULSE = 1250  # counts of 0.4 us. Ref: Pololu TReX User's Guide 4.c
 
 @dataclass(frozen=True, slots=True)
 class Context:
-    """Facts beside the settings."""
+    """Facts that rules need in addition to the settings."""
 
     drives_from_computer: bool = False  # whether the motors are driven over the serial line
     port_rates: Collection[int] | None = None  # baud rates of this computer's port; `None`: unknown
@@ -39,12 +39,12 @@ class LintFinding:
     rule: str  # the rule's stable key, such as `limit_in_joint_mode`
     keys: tuple[str, ...]  # the settings concerned
     message: str  # a sentence
-    change: Mapping[str, int]  # wire values by key that resolve it; empty if the user must decide
+    change: Mapping[str, int]  # key → wire value that resolves it; empty if the user must decide
     proposal: str  # the change as a request, such as `Set Serial Timeout to 0.5 s`; or empty
 
     @property
     def text(self) -> str:
-        """Description of the finding, and the proposal."""
+        """The message, followed by the proposal if there is one."""
         return f"{self.message} {self.proposal}." if self.proposal else self.message
 
 
@@ -52,10 +52,10 @@ _NOTHING_MORE = Context()
 
 
 def lint(settings: Settings, context: Context = _NOTHING_MORE) -> tuple[LintFinding, ...]:
-    """Check the settings together. The findings are always in the same order.
+    """Check the settings for questionable combinations. The order of findings is fixed.
 
-    A rule is silent if a setting that it needs is missing or invalid. Each change may be made
-    without the others; of two changes of one setting the later one resolves both.
+    A rule is silent if a setting that it needs is missing or invalid. Each change can be applied
+    alone. If two findings change the same setting, the later change resolves both.
     """
     case = _Case(settings.without_invalid(forced=False), context)
     return tuple(
@@ -83,7 +83,7 @@ def _joined(words: Sequence[str]) -> str:
 
 
 class _Match(NamedTuple):
-    """A finding of a rule: the settings, the message, and a change."""
+    """A finding of a rule: keys of the settings, message, and proposed change."""
 
     keys: tuple[str, ...]
     message: str
@@ -117,7 +117,7 @@ class _Case:
         return self.settings.specs[key].name
 
     def text(self, key: str, wire: int | None = None) -> str:
-        """Return a value, by default the one of the settings, in physical units."""
+        """Return a wire value, by default the value in the settings, in physical units."""
         return self.settings.specs[key].text(self.wires[key] if wire is None else wire)
 
     def default(self, key: str) -> int:
@@ -164,7 +164,7 @@ def _limit_in_joint_mode(case: _Case) -> Iterator[_Match]:
 
 
 def _limits_beside_zero(case: _Case, parameter: MotorParameter) -> Iterator[tuple[str, str]]:
-    """Yield the keys of current limits in force and of another parameter that is 0."""
+    """Yield (limit key, parameter key) for active current limits beside a `parameter` of 0."""
     for motor in () if case.is_joint else _MOTORS:
         limit, other = MotorParameter.CURRENT_LIMIT.of(motor), parameter.of(motor)
         if case.wires.get(limit) and case.wires.get(other) == 0:
@@ -247,7 +247,7 @@ def _deadband_over_travel(case: _Case) -> Iterator[_Match]:
             tr("minimum"): found.neutral - found.minimum,
             tr("maximum"): found.maximum - found.neutral,
         }
-        # An end equal to neutral is intended: a channel with one direction.
+        # An end equal to neutral is intended: the channel has only one direction.
         if lost := [end for end, travel in ends.items() if 0 < travel <= found.deadband]:
             text = tr(
                 "The deadband of {channel} reaches from neutral to its {ends}: there is nothing "
@@ -290,7 +290,7 @@ def _polynomial_without_crc(case: _Case) -> Iterator[_Match]:
 def _crc_that_checks_nothing(case: _Case) -> Iterator[_Match]:
     key, line = ParameterKey.CRC7_POLYNOMIAL, case.line
     if case.wires.get(key) == 0 and line is not None and line.detection is Detection.CRC7:
-        # Divided by x^7, the seven zero bits behind any packet leave no remainder.
+        # The polynomial is x^7: a packet with seven zero bits appended leaves no remainder.
         text = tr(
             "With {value} as {name} the checksum of every packet is 0, so CRC-7 detects no errors "
             "at all."

@@ -1,4 +1,4 @@
-"""Write settings as text: one line each, with the physical value as a comment."""
+"""Write settings as text: one per line, with the physical value as a comment."""
 
 from collections.abc import Iterator, Sequence
 from functools import cache
@@ -24,12 +24,12 @@ _CALIBRATION_TITLES = {
 
 
 def write_settings(settings: Settings, *, title_lines: Sequence[str] = ()) -> str:
-    """Return the text of a settings file, which reads back as the same settings.
+    """Return the text of a settings file, which reads back as equal settings.
 
-    The program's comments are in English, as the keys are: files are alike in every language.
-    A value that the board would reject becomes a comment with the reason. Notes are comments above
-    their settings, those on settings that are not given at the end. `title_lines` are comments for
-    the head of the file.
+    The program's comments are in English, like the keys, so that files do not depend on the
+    language. A value that the board would reject becomes a comment with the reason. Notes are
+    comments above their settings. Notes on missing settings come last. `title_lines` are comments
+    for the head of the file.
 
     Raises:
         BadRequest: the settings hold a key that their model and firmware do not have.
@@ -70,7 +70,7 @@ def _parameter_blocks(settings: Settings) -> Iterator[list[str]]:
 
 
 def parameter_line(spec: ParameterSpec, wire: int, settings: Settings) -> str:
-    """Return a setting with its comment, or a comment if the board would reject the value."""
+    """Return a setting's line, commented out if the board would reject the value."""
     setting = f"{spec.key}: {wire}"
     if problem := spec.problem(wire, forced=True):
         return _left_out(setting, problem)
@@ -80,21 +80,21 @@ def parameter_line(spec: ParameterSpec, wire: int, settings: Settings) -> str:
 
 @cache
 def _width() -> int:
-    """Return the width of the widest line, so that a change of one value changes one line."""
+    """Return the greatest width of a setting. Changing a value then changes only its line."""
     return max(len(f"{row['key']}: {row['max']}") for row in device_table().rows)
 
 
 def parameter_text(spec: ParameterSpec, wire: int, settings: Settings) -> str:
     """Return the comment beside a value, such as `0.5 s to full speed` for a ramp.
 
-    Prescaler and maximum of a PWM get its frequency, which depends on both.
+    For prescaler and maximum of a PWM it includes the frequency, which depends on both.
     """
     texts = (plain_text(spec, wire), _pwm_text(spec, settings))
     return ", ".join(filter(None, texts))
 
 
 def plain_text(spec: ParameterSpec, wire: int) -> str:
-    """Return a value in its own unit. Empty if that would repeat the value."""
+    """Return a value in its physical unit. Empty if the text would repeat the wire value."""
     if spec.is_open(wire):
         return tr("beyond a limit{0}: the board decides").format(spec.limits_mark)
     text = spec.text(wire)
@@ -102,7 +102,7 @@ def plain_text(spec: ParameterSpec, wire: int) -> str:
 
 
 def _pwm_text(spec: ParameterSpec, settings: Settings) -> str:
-    """Return the frequency of the PWM that a value belongs to. Mostly empty."""
+    """Return the frequency for a parameter of a PWM. Empty for other parameters."""
     pair = pwm_keys(spec.key)
     wires = [settings.parameters[key] for key in pair if key in settings.parameters]
     if len(wires) < 2:
@@ -125,7 +125,7 @@ def _calibration_blocks(settings: Settings) -> Iterator[list[str]]:
 
 
 def calibration_line(key: CalibrationKey, calibration: Calibration, width: int = 0) -> str:
-    """Return a setting with its comment, or a comment if the board would reject the values."""
+    """Return a calibration's line, commented out if the board would reject the values."""
     setting = _calibration_setting(key, calibration)
     if problem := calibration.problem():
         return _left_out(setting, problem)

@@ -1,8 +1,8 @@
-"""The subset of YAML that settings files use: one mapping of scalars and of mappings of scalars.
+"""YAML subset of settings files: a mapping of scalars and of mappings of scalars.
 
-Files are composed to nodes with their positions; no Python object is ever constructed. Anchors,
-tags, merge keys and deep nesting, which settings do not need and which turn small files into
-large ones, are rejected.
+Files are parsed into nodes with positions; no Python object is ever constructed. Anchors, tags,
+merge keys and deep nesting are rejected: settings do not need them, and with them a small file
+can expand to a huge one.
 """
 
 import re
@@ -45,16 +45,16 @@ def shortened(text: str, longest: int = 40) -> str:
 
 
 def compose(text: str, name: str) -> MappingNode:
-    """Return the mapping that a text consists of, with at most one level of mappings in it.
+    """Return the root mapping of a text. It may contain one level of mappings.
 
     Raises:
-        SettingsError: the text is not YAML, or uses more of it than settings do.
+        SettingsError: the text is not YAML, or uses YAML features that settings do not use.
     """
     yaml = YAML(typ="safe", pure=True)
     yaml.Composer = _Composer
     yaml.Scanner = _Scanner
     try:
-        # ruamel.yaml takes no tabs, not even those that YAML allows: anywhere but in indentation.
+        # ruamel.yaml rejects all tabs. YAML allows them, except in indentation.
         node = yaml.compose(_TAB.sub(lambda tab: tab[1] or " ", text))
     except ReaderError as error:
         line = len(LINE_END.findall(text, 0, error.position)) + 1
@@ -83,10 +83,10 @@ def compose(text: str, name: str) -> MappingNode:
 
 
 def _damaged(text: str, name: str, message: str, line: int) -> SettingsError:
-    """Return the error in a text that is not YAML, with its cause where that is known."""
+    """Return the error for invalid YAML, with the likely cause if known."""
     if not _PRODUCT.search(text):
         line, message = 1, tr("these are not settings of a TReX, which begin with 'product: TReX'")
-    elif found := _UNSPACED.search(text):  # YAML reads it as a word, and complains of a later line
+    elif found := _UNSPACED.search(text):  # YAML reads a word and rejects a later line
         first = len(LINE_END.findall(text, 0, found.start())) + 1
         if first <= line:
             line, message = first, tr("type an ordinary space after the colon")
@@ -100,7 +100,7 @@ class _UnsupportedError(Exception):
 
 
 class _Scanner(Scanner):
-    """Counts brackets as they are read: to look ahead over 50,000 of them takes a second."""
+    """Limits nested brackets during scanning. Looking ahead over 50,000 brackets takes a second."""
 
     def fetch_flow_collection_start(self, token: type[Token], to_push: str) -> None:
         if len(self.flow_context) == _DEEPEST:
@@ -110,7 +110,7 @@ class _Scanner(Scanner):
 
 
 class _Composer(Composer):
-    """Checks every event before its node is made."""
+    """Checks every event before its node is created."""
 
     open_collections = 0
     nodes = 0
@@ -125,7 +125,7 @@ class _Composer(Composer):
                 mark = self.parser.peek_event().start_mark
                 raise _UnsupportedError(mark, tr("a second document begins here; settings are one"))
         except (ValueError, OverflowError):
-            # ruamel.yaml does not catch errors of chr() and int() in absurd escapes and versions.
+            # ruamel.yaml does not catch errors of chr() and int() for absurd escapes and versions.
             mark = self.loader.reader.get_mark()
             raise _UnsupportedError(
                 mark, tr("this number cannot be read; {0}").format(tr(_PLAIN_YAML))

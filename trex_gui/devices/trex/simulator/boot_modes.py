@@ -13,10 +13,10 @@ from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
 from trex_gui.devices.trex.simulator.channels import Channels
 from trex_gui.devices.trex.simulator.memory import Memory
 
-_NEUTRALS = 2.0  # seconds of watching
-_SETTLING = 0.1  # inferred: not watched at first, while the pulses of all channels come in
-_EXTREMES = 10.0
-_HELD = 50  # updates, 0.5 s: duration for which an extreme must be held
+_NEUTRALS = 2.0  # seconds to watch the neutrals
+_SETTLING = 0.1  # inferred: seconds to skip at first, while the first pulses of all channels arrive
+_EXTREMES = 10.0  # seconds to watch the extremes
+_HELD = 50  # updates (0.5 s) for which an extreme must be held
 _FLASH = 0.4  # inferred: seconds for each channel's result
 _UNSTEADY = {InputSource.RC: 100, InputSource.ANALOG: 40}
 """Inferred: range in counts above which a stick is not at rest."""
@@ -31,9 +31,9 @@ class BootHost(Protocol):
 
 
 class BootLoader:
-    """Waits for new firmware, and restores the default serial settings before.
+    """Restores the default serial settings, and then waits for new firmware.
 
-    `leds` are the patterns of the red and the green LED; `update` runs 100 times a second, and
+    `leds` are the patterns of the red and the green LED. `update` runs 100 times a second.
     `reply` returns the reply to a byte on the serial line.
     """
 
@@ -66,7 +66,7 @@ class BootLoader:
     def reply(self, byte: int) -> bytes:
         """Echo a byte that is not firmware, with a question mark (forum thread 5011).
 
-        Inferred: at the rate that was set; nothing counts as firmware.
+        Inferred: the reply is at the rate that was set, and no byte counts as firmware.
         """
         return bytes([byte]) + b"?" if self._ready else b""
 
@@ -91,9 +91,9 @@ _LEDS = {
 class LearningMode:
     """Learns neutral and extremes of every channel from the sticks.
 
-    After `is_over` normal operation begins without a power cycle.
-    Inferred: how steady a neutral must be, the deadband (the default, or the noise if that is
-    larger), and that a channel that fails keeps its values.
+    After `is_over`, normal operation starts without a power cycle.
+    Inferred: how steady a neutral must be, the deadband (the default, or the noise if it is
+    larger), and that a channel that fails retains its values.
     """
 
     def __init__(self, board: BootHost) -> None:
@@ -180,7 +180,7 @@ class _Watched:
         self._neutral = 0
         self._noise = 0
         self._recent: deque[int] = deque(maxlen=_HELD)
-        self._lows: list[int] = []  # only held positions count
+        self._lows: list[int] = []  # only of held positions
         self._highs: list[int] = []
 
     def update(self, value: int | None) -> None:
@@ -194,7 +194,7 @@ class _Watched:
             self._highs.append(min(self._recent))
 
     def settle(self, limit: int) -> bool:
-        """Take the mean so far as neutral. Return whether the signal was good and steady."""
+        """Use the mean so far as neutral. Return whether the signal was valid and steady."""
         if self._is_bad or not self._values:
             return False
         self._noise = max(self._values) - min(self._values)
@@ -203,7 +203,7 @@ class _Watched:
         return self._noise <= limit
 
     def calibration(self, deadband: int) -> Calibration | None:
-        """Return the calibration. `None` if the stick hardly moved or the signal was bad."""
+        """Return the calibration. `None` if the stick hardly moved or the signal was invalid."""
         if self._is_bad or not self._lows:
             return None
         lowest = min(self._neutral, *self._lows)

@@ -38,11 +38,11 @@ class ChannelSetup:
         )
 
     def is_switched(self, channel: int, raw: int | None) -> bool:
-        """True if a switch channel (4 flip, 5 override) is active.
+        """Return whether a switch channel (4 flip, 5 override) is active.
 
-        That it is active below a threshold is sourced (User's Guide 4.a). Inferred: the
-        threshold lies half way from neutral to minimum; no signal and an ignored channel are
-        inactive; a reversed channel counts from the other end.
+        A switch is active below a threshold (sourced, User's Guide 4.a). Inferred: the threshold
+        is half way from neutral to minimum, no signal and an ignored channel are inactive, and a
+        reversed channel counts from the other end.
         """
         index = channel - 1
         if raw is None or _has(self.ignored, index):
@@ -56,9 +56,9 @@ class ChannelSetup:
 def motor_values(remapped: Sequence[int], *, mix: bool, flip: bool, joint: bool) -> tuple[int, int]:
     """Return the values of motors 1 and 2 (-127 to 127) from channels 1 and 2.
 
-    Mixing: channel 2 is forward, channel 1 turns (User's Guide 4.a). Inferred: the sums and
-    their clipping. Flip: motors and directions are swapped (User's Guide 4.a). Joint mode
-    has no mixing (TReX Jr manual page 6); inferred: flip reverses its one motor.
+    Mixing: channel 2 drives forward, channel 1 turns (User's Guide 4.a). Inferred: the sums and
+    their clipping. Flip: motors and directions are swapped (User's Guide 4.a). Joint mode has no
+    mixing (TReX Jr manual page 6). Inferred: in joint mode, flip reverses motor 1.
     """
     turn, forward = remapped[0], remapped[1]
     if joint:
@@ -78,12 +78,12 @@ def _clip(value: int) -> int:
 
 
 _SIGNAL_REQUIRED_WITHIN = 0.5  # seconds; User's Guide 4.c
-_NEARLY_NEUTRAL = 8  # inferred: how far sticks may be from neutral when safe-start ends
+_NEARLY_NEUTRAL = 8  # inferred: largest offset of sticks from neutral at which safe-start ends
 
 
 class ChannelControl:
     def __init__(self, channels: Channels, memory: Memory, mode: Mode) -> None:
-        self.safe_start = not mode.is_serial  # stopped until signals are valid and sticks centred
+        self.safe_start = not mode.is_serial  # until signals are valid and sticks centred
         self.override = False  # whether channel 5 gives control to the serial port
         self._channels = channels
         self._memory = memory
@@ -100,7 +100,7 @@ class ChannelControl:
         )
 
     def remapped(self, *, mix: bool) -> tuple[int, ...]:
-        """Return the reply to 0x87, -127 to 127. 1 and 2 are the values of motors 1 and 2."""
+        """Return the reply to 0x87, -127 to 127. The first two values are of motors 1 and 2."""
         raw = self._channels.raw
         setup = self.setup
         plain = setup.remapped(raw)
@@ -125,7 +125,7 @@ class ChannelControl:
         return self.override and not self.safe_start
 
     def drive(self, motors: Sequence[Motor], aux: AuxiliaryMotor, *, mix: bool) -> None:
-        """Drive the motors by the sticks. Inferred: like accelerate commands."""
+        """Drive the motors by the sticks. Inferred: the effect is as of accelerate commands."""
         remapped = self.remapped(mix=mix)
         for number, motor in enumerate(motors[: 1 if self._memory.is_joint else 2], 1):
             value = remapped[number - 1]

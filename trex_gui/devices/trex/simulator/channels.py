@@ -24,7 +24,7 @@ _SIGNAL = re.compile(
 
 
 class SignalKind(Enum):
-    """Kinds of signals. The value is the word for them, or the unit."""
+    """Kinds of signals. The value is the word in a control line, or the unit."""
 
     REST = "rest"
     PULSES = "us"
@@ -51,7 +51,7 @@ class Signal:
     def parse(cls, text: str, source: InputSource) -> "Signal":
         """Read `1500us`, `2.5V`, raw counts, `invalid`, `silent` or `rest`.
 
-        `noise 2us` and `lost 0.1` may follow a value. ValueError if no input can carry it.
+        `noise 2us` and `lost 0.1` may follow a value. ValueError if no input can carry the signal.
         """
         word = text.strip().lower()
         if word in _WITHOUT_VALUE:
@@ -107,7 +107,7 @@ class Signal:
         return f"{text} lost {self.lost:g}" if self.lost else text
 
     def has_pulse(self, random: Random) -> bool:
-        """True if a pulse arrives when one is due, valid or not."""
+        """Return whether a pulse, valid or not, arrives when it is due."""
         if self.kind is SignalKind.SILENCE or self.kind is SignalKind.VOLTAGE:
             return False
         return not self.lost or random.random() >= self.lost
@@ -137,8 +137,8 @@ class Signal:
 
 
 SIGNAL_LOST_AFTER = 0.1
-"""Seconds without a pulse until the value is 0xFFFF. The command documentation says 100 ms, the
-User's Guide about 150 ms; the former is taken."""
+"""Seconds without a pulse until the value is 0xFFFF. The command documentation says 100 ms, which
+is used here, the User's Guide about 150 ms."""
 
 TICK = 0.0025  # seconds of a simulation step
 _PERIOD_TICKS = 8  # ticks in which every input is measured once: 50 Hz, RC and analog
@@ -155,25 +155,25 @@ class Channels:
         self.start(source)
 
     def disconnect(self) -> None:
-        """Return every input to its rest signal."""
+        """Reset every input to its rest signal."""
         self.signals = dict.fromkeys(CHANNELS, Signal(SignalKind.REST))
 
     def start(self, source: InputSource) -> None:
         self.source = source
         unknown = 0 if source is InputSource.ANALOG else None
         self._raw: dict[int, int | None] = dict.fromkeys(CHANNELS, unknown)
-        self._pulse_ticks = dict.fromkeys(CHANNELS, -math.inf)  # of the last pulse, good or not
+        self._pulse_ticks = dict.fromkeys(CHANNELS, -math.inf)  # of the last pulse, valid or not
         self._good_ticks = dict.fromkeys(CHANNELS, -math.inf)
         self._converted = dict.fromkeys(CHANNELS, 0)
         self._ticks = 0
 
     @property
     def has_settled(self) -> bool:
-        """True if each channel has had time to show a signal."""
+        """Return whether each channel has had time to show a signal."""
         return self._ticks * TICK >= SIGNAL_LOST_AFTER
 
     def silence(self, channel: int) -> float:
-        """Return the seconds since the last good pulse, infinite when there was none."""
+        """Return the seconds since the last valid pulse, infinite before the first."""
         return (self._ticks - self._good_ticks[channel]) * TICK
 
     def tick(self) -> None:
@@ -200,7 +200,7 @@ class Channels:
 
     @property
     def raw(self) -> tuple[int | None, ...]:
-        """The raw counts of channels 1-5. `None` where the board replies 0xFFFF."""
+        """Return the raw counts of channels 1-5. `None` where the board replies 0xFFFF."""
         if self.source is InputSource.ANALOG:
             return tuple(self._raw.values())
         oldest = self._ticks - SIGNAL_LOST_AFTER / TICK

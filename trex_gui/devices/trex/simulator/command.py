@@ -26,14 +26,14 @@ _FIRMWARE = sorted({version for model in device_table().models for version in mo
 
 _PERIOD = 0.02  # seconds between two pulses of a standard receiver
 
-# Channel: seconds for a full swing and its size as a share of the stick's travel. The periods
-# share no small multiple, so that the picture does not repeat. Channel 5 stays in the range
+# By channel: seconds of a full swing, and its size as a share of the stick's travel. The periods
+# have no small common multiple, so that the picture does not repeat. Channel 5 stays in the range
 # without serial override.
 _SWINGS = {1: (7.0, 0.8), 2: (11.0, 0.7), 3: (17.0, 0.6), 4: (23.0, 0.3), 5: (29.0, 0.2)}
 
 
 def demonstrate(board: Board, timeline: Timeline) -> None:
-    """Load the motors and move the sticks, except those that a control line has set."""
+    """Load the motors and move the sticks, except sticks that a control line has set."""
     for physics in board.physics:
         physics.load = physics.load_at_first = physics.constants.light_load
     signals = board.channels.signals.copy()
@@ -54,7 +54,7 @@ def demonstrate(board: Board, timeline: Timeline) -> None:
 
 @dataclass(frozen=True, slots=True)
 class DeviceOption:
-    """`--device` for one board. `None` for what it does not give."""
+    """Value of `--device` for one board. `None` for a part that is not given."""
 
     number: int | None = None
     model: str | None = None
@@ -113,7 +113,7 @@ def simulate(
 def _eeprom(
     path: Path | None, device: DeviceOption, model: str, count: int, *, error_shutdown: bool
 ) -> Eeprom:
-    """Return the memory of a board. A number stored in a file overrides the option."""
+    """Return the memory of a board. A device number stored in a file overrides the option."""
     if path is not None and count > 1:
         path = path.with_name(f"{path.stem}-{device.number}{path.suffix}")
     is_new = path is None or not os.path.exists(path)  # noqa: PTH110 - raises nothing

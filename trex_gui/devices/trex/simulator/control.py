@@ -28,8 +28,8 @@ _FLASH = 0.3  # inferred: seconds for each of the five flashes at power-up
 def leds(board: Board) -> dict[str, str]:
     """Return the state of the LEDs: `on`, `off` or the name of a pattern.
 
-    In serial control, red is on and green lights from the first to the last byte of a packet;
-    in channel control the LEDs are swapped.
+    In serial control, red is on, and green is lit from the first to the last byte of a packet. In
+    channel control the LEDs are swapped.
     """
     if not board.powered:
         red = green = "off"
@@ -117,8 +117,8 @@ def report(board: Board) -> dict[str, Any]:
 def control(line: SimulatedBoards, text: str) -> str:
     """Execute a control line. Return `ok …` or `error …`, without a line end.
 
-    With several boards the line begins with the device number that a board had at the start, as
-    in `@9 power cycle`; lines about the wire need none.
+    With several boards, the line begins with the device number that a board had at the start, as
+    in `@9 power cycle`. Lines about the wire need no number.
     """
     name = ""
     if text.strip().startswith("@"):
@@ -133,7 +133,7 @@ def control(line: SimulatedBoards, text: str) -> str:
 
 
 def _board(line: SimulatedBoards, name: str) -> Board | None:
-    """Return the board with a name such as `@9`. Without a name the only board."""
+    """Return the board with a name such as `@9`. Without a name, return the only board."""
     if not name and len(line.boards) == 1:
         return line.boards[0]
     boards = zip(line.numbers, line.boards, strict=True)
@@ -229,7 +229,7 @@ def _eeprom(board: Board, key: str, value: str) -> str:
 
 
 def _accept(board: Board, key: str, highest: str, mask: str = "127") -> str:
-    """Let the firmware take values beyond an inferred limit, and store some of their bits."""
+    """Let the firmware accept values beyond an inferred limit, and store some of their bits."""
     spec = board.memory.parameters[key]
     limits = int(highest, 0), int(mask, 0)
     if not spec.is_open(limits[0]):

@@ -1,4 +1,4 @@
-"""The simulated board: modes, safety, motors. It knows no bytes.
+"""The simulated board: modes, safety, motors. It does not handle bytes.
 
 Ref: TReX 1.0 command documentation; Pololu TReX User's Guide 4, 5.
 """
@@ -54,8 +54,8 @@ _COUNTERS = (
 class Board:
     """One controller with its motors, receiver and jumpers, switched on.
 
-    `serial` is its serial motor control, with the latched bits; `sticks` is that of the channels,
-    with serial override and safe-start.
+    `serial` controls the motors by serial commands, and has the latched bits. `sticks` controls
+    them by the channels, with serial override and safe-start.
     """
 
     def __init__(
@@ -75,21 +75,21 @@ class Board:
         if mode not in MODE_JUMPERS:
             raise ValueError(f"the mode jumper is {', '.join(MODE_JUMPERS)}, not {mode!r}")
         self.mode_jumper = mode  # one of `MODE_JUMPERS`, read at power-up
-        self.mix = mix  # whether this jumper is set; read all the time
+        self.mix = mix  # whether the mix jumper is set; read all the time
         self.so_ground = False
         self.now = self.powered_at = 0.0  # seconds since the start
         self.powered = False
         self.boots = 0  # number of power-ups
         # Whether the serial timeout stops motors only with UART-Error Shutdown set. CMD10 names no
-        # condition; the twin, a qik 2s12v10, has this one.
+        # condition, but the twin, a qik 2s12v10, has this condition.
         self.timeout_needs_shutdown = False
-        self.unknown_reply = b""  # to reading an unknown parameter, beside the format error
+        self.unknown_reply = b""  # to a read of an unknown parameter, besides the format error
         self.rejection_is_error = False  # whether a rejected write is a format error, too
         self.channels = Channels(InputSource.RC, seed)
         self.machine = Machine(self.model.key, self.model.current_unit, seed)
         self.physics = self.machine.motors
         self._jumpers_at_first = (mode, mix)
-        self.is_starved = False  # whether it is switched on, but the battery is too low
+        self.is_starved = False  # switched on, but the battery is too low
         self.counters: Counter[str] = Counter(dict.fromkeys(_COUNTERS, 0))
         self._ticks = 0
         self.power_on()
@@ -113,7 +113,7 @@ class Board:
         self.boot_mode: BootMode | None = boot_mode(self)  # `None` in normal operation
 
     def power_off(self) -> None:
-        """Switch off: the motors coast, an unfinished write is lost."""
+        """Switch off. The motors coast, and an unfinished write is lost."""
         self.is_starved = False
         self._go_down()
 
@@ -131,7 +131,7 @@ class Board:
         self.power_on()
 
     def factory_reset(self) -> None:
-        """Reset everything but the time to the state of a new board, and start it."""
+        """Reset all but the time to the state of a new board, and start it."""
         self.power_off()
         self.eeprom.factory_reset()
         self.mode_jumper, self.mix = self._jumpers_at_first
@@ -150,7 +150,7 @@ class Board:
             in_control=self.powered and self.mode.is_serial,
         )
         self.sticks = ChannelControl(self.channels, self.memory, self.mode)
-        self.receiving = False  # whether a packet is incomplete, which lights a LED
+        self.receiving = False  # whether a packet is incomplete, which lights an LED
 
     @property
     def is_running(self) -> bool:
@@ -192,7 +192,7 @@ class Board:
                     physics.measure()
 
     def _watch_supply(self) -> None:
-        """Brown out when the battery sags too far, and restart when it has recovered."""
+        """Switch off if the battery voltage is too low, and restart when it has recovered."""
         if self.powered and self.machine.is_too_low:
             self.counters["brown_outs"] += 1
             self._go_down()
@@ -230,7 +230,7 @@ class Board:
         return self.sticks.remapped(mix=self.mix)
 
     def _watch(self) -> None:
-        """Determine who controls the motors, and let the channels drive if they do."""
+        """Update which input controls the motors. If it is the channels, apply their speeds."""
         timeout = self.memory.active[ParameterKey.SERIAL_TIMEOUT]
         self.serial.hand_over(
             self.now, timeout, in_control=self.sticks.watch(), shut_down=self._stops_on_timeout
@@ -282,7 +282,7 @@ class Board:
             self._latch_faults()
 
     def force_current(self, number: int, amperes: float | None) -> None:
-        """Force the measured current of motor 1 or 2. `None` measures again."""
+        """Force the measured current of motor 1 or 2. With `None`, measure again."""
         physics = self.physics[number - 1]
         physics.forced = amperes
         if self.powered and not self.memory.is_joint and amperes is not None:
@@ -296,7 +296,7 @@ class Board:
 
 @cache
 def _drive(direction: MotorDirection, speed: int) -> DriverOutput:
-    """Return the drive of a motor. Inferred: duty is speed / 127."""
+    """Return the drive of a motor. Inferred: the duty cycle is speed / 127."""
     share = speed / FULL_SPEED
     if direction is MotorDirection.BRAKE:
         return DriverOutput(brake=share)

@@ -36,18 +36,18 @@ class BoardStation:
     def _discard_transfer(self) -> None:
         self._is_transmitting = False
         self._is_pausing = False
-        self._input: RateConverter | None = None  # what it receives from a host at another rate
-        self._output: RateConverter | None = None  # what such a host receives from it
+        self._input: RateConverter | None = None  # from a host at another rate
+        self._output: RateConverter | None = None  # to a host at another rate
 
     def _check_boot(self) -> None:
-        """Discard what was going on before the last power-up."""
+        """Discard a transfer from before the last power-up."""
         if self._boot != self.board.boots:
             self._boot = self.board.boots
             self._receives_since = self.board.powered_at + self._ahead
             self._discard_transfer()
 
     def _is_up(self, boot: int) -> bool:
-        """True if the board has had power without a break since a power-up."""
+        """Return whether the board has been powered without a break since a power-up."""
         return self.board.powered and self.board.boots == boot
 
     def _still_up(self) -> Callable[[], bool]:
@@ -86,7 +86,7 @@ class BoardStation:
             self._receive(byte, error, begun)
 
     def _receive(self, byte: int, error: ReceiveError | None, begun: float) -> None:
-        """Take a byte that has ended, unless the board was transmitting or off when it began."""
+        """Receive a complete byte, unless the board was transmitting or off at its start."""
         self._check_boot()
         if self._is_transmitting or begun < self._receives_since - EPSILON:
             self.board.counters["bytes_missed"] += 1
@@ -97,11 +97,11 @@ class BoardStation:
             self._attend()
 
     def _format_error(self, host: SerialFormat) -> ReceiveError | None:
-        """Return the error of each byte between UARTs with other parity or stop bits.
+        """Return the error of each byte between UARTs with different parity or stop bits.
 
-        A real receiver accepts some of these bytes (every other one has the right parity by
-        chance, and many UARTs check one stop bit only). Here none is accepted, so that nothing
-        depends on luck.
+        A real receiver accepts some of these bytes (half of them have the right parity by chance,
+        and many UARTs check only one stop bit). The simulator rejects all, so that nothing
+        depends on chance.
         """
         own = self.line_format
         if own.parity is not host.parity:
@@ -151,7 +151,7 @@ class BoardStation:
                 line.arrive(line.faults.garble(byte) if is_garbled else byte, line.now)
 
     def _transmit_converted(self, host: SerialFormat) -> None:
-        """Transmit without taking time to a host at another rate."""
+        """Transmit to a host at another rate, in no time."""
         receiver = Receiver(host, host.baud)
         sampled: list[SampledByte] = []
         for byte in self._pop_outgoing():
@@ -182,14 +182,14 @@ class BoardStation:
     def _arrive_sampled(
         self, boot: int, byte: int, _error: ReceiveError | None, begun: float
     ) -> None:
-        """Let a host at another rate receive a byte. Programs get bytes with errors, too."""
+        """Deliver a byte to a host at another rate. Programs get bytes with errors, too."""
         if self._is_up(boot) and not self._line.is_grounded:
             self.board.counters["bytes_garbled"] += 1
             self._line.arrive(byte, begun)
 
 
 class SimulatedBoards(SimulatedLine):
-    """One wire with boards. Their device numbers at the start name them."""
+    """One wire with boards, which are named by their device numbers at the start."""
 
     def __init__(
         self, boards: Sequence[Board], *, echo: bool = False, paced: bool = True, seed: int = 0
@@ -207,5 +207,5 @@ class SimulatedBoards(SimulatedLine):
 
     @property
     def is_grounded(self) -> bool:
-        """True if a jumper holds SO to ground. Inferred: nothing reaches the host then."""
+        """Return whether a jumper holds SO to ground. Inferred: the host then receives nothing."""
         return any(board.so_ground for board in self.boards)

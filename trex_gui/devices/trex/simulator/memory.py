@@ -1,4 +1,4 @@
-"""Parameters and calibrations: in the EEPROM, and what the firmware keeps of them."""
+"""Parameters and calibrations, in the EEPROM and in the firmware's memory."""
 
 import contextlib
 import json
@@ -30,15 +30,15 @@ _CALIBRATION_KEYS = {InputSource.RC: "rc_calibration", InputSource.ANALOG: "anal
 
 
 class EepromError(StudioError):
-    """The EEPROM file cannot be read or written. The text says which and why."""
+    """The EEPROM file cannot be read or written. The text has its name and the reason."""
 
 
 class Eeprom:
-    """EEPROM of one board in wire values. A file, if there is one, is saved after each write.
+    """EEPROM of one board in wire values. Each write is also saved to the file, if any.
 
-    It has a cell for every parameter of any firmware of the model. `unsaved`: why the last write
-    is not in the file. `error_shutdown`: whether the factory switches UART-error shutdown on, which
-    no source says.
+    It has a cell for every parameter of any firmware of the model. `unsaved`: error because of
+    which the last write is not in the file. `error_shutdown`: whether the factory switches
+    UART-error shutdown on. No source mentions this default.
     """
 
     def __init__(
@@ -73,7 +73,7 @@ class Eeprom:
         return self._values[key]
 
     def write(self, key: str, value: int) -> None:
-        """Store a wire value and save. KeyError or ValueError if there is no such one."""
+        """Store a wire value and save. KeyError or ValueError if key or value is invalid."""
         if key not in self._values:
             raise KeyError(key)
         self._values[key] = self._specs[key].check(value, forced=True)
@@ -111,14 +111,14 @@ class Eeprom:
         self._save_if_possible()
 
     def reset_if_pending(self) -> None:
-        """Do the reset that 0x7F requested, at power-up. Inferred: calibrations stay."""
+        """Perform the reset that 0x7F requested, at power-up. Inferred: calibrations remain."""
         if self.reset_pending:
             self._values = dict(self.factory)
             self.reset_pending = False
             self._save_if_possible()
 
     def _save_if_possible(self) -> None:
-        """Save. When that fails the board continues without the file."""
+        """Save the file. If that fails, the board continues without it."""
         self.unsaved = None
         try:
             self.save()
@@ -126,7 +126,7 @@ class Eeprom:
             self.unsaved = error
 
     def save(self) -> None:
-        """Write the file, if there is one, atomically. EepromError if that fails."""
+        """Write the file, if any, atomically. EepromError if that fails."""
         if self._path is None:
             return
         text = json.dumps(self._document(), indent=2) + "\n"
@@ -202,15 +202,15 @@ def _factory_calibrations() -> dict[InputSource, dict[int, Calibration]]:
 
 PARAMETER_WRITE = 0.004
 CALIBRATION_WRITE = 0.032
-"""Seconds of a write to the EEPROM (command documentation, 0xAF and 0xA0-0xA4): 4 ms per byte;
-the four values of a calibration have two bytes each."""
+"""Seconds of a write to the EEPROM (command documentation, 0xAF and 0xA0-0xA4): 4 ms per byte.
+The four values of a calibration have two bytes each."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Step:
-    """A value on its way into the EEPROM. `lose` is called if the power is cut before `store`.
+    """A pending write to the EEPROM. `lose` is called if the power is cut before `store`.
 
-    Inferred: then the cell is erased, and the firmware uses the default at the next power-up.
+    Inferred: the loss erases the cell, and the firmware uses the default at the next power-up.
     """
 
     seconds: float
@@ -219,21 +219,21 @@ class _Step:
 
 
 class Memory:
-    """Active and stored settings, and the writes that are going on.
+    """Active and stored settings, and the pending writes.
 
-    Parameters 0x7B-0x7F take effect after a power cycle, the others when their write ends.
+    Parameters 0x7B-0x7F take effect after a power cycle, all others when their write ends.
     """
 
     def __init__(self, eeprom: Eeprom, firmware: str) -> None:
         self.parameters = parameters_of(eeprom.model.key, firmware)
         self.writes = 0  # number of finished writes
-        # By key, the highest value that this firmware takes beyond the inferred limits, and the
-        # bits that it stores
+        # By key: the highest value that this firmware accepts beyond the inferred limits, and the
+        # mask of the bits that it stores
         self.accepted: dict[str, tuple[int, int]] = {}
         self.eeprom = eeprom
         self._firmware = firmware
         self._steps: deque[_Step] = deque()
-        self._done = 0.0  # seconds spent on the first of them
+        self._done = 0.0  # seconds spent on the first step
         self.load()
 
     def load(self) -> None:
@@ -248,7 +248,7 @@ class Memory:
 
     @property
     def is_joint(self) -> bool:
-        """True if both drivers are one for motor 1."""
+        """Return whether both drivers are joined to drive motor 1."""
         return self.active[ParameterKey.MOTOR_MODE] == 1
 
     @property
@@ -258,7 +258,7 @@ class Memory:
 
     @property
     def crc_polynomial(self) -> int | None:
-        """0x80-0xFF. `None` when packets carry no CRC."""
+        """Polynomial of the CRC, 0x80-0xFF. `None` if packets carry no CRC."""
         if self.line_settings.detection is not Detection.CRC7:
             return None
         return 0x80 | self.active[ParameterKey.CRC7_POLYNOMIAL]
@@ -279,7 +279,7 @@ class Memory:
         return self.eeprom[spec.key] if spec is not None and spec.readable else None
 
     def set(self, number: int, value: int, mode: Mode) -> ResultCode:
-        """Begin to write a parameter. It is stored `busy_for` seconds later.
+        """Start to write a parameter. It is stored `busy_for` seconds later.
 
         Inferred: the order of the checks.
         """
@@ -325,13 +325,13 @@ class Memory:
             self._steps.append(_Step(seconds, partial(write, value), lose))
 
     def restore_line_settings(self) -> None:
-        """Begin to write the default serial settings, for the recovery by jumpers."""
+        """Start to write the default serial settings, for the recovery by jumpers."""
         for key in (ParameterKey.UART_SETTINGS, ParameterKey.CRC7_POLYNOMIAL):
             self._start_write(key, self.eeprom.factory[key], at_once=False)
 
     @property
     def busy_for(self) -> float:
-        """Seconds until all pending writes are finished. 0 without any."""
+        """Seconds until all pending writes are finished. 0 without pending writes."""
         return sum(step.seconds for step in self._steps) - self._done if self._steps else 0.0
 
     def advance(self, seconds: float) -> None:
@@ -347,7 +347,7 @@ class Memory:
             self.writes += 1
 
     def lose_write(self) -> None:
-        """Cut the power: the value being written is lost, later ones keep their old value."""
+        """Cut the power. The value being written is lost, and later writes do not happen."""
         if self._steps:
             self._steps[0].lose()
         self._steps.clear()

@@ -26,7 +26,7 @@ class MotorDirection(Enum):
 
 
 class MotorSettings(NamedTuple):
-    """Parameters of one motor (0x0E-0x16) by the names of their keys. No current limit is 0."""
+    """Parameters of one motor (0x0E-0x16) by the names of their keys. Limit 0: none."""
 
     acceleration: int = 0
     brake_duration: int = 0
@@ -37,7 +37,7 @@ class MotorSettings(NamedTuple):
 class Motor:
     """One of the two reversible outputs.
 
-    While it brakes, `speed` is the duty of braking: 127 full brake, 0 coast.
+    While it brakes, `speed` is the duty cycle of braking, from 127 (full brake) to 0 (coast).
     """
 
     def __init__(self) -> None:
@@ -45,12 +45,12 @@ class Motor:
         self.target_direction = MotorDirection.BRAKE
         self.target_speed = 0
         self._tenths = 0  # an update adds a tenth of the parameter
-        self._driven = MotorDirection.BRAKE  # the direction in which it last ran
+        self._driven = MotorDirection.BRAKE  # direction in which the motor last ran
         self._braked = 0  # updates spent braking since then
 
     @property
     def speed(self) -> int:
-        """Speed, or duty of braking, 0-127."""
+        """Speed, or duty cycle of braking, 0-127."""
         return self._tenths // 10
 
     def set(self, direction: MotorDirection, speed: int) -> None:
@@ -77,7 +77,7 @@ class Motor:
         return over
 
     def _limit(self, gain: int, excess: int) -> None:
-        """Lower the speed. Known is that it is proportional and immediate; the rest is inferred."""
+        """Lower the speed, proportionally and immediately. The rest is inferred."""
         less = math.ceil(gain * excess / 16) if gain else FULL_SPEED
         tenths = min(self._tenths, self.target_speed * 10) - 10 * less
         self._tenths = max(0, tenths)
@@ -88,8 +88,8 @@ class Motor:
             self._brake(self.target_speed)
             return
         if self.direction is not wanted:
-            # Inferred: earlier braking counts, and a motor that continues in its direction needs
-            # none. The duration is in updates of 10 ms.
+            # Inferred: earlier braking counts, and a motor that continues in its direction does
+            # not brake. The duration is in updates of 10 ms.
             reverses = self._driven not in {wanted, MotorDirection.BRAKE}
             if reverses and self._braked < settings.brake_duration:
                 self._brake(FULL_SPEED)
@@ -110,7 +110,7 @@ class Motor:
 
 
 class AuxiliaryMotor:
-    """The third output: one direction, without brake (inferred) and current sensing."""
+    """The third output: one direction, without brake (inferred) or current sensing."""
 
     def __init__(self) -> None:
         self.target_speed = 0
@@ -132,7 +132,7 @@ class AuxiliaryMotor:
 
 
 def _ramp(tenths: int, target: int, acceleration: int) -> int:
-    """Return the speed after one update, all in tenths of a count. 0 is no ramp."""
+    """Return the speed after one update, in tenths of a count. Acceleration 0: no ramp."""
     if acceleration == 0 or tenths >= target:
         return target  # no deceleration
     return min(tenths + acceleration, target)
@@ -141,8 +141,8 @@ def _ramp(tenths: int, target: int, acceleration: int) -> int:
 class SerialControl:
     """The latest serial command to each motor, and the bits that are latched until read.
 
-    `in_control`: whether the motors obey serial commands; `errors`: number of UART errors;
-    `last_byte`: when it was received, in seconds.
+    `in_control`: whether the motors obey serial commands. `errors`: number of UART errors.
+    `last_byte`: time in seconds when the last byte was received.
     """
 
     def __init__(
@@ -165,9 +165,9 @@ class SerialControl:
     def drive(
         self, number: int, direction: MotorDirection, speed: int, *, accelerate: bool = False
     ) -> None:
-        """Command motor 1 or 2 (speed 0-127). Applied when the channels hand over control.
+        """Command motor 1 or 2 (speed 0-127). Applied once serial control is active.
 
-        Inferred: in joint mode commands to motor 2 are accepted and ignored.
+        Inferred: in joint mode, commands to motor 2 are accepted and ignored.
         """
         if self._joint and number == 2:
             return
@@ -185,10 +185,10 @@ class SerialControl:
             command()
 
     def hand_over(self, now: float, timeout: int, *, in_control: bool, shut_down: bool) -> None:
-        """Set who controls the motors. Serial control applies the latest commands of any age.
+        """Set whether serial commands control the motors. On a change, apply the latest commands.
 
-        Inferred: a motor without a command stops; so do all after the serial timeout (tenths of a
-        second, 0 for none) if that is set to `shut_down`.
+        Inferred: commands of any age apply, and a motor without a command stops. With `shut_down`,
+        all motors stop after the serial timeout (tenths of a second, 0 for none).
         """
         begins = in_control and not self.in_control
         self.in_control = in_control
@@ -205,7 +205,7 @@ class SerialControl:
     def check_timeout(self, now: float, timeout: int, *, shut_down: bool) -> None:
         """Latch the error after `timeout` tenths of a second without a byte. 0 for never.
 
-        Inferred: only in serial control, and the bit is latched once per timeout.
+        Inferred: the error occurs only in serial control, and is latched once per timeout.
         """
         if timeout and self.in_control and now - self.last_byte >= timeout * 0.1 - 1e-9:
             self.last_byte = math.inf

@@ -1,8 +1,8 @@
 """Battery, two DC motors with their loads, current sensors.
 
-A motor is a resistance and a back-EMF that turn an inertia against dry friction: its current is
+A motor is a resistance and a back-EMF that turn an inertia against dry friction. Its current is
 high at a start or a reversal, falls with speed, follows the load, and is highest when stalled.
-The battery sags under the sum.
+The battery voltage sags under the sum of both currents.
 """
 
 import math
@@ -19,10 +19,10 @@ class Constants:
     battery_resistance: float  # ohm, with cables
     brown_out: float  # V below which the board resets
     resistance: float  # ohm, of a motor with its driver and wires
-    back_emf: float  # V s/rad of a motor; the same figure in N m/A is its torque
+    back_emf: float  # V s/rad of a motor; its torque constant is the same figure in N m/A
     inertia: float  # kg m2, of rotor and gears as seen from the rotor
-    free: float  # A that a motor draws without load: its own friction and that of its gears
-    light_load: float  # A that it draws when it drives a robot on a flat floor
+    free: float  # A that a motor draws without load, by its own friction and its gears' friction
+    light_load: float  # A that a motor draws when it drives a robot on a flat floor
 
     @property
     def stall(self) -> float:
@@ -31,8 +31,7 @@ class Constants:
 
 
 CONSTANTS = {
-    # Only the figures for the drivers are the vendor's. The motors are the largest that a driver
-    # supports.
+    # Only the drivers' figures are the vendor's. The motors are the largest that they support.
     "trex": Constants(
         battery=12.0,  # six lead cells
         battery_resistance=0.04,  # a 7 Ah lead battery (25 mOhm) and a metre of cable
@@ -49,7 +48,7 @@ CONSTANTS = {
         brown_out=5.0,  # sourced: the Jr runs from 5 to 24 V
         resistance=2.4,  # stalls at 5 A; continuous rating 2.5 A (sourced)
         back_emf=1.1e-2,  # 10,000 turns a minute at 12 V, a small gear motor
-        inertia=3e-6,  # time constant 60 ms again
+        inertia=3e-6,  # time constant of 60 ms, too
         free=0.2,
         light_load=0.8,
     ),
@@ -88,7 +87,7 @@ class MotorPhysics:
         return current if not self.fault and current * volts > 0 else 0.0
 
     def advance(self, seconds: float, volts: float, brake: float) -> None:
-        """Let time pass at a voltage, or at 0 V with a duty of braking (0-1)."""
+        """Advance the time at a voltage, or at 0 V with a duty cycle of braking (0-1)."""
         self._time += seconds
         if not volts and not self.speed:
             return
@@ -98,7 +97,7 @@ class MotorPhysics:
             self._charge += abs(current) * seconds
         elif self.fault:
             current = 0.0
-        else:  # the low side shorts the motor; the sensor does not see that current
+        else:  # the low side shorts the motor; the sensor does not see this current
             current = -brake * constants.back_emf * self.speed / constants.resistance
         gain = constants.back_emf / constants.inertia * seconds
         friction = gain * max(self.load, constants.free)
@@ -114,7 +113,7 @@ class MotorPhysics:
             counts = mean / self._unit + self._random.gauss(0, _NOISE_COUNTS)
         else:
             counts = 0.0
-        self.reading = max(0, min(HIGHEST_READING, round(counts)))  # the last one, counts of 0x8D
+        self.reading = max(0, min(HIGHEST_READING, round(counts)))  # last reading, counts of 0x8D
 
     def clear_reading(self) -> None:
         """Discard the measurement: no power, or no current sensing."""
@@ -134,7 +133,7 @@ class MotorPhysics:
 
 @dataclass(frozen=True, slots=True)
 class DriverOutput:
-    """Share of the supply at a motor (-1 to 1), or of braking (0-1)."""
+    """Share of the supply voltage at a motor (-1 to 1), or duty cycle of braking (0-1)."""
 
     share: float = 0.0
     brake: float = 0.0
@@ -167,9 +166,9 @@ class Machine:
             motor.advance(seconds, drive.share * self.volts, drive.brake)
 
     def _volts(self, drives: Sequence[DriverOutput]) -> float:
-        """Return the voltage at the board under the currents that it drives.
+        """Return the voltage at the board under the currents of its motors.
 
-        Motor current is (share * volts - emf) / R, and the battery gives `share` of it; the
+        Motor current is (share * volts - emf) / R, and the battery supplies `share` of it. The
         equation is linear in the voltage as long as no current would flow back.
         """
         taking = [

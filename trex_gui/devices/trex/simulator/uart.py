@@ -1,7 +1,7 @@
-"""The board's UART and packet parser: packets, checksum, errors. It knows no time.
+"""The board's UART and packet parser: packets, checksum, errors. It has no clock.
 
 Ref: TReX 1.0 command documentation; Pololu TReX User's Guide 5.b (protocols), 5.e (CRC-7).
-Nothing here is shared with `protocol.commands`: it is written from the documents.
+This module shares nothing with `protocol.commands`: it is written from the documents.
 """
 
 from collections import deque
@@ -16,8 +16,8 @@ from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 RECEIVE_BUFFER = 32
 SEND_BUFFER = 32
-"""Sizes in bytes. Inferred: the documents name none; any size that holds the longest packet and
-reply keeps their promise that a host which waits for replies causes no overrun."""
+"""Sizes in bytes. Inferred: the documents give no size, but promise that a host which waits for
+replies causes no overrun. Any size that holds the longest packet and reply achieves this."""
 
 _COMMAND_BIT = 0x80
 _EXPANDED = 0x80
@@ -35,7 +35,7 @@ _FORMAT_BYTES = b"\x55\x2a"
 def remainder(data: bytes, polynomial: int) -> int:
     """Return the CRC-7 of a packet by the guide's long division (5.e).
 
-    Seven zero bits are appended; the polynomial has eight bits (0x80-0xFF).
+    Seven zero bits are appended. The polynomial has eight bits (0x80-0xFF).
     """
     dividend = int.from_bytes(data) << 7
     while (excess := dividend.bit_length() - 8) >= 0:
@@ -47,9 +47,9 @@ class SerialPort:
     """The UART of one board and its packet parser.
 
     The parser pauses for a write to the EEPROM and for the response delay. Bytes received
-    meanwhile are buffered, and executed while the reply is transmitted.
+    meanwhile are buffered, and processed while the reply is transmitted.
 
-    `outgoing` is the send buffer; `pause` lasts from the last byte until `resume` (s).
+    `outgoing` is the send buffer. `pause` is the time in s from the last byte to `resume`.
     """
 
     def __init__(self, board: Board) -> None:
@@ -73,7 +73,7 @@ class SerialPort:
             self.board.report_error(UartError.READ_OVERRUN)
 
     def feed_error(self, error: ReceiveError) -> None:
-        """Take a byte in which the hardware detected an error: its packet is lost."""
+        """Handle a byte in which the hardware detected an error. Its packet is lost."""
         if self._listens():
             self.board.record_byte()
             if self.pause:
@@ -98,7 +98,7 @@ class SerialPort:
             self._receive(self._buffer.popleft())
 
     def _listens(self) -> bool:
-        """True if packets are accepted. A power-up since the last byte clears all state."""
+        """Return whether packets are accepted. Clear all state after a power-up."""
         if self.board.boots != self._boot:
             self._boot = self.board.boots
             self._start_over()
@@ -131,11 +131,11 @@ class SerialPort:
 
     def _handle_command_byte(self, byte: int) -> None:
         if self._packet:
-            # Inferred: the byte that interrupts a packet begins the next one.
+            # Inferred: the byte that interrupts a packet starts the next packet.
             self._reject()
         self._start()
         if byte == _NULL:
-            return  # inferred: it carries no CRC either
+            return  # inferred: a null command carries no CRC either
         self._packet.append(byte)
         self.board.receiving = True
         self._go_on()
@@ -204,11 +204,11 @@ class SerialPort:
 
 
 class _IllogicalData(Exception):  # noqa: N818 - the documentation's word
-    """A data byte has an invalid value. The board may reply nevertheless."""
+    """A data byte has an invalid value. The board may still reply."""
 
 
 _Handler = Callable[[Board, int, bytes], bytes]
-"""Takes board, command byte and data; returns the reply, which may be empty."""
+"""Function of board, command byte and data. Returns the reply, which may be empty."""
 
 
 def _read(reply: Callable[[Board], bytes]) -> tuple[int, _Handler]:
@@ -278,7 +278,7 @@ def _drive_one(board: Board, command: int, data: bytes) -> bytes:
 
 
 def _drive_both(board: Board, command: int, data: bytes) -> bytes:
-    """0xD0-0xEF: bits 1:0 are the direction of motor 1, bits 3:2 that of motor 2."""
+    """0xD0-0xEF: bits 1:0 select the direction of motor 1, bits 3:2 of motor 2."""
     accelerate = command >= 0xE0
     board.serial.drive(1, MotorDirection.from_bits(command), data[0], accelerate=accelerate)
     board.serial.drive(2, MotorDirection.from_bits(command >> 2), data[1], accelerate=accelerate)

@@ -1,4 +1,4 @@
-"""Checks of chosen values against the measurements."""
+"""Checks of chosen calibration values against measurements."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -14,9 +14,9 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.flags import InputSource
 
 _ASIDE = {InputSource.RC: 250, InputSource.ANALOG: 102}
-"""Counts beyond rest at which the speed of a throttle is given: 100 us, 0.5 V."""
+"""Counts beyond rest at which the speed of a throttle is checked: 100 us, 0.5 V."""
 
-_MUCH = FULL_SCALE // 2  # output at that place above which it is a warning
+_MUCH = FULL_SCALE // 2  # output there that causes a warning if exceeded
 
 
 _Found = tuple[ProblemKind, str, tuple[object, ...]]  # kind, variant and values of a problem
@@ -24,7 +24,7 @@ _Found = tuple[ProblemKind, str, tuple[object, ...]]  # kind, variant and values
 
 @dataclass(frozen=True, slots=True)
 class Check:
-    """The curve that would be stored for a channel, which the board accepts, and measurements."""
+    """Curve to be stored for a channel, and measurements. The board accepts the curve."""
 
     channel: int
     curve: ChannelCurve
@@ -33,7 +33,7 @@ class Check:
 
     @property
     def problems(self) -> tuple[CalibrationProblem, ...]:
-        """Warnings: none of them is fatal."""
+        """Warnings, none of them fatal."""
         return tuple(
             CalibrationProblem(kind, variant, values, fatal=False)
             for kind, variant, values in self._found()
@@ -115,7 +115,7 @@ class Check:
         return f"{text.format(self.neutral.source.text(round(threshold)))} {rest}"
 
     def _aside(self, idle: Way) -> tuple[int, int]:
-        """Return a place beyond the rest, on the side it never goes to, and the speed there."""
+        """Return a count beyond rest, on the unused side, and the speed there."""
         source = self.neutral.source
         place = self.neutral.value + idle.value * _ASIDE[source]
         place = min(max(place, source.lowest_count), source.highest_count)

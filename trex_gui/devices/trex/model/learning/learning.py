@@ -1,4 +1,4 @@
-"""Learning channels step by step: motors stopped, hands off, all ends, review, test."""
+"""Wizard that learns channels: stop motors, hands off, all ends, review, test."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -26,7 +26,7 @@ from trex_gui.devices.trex.protocol.flags import CHANNELS
 
 
 class LearningStep(Enum):
-    """The step of the wizard. In `DOUBT` the user has to confirm that the motors are stopped."""
+    """Step of the wizard. In `DOUBT`, the user has to confirm that the motors are stopped."""
 
     ENDED = auto()
     STOPPING = auto()
@@ -39,28 +39,28 @@ class LearningStep(Enum):
 
 
 _MOVING = {LearningStep.NEUTRAL, LearningStep.TRAVEL, LearningStep.TEST}
-"""Steps in which sticks are moved, or have to rest."""
+"""Steps in which sticks have to be moved or to rest."""
 
 _MEASURING = _MOVING | {LearningStep.REVIEW}
 
 
 class Learning(QObject):
-    """Learns channels of a board in serial mode. There the sticks move no motor.
+    """Learns channels of a board in serial mode, in which the sticks move no motor.
 
-    Nothing is written, and nothing is edited before `use_values`.
+    Nothing is edited before `use_values`, and nothing is written.
     """
 
     begun = Signal()  # the rest positions will be measured
     changed = Signal()  # the step, `sampling`, `inputs.stalled` or a choice
     measured = Signal()  # new samples have arrived
     edited = Signal()  # the learned values are pending edits now, ready for their review
-    stored = Signal()  # these values are in the board; a test is due, unless `motors_armed`
+    stored = Signal()  # the board stores the learned values; test them now, unless `motors_armed`
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.step = LearningStep.ENDED
-        self.trouble = ""  # why it failed, or what is doubtful, for the user
-        self.news = ""  # what led to the test, for the user; empty if the user started it
+        self.trouble = ""  # why learning failed, or what is doubtful, for the user
+        self.news = ""  # what led to the test, for the user; empty if the user started the test
         self.numbers: tuple[int, ...] = ()  # the channels that were learned or tested last
         self.channels: tuple[LearnedChannel, ...] = ()
         self.tests: StickTests | None = None  # `None` before the test step
@@ -93,7 +93,7 @@ class Learning(QObject):
 
     @property
     def seconds_left(self) -> float:
-        """Time for which the rest positions are still sampled."""
+        """Time left to sample the rest positions."""
         neutrals = [channel.neutral for channel in self.channels]
         return max(SAMPLING_SECONDS if rest is None else rest.seconds_left for rest in neutrals)
 
@@ -108,7 +108,7 @@ class Learning(QObject):
 
     @property
     def to_move(self) -> set[int]:
-        """The channels of which the user has to move the stick now."""
+        """Channels whose sticks the user has to move now."""
         if self.step is LearningStep.TRAVEL:
             return {c.number for c in self.channels if c.travel and not c.travel.is_enough}
         tests = self.tests.tests if self.step is LearningStep.TEST and self.tests else ()
@@ -129,12 +129,12 @@ class Learning(QObject):
 
     @property
     def other_edits(self) -> int:
-        """Number of pending edits beside those of the channels whose values will be used."""
+        """Number of pending edits besides the channels whose values will be used."""
         return self.pending.other_edits([c.number for c in self.channels if c.can_be_used])
 
     @property
     def motors_armed(self) -> bool:
-        """Starting would stop motors that are driven."""
+        """True if starting would stop motors that are driven."""
         return self._device.motors.armed or self._device.may_move
 
     @property
@@ -145,7 +145,7 @@ class Learning(QObject):
     # --- User actions -------------------------------------------------------------------
 
     def start(self, channels: Sequence[int] = CHANNELS) -> None:
-        """Learn these channels at once. The motors are stopped first."""
+        """Learn these channels together. The motors are stopped first."""
         self.news = self._next_news = ""
         self.begun.emit()
         self._start(channels, LearningStep.NEUTRAL)
@@ -156,10 +156,10 @@ class Learning(QObject):
         self._start(channels, LearningStep.TEST)
 
     def next(self) -> None:
-        """Continue with what the user has done or confirmed.
+        """Continue after the user has completed or confirmed a step.
 
-        That is: the motors are stopped; hands are off; channels without a rest position are left
-        out; all ends were held.
+        Steps: the motors are stopped, hands are off, channels without a rest position are left
+        out, all ends were held.
         """
         if not self.can_go_on:
             return
@@ -175,14 +175,14 @@ class Learning(QObject):
             self._start_sampling()
 
     def back(self) -> None:
-        """Go one step back. Ends that were reached stay, rest positions are sampled again."""
+        """Go one step back, from the review to the ends, or from the ends to the rest positions."""
         if self.step is LearningStep.REVIEW:
             self._go(LearningStep.TRAVEL)
         elif self.step is LearningStep.TRAVEL:
             self._wait_at_rest()
 
     def again(self) -> None:
-        """Repeat this step. After a failure, all of them."""
+        """Repeat this step. After a failure, repeat all steps."""
         match self.step:
             case LearningStep.NEUTRAL if not self.sampling:
                 self._start_sampling()
@@ -205,7 +205,7 @@ class Learning(QObject):
     def use_values(self) -> bool:
         """Edit the settings as chosen, in one undo step. Return whether an edit is pending.
 
-        If all of it is stored already, `stored` is emitted at once.
+        Emits `stored` at once if all values are stored already.
         """
         if not self.can_use_values:
             return False
@@ -219,7 +219,7 @@ class Learning(QObject):
         return is_pending
 
     def cancel(self) -> None:
-        """End it in any step. The board and the edits stay unchanged."""
+        """End the wizard in any step. The board and the edits stay unchanged."""
         if self.step is not LearningStep.ENDED:
             self._go(LearningStep.ENDED)
 
@@ -339,7 +339,7 @@ class Learning(QObject):
 
     @Slot()
     def _on_stalled_changed(self) -> None:
-        if self.inputs.stalled and self.sampling:  # a gap is no rest
+        if self.inputs.stalled and self.sampling:  # a gap may hide a movement
             self._start_sampling()
         else:
             self.changed.emit()

@@ -1,4 +1,4 @@
-"""Learned values as edits, until they are stored or withdrawn."""
+"""Learned values as pending edits."""
 
 from collections.abc import Iterable, Sequence
 
@@ -14,10 +14,10 @@ _REVERSED = ParameterKey.REVERSED_CHANNELS
 
 
 class PendingLearnedValues(QObject):
-    """Edits the draft, then reports when the values have been written.
+    """Edits the draft with learned values, and reports when they have been written.
 
-    A value that is undone or edited again is forgotten; so is everything when the connection is
-    lost or another board is connected.
+    A value that is undone or edited again is not reported. When the connection is lost or another
+    board is connected, no value is reported.
     """
 
     stored = Signal(object)  # the channels whose values have just been written and verified
@@ -50,11 +50,11 @@ class PendingLearnedValues(QObject):
         self._waiting = {}
 
     def has_edit(self, number: int) -> bool:
-        """Return whether an edit of the calibration or the direction is pending."""
+        """Return whether an edit of this channel's calibration or direction is pending."""
         return self._calibration_edits((number,)) > 0 or number in self._turned()
 
     def other_edits(self, numbers: Sequence[int]) -> int:
-        """Return how many pending edits are not of these channels."""
+        """Return the number of pending edits that do not concern these channels."""
         turned = self._turned()
         own = self._calibration_edits(numbers) + bool(turned and turned <= set(numbers))
         return self._device.draft.pending - own

@@ -1,4 +1,4 @@
-"""Preconditions of learning channels: no motor can move, and all are at standstill."""
+"""Preconditions of learning channels: motors are at standstill, and cannot move."""
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -12,7 +12,7 @@ from trex_gui.ui.translations import error_text
 
 
 def mode_blocker(device: Device) -> str:
-    """Return why the mode of the board is in the way, for the user. Empty in serial mode."""
+    """Return why the board's mode prevents learning, for the user. Empty in serial mode."""
     state = device.state
     if state is None or state.mode.is_serial:
         return ""
@@ -32,16 +32,16 @@ def mode_blocker(device: Device) -> str:
 class CalibrationPreconditions(QObject):
     """Watches a board whose channels are learned or tested.
 
-    In RC and analog mode the sticks drive the motors, and the board takes no settings, so
-    channels cannot be learned. Serial override (channel 5) does not change that: the next move
-    of its switch gives the motors back to the sticks.
+    In RC and analog mode, channels cannot be learned, since the sticks drive the motors and the
+    board rejects settings. Serial override (channel 5) does not help, because the next move of its
+    switch gives the motors back to the sticks.
     Ref: Pololu TReX User's Guide 4.a; command documentation 0x82, 0xA0-0xA4, 0xAF.
 
-    Armed motors are a violation only while sticks are to be moved: the user may drive during the
-    review.
+    Armed motors are a violation only in steps in which sticks are moved. The user may drive during
+    the review.
     """
 
-    violated = Signal(str)  # the reason, for the user; once, and only between `begin` and `end`
+    violated = Signal(str)  # the reason, for the user; once, and only between `start` and `end`
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -70,13 +70,13 @@ class CalibrationPreconditions(QObject):
         self._watching = False
 
     def watch_motors(self, watch: bool) -> None:
-        """Set whether armed motors are a violation. Motors that are armed already count."""
+        """Set whether armed motors are a violation, including motors that are already armed."""
         self._with_motors = watch
         self._check()
 
     @property
     def blocker(self) -> str:
-        """Reason why sticks must not be moved now, for the user. Empty if they move nothing."""
+        """Reason why sticks must not be moved now, for the user. Empty if they move no motor."""
         state = self._device.state
         if not self._device.is_connected or state is None:
             return tr("Connect to a board first.")
@@ -108,24 +108,24 @@ class CalibrationPreconditions(QObject):
         return ""
 
 
-_QUIET = 3  # readings in a row without a current that count as standstill
+_QUIET = 3  # consecutive readings without a current that count as standstill
 
 _COUNTS = 2.5
-"""Counts of the current sensor that a standing motor stays below. Inferred: a reading is an
-average of 64 samples and wavers by one; that is 0.38 A of a TReX, 0.1 A of a TReX Jr."""
+"""Counts of the current sensor that a motor at standstill stays below. Inferred: a reading is an
+average of 64 samples and varies by one count. The limit is 0.38 A on a TReX, 0.1 A on a Jr."""
 
 
 class StandstillCheck(QObject):
     """Stops the motors, waits for the confirmation, then watches the currents.
 
-    The confirmation says that the board accepted the stop, not that nothing drives the motors
-    again: another controller may be on the same line (User's Guide 5: one UART for both
-    connectors). In joint mode the board measures no current; then the confirmation has to do.
+    The confirmation tells that the board accepted the stop. Afterwards another controller on the
+    same line may drive the motors again (User's Guide 5: one UART for both connectors). In joint
+    mode the board measures no current, so that the confirmation has to suffice.
     """
 
     confirmed = Signal()  # the stop is confirmed, and no current flows
-    doubted = Signal(str)  # the stop is confirmed, but a motor draws a current; which and how much
-    failed = Signal(str)  # the stop is not confirmed; why
+    doubted = Signal(str)  # which motors draw how much current although the stop is confirmed
+    failed = Signal(str)  # why the stop is not confirmed
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -136,13 +136,13 @@ class StandstillCheck(QObject):
         device.telemetry.updated.connect(self._on_updated)
 
     def start(self) -> None:
-        """Stop the motors. A check that is running is cancelled."""
+        """Stop the motors and start a check. Cancels a running check."""
         self.cancel()
         run = self._run
         self._device.driving.stop(lambda error: self._on_stopped(run, error))
 
     def cancel(self) -> None:
-        """Emit no more signals for this run."""
+        """Cancel the check. It emits no more signals."""
         self._run += 1
         self._since = None
         self._timer.stop()
@@ -154,7 +154,7 @@ class StandstillCheck(QObject):
             self.cancel()
             self.failed.emit(error_text(error))
             return
-        # Readings from before the stop may still arrive; they are quickly past.
+        # Readings from before the stop may still arrive, but not for long.
         self._since = self._device.telemetry.latest
         self._timer.start(round(self._device.timeouts.standstill * 1000))
 

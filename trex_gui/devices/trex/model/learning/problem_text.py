@@ -1,4 +1,4 @@
-"""Sentences for the problems of a channel that is learned."""
+"""Sentences for problems of a channel that is being learned."""
 
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.calibration.problems import CalibrationProblem, ProblemKind
@@ -15,7 +15,7 @@ def problems_text(problems: tuple[CalibrationProblem, ...]) -> str:
 
 
 def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
-    """Return the sentences by kind and variant. Translated anew, since the language can change."""
+    """Return sentences by kind and variant, translated again as the language can change."""
     kind = ProblemKind
     moved = tr("It moved during sampling, between {0} and {1}. Release it and sample again.")
     worn = tr(

@@ -1,7 +1,7 @@
-"""Tests whether the stored calibrations give full output at both ends and none at rest.
+"""Test of stored calibrations: full output at both ends, and zero output at rest.
 
-The outputs are calculated here, each channel by itself: those that the board reports are already
-mixed and flipped.
+Outputs are calculated here, each channel by itself, because the outputs that the board reports are
+already mixed and flipped.
 """
 
 from collections.abc import Sequence
@@ -18,7 +18,7 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 
-_HELD = 3  # samples in a row (60 ms) that make an end, or a position of a switch, reached
+_HELD = 3  # consecutive samples (60 ms) at an end or switch position, to count as reached
 _REST_SECONDS = 0.5  # how long a channel has to give 0 to be at rest
 
 
@@ -26,17 +26,17 @@ class StickTest:
     def __init__(self, number: int, source: InputSource = InputSource.RC) -> None:
         self.number = number
         self.source = source
-        self.calibration: Calibration | None = None  # that the board stores
+        self.calibration: Calibration | None = None  # stored by the board
         self.raw: int | None = None  # the newest count; `None` without a signal
         self.time = 0.0  # of the newest sample
         self.output: int | None = None  # -127 to 127 now; `None` without a signal
-        self.forward = self.reverse = False  # full output was reached on that side
-        self.is_at_rest = False  # it has given 0 for a while
-        self.on = self.off = False  # a switch was seen active, inactive
-        self.ignored = False  # the board ignores it, so there is nothing to test
-        self.passed = False  # everything that the channel is for was seen, and it rests now
-        self.was_good = False  # it had passed at some time
-        self._full = {1: 0, -1: 0}  # samples in a row with full output, by its sign
+        self.forward = self.reverse = False  # whether full output was reached in this direction
+        self.is_at_rest = False  # whether the output has been 0 for `_REST_SECONDS`
+        self.on = self.off = False  # whether a switch was in its active, inactive position
+        self.ignored = False  # whether the board ignores the channel: there is nothing to test
+        self.passed = False  # all functions of the channel were seen, and a stick is at rest now
+        self.was_good = False  # whether the channel has passed at some time
+        self._full = {1: 0, -1: 0}  # consecutive samples with full output, by sign
         self._switched = {False: 0, True: 0}
         self._zero_since: float | None = None
 
@@ -73,7 +73,7 @@ class StickTest:
 
     @property
     def text(self) -> str:
-        """Next task of the user, or that the channel is good."""
+        """Next task of the user, or a remark that the channel is good."""
         if self.ignored:
             return tr("Ignored: the board holds it at neutral. There is nothing to test.")
         if self.output is None:
@@ -101,10 +101,10 @@ class StickTest:
 
 
 def idle_side(curve: ChannelCurve) -> int:
-    """Return the sign of the output on the shorter side of rest. 0 when both are as long.
+    """Return the sign of the output on the shorter side of rest. 0 if both sides are equal.
 
-    A throttle that rests at one end of its travel has that end only just beyond its rest: the
-    trim alone reaches it, and that shows nothing.
+    A throttle that rests at one end of its travel has this end just beyond its rest position.
+    Reaching the end shows nothing, because the trim alone can reach it.
     """
     up = curve.calibration.maximum - curve.calibration.neutral
     down = curve.calibration.neutral - curve.calibration.minimum
@@ -114,7 +114,7 @@ def idle_side(curve: ChannelCurve) -> int:
 
 
 class StickTests:
-    """Tests some channels. The others only count for safe-start."""
+    """Tests some channels. Other channels only count for safe-start."""
 
     def __init__(self, device: Device, numbers: Sequence[int]) -> None:
         self.tests = tuple(StickTest(number, device.calibrations.source) for number in numbers)
@@ -142,12 +142,12 @@ class StickTests:
 
     @property
     def passed(self) -> bool:
-        """Every tested channel is good now, and safe-start would release the motors."""
+        """True if every tested channel is good, and safe-start would release the motors."""
         return self.channels_passed and not self.safe_start_reasons
 
     @property
     def channels_passed(self) -> bool:
-        """Every tested channel is good now, whatever the others do."""
+        """True if every tested channel is good now, regardless of other channels."""
         return not self.all_ignored and all(test.passed or test.ignored for test in self.tests)
 
     @property
@@ -156,7 +156,7 @@ class StickTests:
 
     @property
     def to_learn_again(self) -> tuple[int, ...]:
-        """The channels that were moved and are not good so far: learning them may help."""
+        """Channels that were moved but have not passed. Learning them again may help."""
         moved = LIMITS[self._device.calibrations.source].moved
         spans = {channel: high - low for channel, (low, high) in self._reached.items()}
         return tuple(
@@ -184,7 +184,7 @@ class StickTests:
 
     @property
     def safe_start_text(self) -> str:
-        """Sentence on safe-start as it would act now if the channels were in control."""
+        """Sentence on the action of safe-start now if the channels were in control."""
         if not self.heard:
             return ""
         text = tr("In {0} mode safe-start would release the motors now.")

@@ -1,4 +1,4 @@
-"""The parameters of a board or a file with their edits, as a Qt model."""
+"""Qt model of the parameters of a board or a file, with their edits."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from enum import IntEnum
@@ -36,8 +36,8 @@ Index = QModelIndex | QPersistentModelIndex
 _COLUMNS = len(ParameterColumn)
 _GROUPS = ("motors", "channels", "serial", "system")  # in the order of settings files
 
-# Made once, and looked at first: Qt asks a thousand times whenever the table is painted.
-_HEADING = Qt.ItemFlag.NoItemFlags  # keys pass it by
+# Created once, because Qt requests flags a thousand times whenever it paints the table
+_HEADING = Qt.ItemFlag.NoItemFlags  # arrow keys skip it
 _FIXED = Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemNeverHasChildren
 _EDITABLE = _FIXED | Qt.ItemFlag.ItemIsEditable
 
@@ -45,8 +45,8 @@ _EDITABLE = _FIXED | Qt.ItemFlag.ItemIsEditable
 class ParameterRole(IntEnum):
     """Data of a cell besides its text. A heading has GROUP only.
 
-    RESET is the effect of a reset to the default, `None` where nothing differs. The name of a row
-    has the data of its first value.
+    RESET describes a reset to the default, `None` for a value at its default. The name cell of a
+    row has the data of its first value.
     """
 
     KEY = Qt.ItemDataRole.UserRole
@@ -62,15 +62,15 @@ def _number(wires: Sequence[int]) -> int:
 
 
 class ParameterModel(QAbstractTableModel):
-    """Headings and rows of settings, one column for each motor. Edits go over an undo stack.
+    """Headings and rows of settings, with a column for each motor. Edits use an undo stack.
 
-    Prescaler and maximum of a PWM are one value in the table, its frequency: that of the key of
-    either, and a number (`frequency_code`) in the edit role.
+    Prescaler and maximum of a PWM are one value in the table, its frequency. The keys of both refer
+    to it, and in the edit role it is a number (`frequency_code`).
     """
 
-    pending_changed = Signal()  # an edit, or whether it differs from what is stored
+    pending_changed = Signal()  # an edit, or whether it differs from the stored value
     rejected = Signal(str)  # why an edit was rejected, for the user
-    rounded = Signal(str)  # which value an edit has become, for the user
+    rounded = Signal(str)  # the value to which an edit was rounded, for the user
 
     def __init__(self, parent: QObject | None = None, undo: QUndoStack | None = None) -> None:
         super().__init__(parent)
@@ -78,11 +78,11 @@ class ParameterModel(QAbstractTableModel):
         self.values = ParameterValues()
         self.text = ParameterText(self.values)
         self.rows = ParameterRows(self.values, self.text)
-        self.model_key = ""  # the kind of board that the rows belong to; empty before the first
-        self.both_motors = False  # whether an edit for one motor is made for the other, too
+        self.model_key = ""  # model of the board that the rows belong to; empty before `load`
+        self.both_motors = False  # whether an edit for one motor applies to the other motor, too
         self._headers = (tr("Parameter"), tr("Motor 1"), tr("Motor 2"))
         self._motor_colors = {ParameterColumn.MOTOR1: "motor1", ParameterColumn.MOTOR2: "motor2"}
-        self._sources: dict[int, Callable[[str], Any]] = {  # of the data of a value, by role
+        self._sources: dict[int, Callable[[str], Any]] = {  # data of a value, by role
             Qt.ItemDataRole.DisplayRole: self.text.value,
             Qt.ItemDataRole.EditRole: self._number,
             Qt.ItemDataRole.AccessibleTextRole: self.text.spoken,
@@ -108,16 +108,16 @@ class ParameterModel(QAbstractTableModel):
         open_ended: bool = False,
         keep_edits: bool = True,
     ) -> None:
-        """Take everything that was read. With `keep_edits` they stay if the model is the same.
+        """Load everything that was read. `keep_edits` retains edits if the model is the same.
 
-        `active` are values known to be active, whatever is stored. `open_ended` (a file): any
-        parameter may be added or left out.
+        `active` are values known to be active, whatever is stored. `open_ended` is for a file, in
+        which any parameter may be added or left out.
         """
         pending = self.values.modified
         readable = sorted(specs.readable, key=lambda spec: _GROUPS.index(spec.group))
         wanted = {spec.key: spec for spec in readable}
         has_other_rows = wanted != self.values.specs or specs.model.key != self.model_key
-        if has_other_rows:  # else an open editor stays, which a reset would close
+        if has_other_rows:  # not otherwise: a reset would close an open editor
             self.beginResetModel()
             self.values.specs.clear()
             self.values.specs.update(wanted)
@@ -149,7 +149,7 @@ class ParameterModel(QAbstractTableModel):
         self.endResetModel()
 
     def record_stored(self, stored: Mapping[str, int]) -> None:
-        """Take the stored values after a verified write."""
+        """Update the stored values after a verified write."""
         for key, wire in stored.items():
             if key in self.values.specs and wire != self.values.stored.get(key):
                 self.values.record_stored(self.values.specs[key], wire)
@@ -165,7 +165,7 @@ class ParameterModel(QAbstractTableModel):
                 self._announce(result.key)
 
     def set_accepted(self, accepted: Accepted) -> None:
-        """Set which values beyond inferred limits boards with this firmware have stored."""
+        """Set values beyond inferred limits that boards with this firmware have stored."""
         if accepted == self.values.accepted:
             return
         self.values.accepted = dict(accepted)
@@ -178,23 +178,23 @@ class ParameterModel(QAbstractTableModel):
 
     @property
     def count(self) -> int:
-        """The number of settings, one for both motors."""
+        """Number of settings. A setting of both motors counts once."""
         return sum(bool(row.keys) for row in self.rows)
 
     def is_editable(self, key: str) -> bool:
         return all(self.values.can_edit(each) for each in self.text.together(key))
 
     def open_key(self, key: str) -> str | None:
-        """Return the parameter of a value for which others than its limits allow can be tried."""
+        """Return the parameter of a value that may be tried beyond its limits."""
         keys = (each for each in self.text.together(key) if self.values.specs[each].has_open_values)
         return next(keys, None) if self.is_editable(key) else None
 
     # --- Edits --------------------------------------------------------------------------
 
     def edit(self, key: str, wire: int, *, alone: bool = False, forced: bool = False) -> None:
-        """Edit a value. The stored value drops the edit.
+        """Edit a value. Editing it to the stored value removes the edit.
 
-        With `both_motors`, the other motor gets the value in the same step, except with `alone`.
+        With `both_motors` and without `alone`, the other motor gets the value in the same step.
         `forced` allows values beyond limits that are only inferred.
 
         Raises:
@@ -216,7 +216,7 @@ class ParameterModel(QAbstractTableModel):
     ) -> None:
         """Edit values. The other motor's keys get the values of their counterparts."""
         if all(wire == self.values.value_of(key) for key, wire in values.items()):
-            return  # an editor that was opened and left does not edit the other motor either
+            return  # an editor closed without a change must not edit the other motor either
         wanted = {key: values.get(key, values.get(other_motor_key(key) or "", 0)) for key in keys}
         for key, wire in wanted.items():
             if wire != self.values.stored.get(key):
@@ -230,7 +230,7 @@ class ParameterModel(QAbstractTableModel):
             self._change({each: self.values.specs[each].default for each in self._all_with(key)})
 
     def restore(self, key: str) -> None:
-        """Go back to the stored value. With `both_motors`, each to its own."""
+        """Restore the stored value. With `both_motors`, restore both motors' values."""
         if self.is_editable(key):
             self._change({each: self.values.stored.get(each) for each in self._all_with(key)})
 
@@ -249,7 +249,7 @@ class ParameterModel(QAbstractTableModel):
         )
 
     def discard_edits(self) -> None:
-        """Go back to the stored values, one undo step for each."""
+        """Restore the stored values, with an undo step for each."""
         for key in self.values.modified:
             self._change({key: self.values.stored.get(key)})
 
@@ -258,11 +258,11 @@ class ParameterModel(QAbstractTableModel):
         return (*keys, *filter(None, others))
 
     def _all_with(self, key: str) -> tuple[str, ...]:
-        """Return the keys of a value of the table, with `both_motors` those of both."""
+        """Return the keys of a value of the table. With `both_motors`, include both motors."""
         return self._with_other_motor(self.text.together(key))
 
     def _change(self, wanted: Mapping[str, int | None]) -> None:
-        """Push edits of the values that differ, as one undo step."""
+        """Push edits of the values that change, as one undo step."""
         edits = [
             Edit(self.values.specs[key].name, self._put, key, before, wire)
             for key, wire in wanted.items()
@@ -280,7 +280,7 @@ class ParameterModel(QAbstractTableModel):
             self._undo.endMacro()
 
     def _put(self, key: str, wire: int | None) -> None:
-        """Apply an edit to the draft. Ignores parameters that the present board lacks."""
+        """Apply an edit. Ignores parameters that the present board lacks."""
         if self.values.can_edit(key):
             if wire is None:
                 self.values.leave_out(key)
@@ -292,7 +292,7 @@ class ParameterModel(QAbstractTableModel):
     # --- Qt -----------------------------------------------------------------------------
 
     def index_of(self, key: str) -> QModelIndex:
-        """Return the cell with the value of a parameter, invalid when there is none."""
+        """Return the cell with the value of a parameter. Invalid if there is no such cell."""
         place = self.rows.places.get(key)
         return QModelIndex() if place is None else self.index(*place)
 
@@ -336,7 +336,7 @@ class ParameterModel(QAbstractTableModel):
         return None if source is None else source(key)
 
     def _number(self, key: str) -> int | None:
-        """Return what an editor shows: a wire value, or the code of a frequency."""
+        """Return the number in an editor: a wire value, or the code of a frequency."""
         wires = self.text.wires(key)
         return _number(wires) if len(wires) == len(self.text.together(key)) else None
 
@@ -380,7 +380,7 @@ class ParameterModel(QAbstractTableModel):
     # --- Change notification ------------------------------------------------------------
 
     def _announce(self, key: str) -> None:
-        """Announce the row of a parameter, and the heading above it."""
+        """Announce a change in a parameter's row and the heading above."""
         row = self.rows.places[key][0]
         heading = next(each for each in range(row, -1, -1) if not self.rows[each].keys)
         for place in (row, heading):

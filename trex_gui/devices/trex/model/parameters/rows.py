@@ -1,4 +1,4 @@
-"""The rows of the parameter table: headings, and a row for both motors or for the board."""
+"""Rows of the parameter table: headings, and settings of both motors or of the board."""
 
 from dataclasses import dataclass
 
@@ -7,12 +7,12 @@ from trex_gui.devices.trex.model.parameters.text import ParameterColumn, Paramet
 from trex_gui.devices.trex.model.parameters.values import ParameterValues
 from trex_gui.devices.trex.protocol.parameters import other_motor_key
 
-_PINNED = "pinned"  # the group of the rows that the user keeps at the top
+_PINNED = "pinned"  # the group of the rows that the user has pinned to the top
 
 
 @dataclass(frozen=True, slots=True)
 class ParameterRow:
-    """A heading, or one setting: of motors 1 and 2, or of the board in `keys[0]` alone."""
+    """A heading, or one setting. `keys` has a key for each motor, or one key for the board."""
 
     group: str
     name: str = ""
@@ -25,7 +25,7 @@ class ParameterRow:
 
 
 class ParameterRows(list[ParameterRow]):
-    """Pinned rows first, the others by task."""
+    """Pinned rows, then the other rows grouped by task."""
 
     def __init__(self, values: ParameterValues, text: ParameterText) -> None:
         super().__init__()
@@ -71,7 +71,7 @@ class ParameterRows(list[ParameterRow]):
         return self[self.places[key][0]].group == _PINNED
 
     def with_toggled(self, key: str) -> tuple[str, ...]:
-        """Return what is pinned once the row of this key is pinned, or not any more."""
+        """Return the pinned rows after the row of this key is pinned or unpinned."""
         pin = self[self.places[key][0]].pin
         others = [each for each in self.pinned if each != pin]
         return (*others,) if self.is_pinned(key) else (*others, pin)

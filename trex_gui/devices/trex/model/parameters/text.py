@@ -1,4 +1,4 @@
-"""The texts of the parameter table: values in physical units, states and explanations."""
+"""Texts of the parameter table: values in physical units, states and explanations."""
 
 from collections.abc import Sequence
 from enum import IntEnum
@@ -21,11 +21,11 @@ from trex_gui.ui.units import units
 _MAXIMA = FULL_SCALE + 1
 _GRADED = ("min", "max"), ("default",), ("scale", "bits")
 _IN_WORDS = {ParameterKind.CHOICE, ParameterKind.CHANNELS, ParameterKind.UART}
-_HIGHEST_PWM = 20_000.0  # Hz; of the drivers of boards without a rated one; inferred
+_HIGHEST_PWM = 20_000.0  # Hz; for drivers without a rated PWM frequency; inferred
 
 
 class ParameterColumn(IntEnum):
-    """A parameter of the whole board is in MOTOR1, and spans both."""
+    """Columns of the table. A parameter of the whole board is in MOTOR1, and spans both motors."""
 
     NAME = 0
     MOTOR1 = 1
@@ -36,7 +36,7 @@ class ParameterText:
     """Derives every text from the current values. Has no state."""
 
     def __init__(self, values: ParameterValues) -> None:
-        self.frequencies: tuple[int, ...] = ()  # codes of those that the board can have
+        self.frequencies: tuple[int, ...] = ()  # codes of the PWM frequencies that suit the board
         self._guide = ""
         self._values = values
         self._pairs: dict[str, tuple[str, ...]] = {}
@@ -48,14 +48,14 @@ class ParameterText:
         }
 
     def set_board(self, board: Model) -> None:
-        """Follow new specifications, those of a board of this model."""
+        """Update texts after the specifications of a board of this model were loaded."""
         self.frequencies = frequency_codes(board)
         self._guide = board.guide
         pairs = ((key, pwm_keys(key)) for key in self._values.specs)
         self._pairs = {key: pair for key, pair in pairs if self._values.specs.keys() >= set(pair)}
 
     def together(self, key: str) -> tuple[str, ...]:
-        """Return the keys that are one value of the table: prescaler and maximum of a PWM."""
+        """Return the keys of one value of the table. A PWM has two: prescaler and maximum."""
         return self._pairs.get(key, (key,))
 
     # --- Values -------------------------------------------------------------------------
@@ -81,7 +81,7 @@ class ParameterText:
         return self._shown(key, wires)
 
     def wires(self, key: str) -> list[int]:
-        """Return the wire values of a value, as far as they are given."""
+        """Return the wire values of a value. Missing wire values are left out."""
         wires = map(self._values.value_of, self.together(key))
         return [wire for wire in wires if wire is not None]
 
@@ -97,12 +97,12 @@ class ParameterText:
         return self._values.specs[key].text(wires[0])
 
     def with_wire(self, key: str, wires: Sequence[int]) -> str:
-        """Return wire and physical value, `15 (1.5 s)`, or one number where both are the same."""
+        """Return wire and physical value, `15 (1.5 s)`, or one number if both are the same."""
         text, numbers = self._physical(key, wires), _numbers(wires)
         return text if text == numbers else f"{numbers} ({text})"
 
     def change(self, key: str) -> str:
-        """Return the value, and the stored one if it was edited: `8.1 A, was off`."""
+        """Return the value, and the stored value if it was edited: `8.1 A, was off`."""
         value, stored = self.value(key), self.stored(key)
         if not any(self._values.is_modified(each) for each in self.together(key)):
             return value
@@ -145,7 +145,7 @@ class ParameterText:
         return [max(spec.grade(*fields) for spec in specs) for fields in _GRADED]
 
     def about(self, key: str) -> tuple[str, ...]:
-        """Return wire value, range and default with their grades, a sentence each."""
+        """Return sentences on wire value, range and default, with grades of evidence."""
         keys = self.together(key)
         limits, default, meaning = self._grades(key)
         wires = self.wires(key)
@@ -163,13 +163,13 @@ class ParameterText:
         return tuple(filter(None, sentences))
 
     def _also_accepted(self, keys: Sequence[str]) -> str:
-        """Return what this firmware takes beyond the range, as a sentence. Mostly empty."""
+        """Return a sentence on values that this firmware stored beyond the range. Mostly empty."""
         wires = sorted(wire for each in keys for wire in self._values.accepted.get(each, ()))
         text = tr("This firmware has stored beyond that: wire value {0}.")
         return text.format(", ".join(map(str, wires))) if wires else ""
 
     def guide(self, key: str) -> tuple[str, str]:
-        """Return the address of what the user's guide says of a value, and what to call it."""
+        """Return address and title of a value's section in the user's guide."""
         section = self._values.specs[key].section
         if not section:
             return self._guide, tr("User's guide of the board")
@@ -184,7 +184,7 @@ class ParameterText:
         return [self._values.specs[each].default for each in self.together(key)]
 
     def notes(self, key: str) -> tuple[str, ...]:
-        """Return what is special about the present value, a sentence each."""
+        """Return sentences on the present value: problems, and a value that is still active."""
         keys = self.together(key)
         active = [self._values.active.get(each) for each in keys]
         sentences = [self._values.problems.get(each, "") for each in keys]
@@ -209,7 +209,7 @@ class ParameterText:
         return self._shown(key, known) if len(known) == len(wires) else ""
 
     def spoken(self, key: str) -> str:
-        """Return the value with its name and its edit, as a screen reader says it."""
+        """Return name, value and edit in the words of a screen reader."""
         text = tr("{0}: {1}.").format(self.title(key), self.change(key))
         return " ".join(filter(None, (text, self._other_motor(key), *self.notes(key))))
 
@@ -229,7 +229,7 @@ def frequency_wires(code: int) -> tuple[int, int]:
 
 @cache
 def frequency_codes(board: Model) -> tuple[int, ...]:
-    """Return one code of each PWM frequency that suits the drivers of a board, slowest first."""
+    """Return a code for each PWM frequency that suits a board's drivers, slowest first."""
     choices = device_table().pwm.choices(board.highest_pwm or _HIGHEST_PWM)
     return tuple(frequency_code(*pair) for pair in choices)
 

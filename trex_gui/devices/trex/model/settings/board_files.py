@@ -1,4 +1,4 @@
-"""Saves and reads what is kept for each board, in a thread, soon after it has changed."""
+"""Files with one content for each board, saved and read in a thread."""
 
 import logging
 from collections.abc import Mapping
@@ -18,7 +18,7 @@ from trex_gui.ui.workers.file_worker import Done, FileTask, ProgressCallback
 
 log = logging.getLogger(__name__)
 
-_DELAY_MS = 500  # milliseconds of changes that a crash may lose
+_DELAY_MS = 500  # a crash may lose changes of this time
 
 _CLOSING_MS = 1000
 
@@ -27,27 +27,27 @@ Content = Settings | BoardRecord | None  # `None` removes a file
 
 @dataclass(frozen=True, slots=True)
 class _Result:
-    board: BoardIdentity | None  # whose file was read
+    board: BoardIdentity | None  # the board whose file was read
     found: object
     failure: SettingsError | None
     unsaved: Mapping[BoardIdentity, Any]
-    moved: frozenset[BoardIdentity] = frozenset()  # whose file may still be that of another board
-    aside: tuple[Path, ...] = ()  # to which files of other boards were renamed
+    moved: frozenset[BoardIdentity] = frozenset()  # their files may still be of other boards
+    aside: tuple[Path, ...] = ()  # new paths of other boards' files that were renamed
 
 
 class BoardFiles(QObject):
-    """One file for each board: the newest content is saved, before any is read."""
+    """A file for each board. New content is saved before any file is read."""
 
-    found = Signal(object, object)  # the board for `read`, and its content; `None`: no sound file
-    failed = Signal(object)  # why files cannot be saved, a `SettingsError`; once until it works
-    replaced = Signal(object)  # the `Path` that the file of another board has now; see `move`
+    found = Signal(object, object)  # the board, and its content; `None` without a valid file
+    failed = Signal(object)  # `SettingsError` why files cannot be saved; once until saving works
+    replaced = Signal(object)  # new `Path` of the file of another board; see `move`
 
     def __init__(self, files: EditFiles | BoardRecords, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._files = files
-        self._due: dict[BoardIdentity, Any] = {}  # the newest `Content` of each
-        self._moved: set[BoardIdentity] = set()  # whose file may be that of another board
-        self._wanted: BoardIdentity | None = None  # whose file is to be read
+        self._due: dict[BoardIdentity, Any] = {}  # the newest unsaved `Content` of each board
+        self._moved: set[BoardIdentity] = set()  # boards whose file may be of another board
+        self._wanted: BoardIdentity | None = None  # the board whose file is to be read
         self._is_failing = False
         self._task = FileTask(self)
         self._timer = new_timer(self, _DELAY_MS, self._start, single_shot=True)
@@ -55,12 +55,12 @@ class BoardFiles(QObject):
 
     @property
     def is_idle(self) -> bool:
-        """Return whether nothing is being read or saved, or will be before the next change."""
+        """True if no file is being read or saved, or due before the next change."""
         is_saved = not self._due or self._is_failing
         return is_saved and not self._task.is_running and not self._timer.isActive()
 
     def save(self, board: BoardIdentity, content: Content) -> None:
-        """Save what is kept for a board. `None` removes its file."""
+        """Save the content of a board's file. `None` removes the file."""
         self._due[board] = content
         if not self._timer.isActive():
             self._timer.start()
@@ -73,9 +73,9 @@ class BoardFiles(QObject):
         *,
         keeps_old: bool = False,
     ) -> None:
-        """Save under another identity. The file of a board that had it is renamed, not lost.
+        """Save under another identity. A file that exists for `new` is renamed, not lost.
 
-        With `keeps_old` the old file stays as well: it may be of another board.
+        With `keeps_old`, the old file stays as well, since it may be of another board.
         """
         self._moved.discard(old)
         self._moved.add(new)
@@ -88,7 +88,7 @@ class BoardFiles(QObject):
         self._start()
 
     def shut_down(self) -> bool:
-        """Save what is due. Return whether that ended in time."""
+        """Save unsaved content. Return whether saving ended in time."""
         self._timer.stop()
         in_time = self._task.close(0, finish_ms=_CLOSING_MS)
         if in_time and self._due:
@@ -99,7 +99,7 @@ class BoardFiles(QObject):
     @Slot()
     def _start(self) -> None:
         if self._task.is_running:
-            return  # continues when it has ended
+            return  # `_on_done` continues
         due, self._due = self._due, {}
         moved = self._moved & due.keys()
         self._moved -= moved
@@ -113,14 +113,14 @@ class BoardFiles(QObject):
         if result.failure is not None and not self._is_failing:
             self.failed.emit(result.failure)
         self._is_failing = result.failure is not None
-        self._due = {**result.unsaved, **self._due}  # newer contents replace them
+        self._due = {**result.unsaved, **self._due}  # newer content replaces unsaved content
         self._moved |= result.moved
         for path in result.aside:
             self.replaced.emit(path)
         if result.board is not None and result.board == self._wanted:
             self._wanted = None
             self.found.emit(result.board, result.found)
-        has_new = self._due.keys() - result.unsaved.keys()  # the others wait for the next change
+        has_new = self._due.keys() - result.unsaved.keys()  # unsaved files wait for a change
         if has_new or self._wanted is not None:
             self._timer.start()
 
@@ -132,7 +132,7 @@ def _work(
     board: BoardIdentity | None,
     _progress: ProgressCallback,
 ) -> _Result:
-    """Save what is due, then read what is saved for a board."""
+    """Save the contents that are due, then read the file of `board`."""
     failure: SettingsError | None = None
     found: object = None
     unsaved: dict[BoardIdentity, Any] = {}

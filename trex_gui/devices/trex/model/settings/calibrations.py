@@ -1,4 +1,4 @@
-"""The channel calibrations of a board or a file, for each input source, with their edits."""
+"""Channel calibrations of a board or a file, for each input source, with their edits."""
 
 from collections.abc import Mapping
 
@@ -15,15 +15,15 @@ Channel = int | CalibrationKey  # a channel, 1-5, of the active input source; or
 
 
 class Calibrations(QObject):
-    """A board shows the set of its active input source only. A file may hold both sets."""
+    """Calibrations of both input sources. A board shows only its active source."""
 
     changed = Signal()  # a stored or an edited calibration
 
     def __init__(self, parent: QObject | None = None, undo: QUndoStack | None = None) -> None:
         super().__init__(parent)
-        self.source = InputSource.RC  # the active one; a board accepts none for the other
-        self.edited: dict[CalibrationKey, Calibration] = {}  # the edits for both input sources
-        # The stored calibrations that Save leaves out of a file
+        self.source = InputSource.RC  # the active source; a board accepts calibrations for it only
+        self.edited: dict[CalibrationKey, Calibration] = {}  # edits for both input sources
+        # Stored calibrations that Save leaves out of a file
         self.left_out: set[CalibrationKey] = set()
         self._undo = undo or QUndoStack(self)
         self._model_key = ""
@@ -35,12 +35,12 @@ class Calibrations(QObject):
 
     @property
     def pending(self) -> tuple[tuple[CalibrationKey, Calibration], ...]:
-        """The edits that Apply writes, those for the active input source, by channel."""
+        """Edits that Apply writes: only for the active input source, sorted by channel."""
         return tuple((k, self.edited[k]) for k in sorted(self.edited) if k.source is self.source)
 
     @property
     def modified(self) -> list[CalibrationKey]:
-        """Keys that are edited or left out, in order."""
+        """Sorted keys that are edited or left out."""
         return sorted(self.edited.keys() | self.left_out)
 
     @property
@@ -49,7 +49,7 @@ class Calibrations(QObject):
 
     @property
     def all_shown(self) -> dict[CalibrationKey, Calibration]:
-        """The calibrations after Apply or Save."""
+        """Calibrations after Apply or Save."""
         edits = {k: e for k, e in self.edited.items() if self.can_edit(k)}
         return {k: c for k, c in {**self._stored, **edits}.items() if k not in self.left_out}
 
@@ -59,11 +59,11 @@ class Calibrations(QObject):
         return [key for key in self.modified if not self.can_edit(key)]
 
     def stored(self, channel: Channel) -> Calibration | None:
-        """Return the stored calibration. `None`: not known."""
+        """Return the stored calibration. `None` if unknown."""
         return self._stored.get(self._key(channel))
 
     def shown(self, channel: Channel) -> Calibration | None:
-        """Return the calibration after Apply or Save. `None`: not known, or left out."""
+        """Return the calibration after Apply or Save. `None` if unknown or left out."""
         key = self._key(channel)
         return None if key in self.left_out else self.edited.get(key, self._held(key))
 
@@ -72,7 +72,7 @@ class Calibrations(QObject):
         return self._open_ended or self._key(channel) in self._stored
 
     def _held(self, key: CalibrationKey) -> Calibration | None:
-        """Return the stored calibration, or the one that the board showed last."""
+        """Return the stored calibration, or the calibration that the board showed last."""
         seen = None if self._open_ended else self._seen.get(key)
         return self._stored.get(key, seen)
 
@@ -92,9 +92,9 @@ class Calibrations(QObject):
         open_ended: bool = False,
         keep_edits: bool = True,
     ) -> None:
-        """Take what was read. With `keep_edits` they stay if the model is the same.
+        """Load calibrations that were read. `keep_edits` retains edits if the model is the same.
 
-        `open_ended` (a file): any calibration may be added or left out.
+        `open_ended` is for a file, in which any calibration may be added or left out.
         """
         if model_key != self._model_key or not keep_edits:
             self.edited.clear()
@@ -110,11 +110,11 @@ class Calibrations(QObject):
         self.changed.emit()
 
     def clear_seen(self) -> None:
-        """Forget what another board showed, except where it was edited."""
+        """Discard calibrations that another board showed, except edited channels."""
         self._seen = {key: seen for key, seen in self._seen.items() if key in self.edited}
 
     def record_stored(self, stored: Mapping[int, Calibration]) -> None:
-        """Take the stored calibrations of the active input source after a verified write."""
+        """Update stored calibrations of the active input source after a verified write."""
         for channel, calibration in stored.items():
             key = self._key(channel)
             if self._stored.get(key) != calibration:
@@ -126,7 +126,7 @@ class Calibrations(QObject):
     # --- Edits --------------------------------------------------------------------------
 
     def edit(self, channel: Channel, wanted: Calibration, *, run: object = None) -> None:
-        """Edit a calibration. The stored one drops the edit.
+        """Edit a calibration. Editing it to the stored calibration removes the edit.
 
         Consecutive edits of a channel with the same `run` are one undo step.
 
@@ -142,12 +142,12 @@ class Calibrations(QObject):
         self._change(self._key(channel), self.stored(channel))
 
     def leave_out(self, channel: Channel) -> None:
-        """Leave a calibration out of a file. Has no effect on a board's."""
+        """Leave a calibration out of a file. Has no effect for a board."""
         if self._open_ended:
             self._change(self._key(channel), None)
 
     def discard_edits(self) -> None:
-        """Go back to the stored calibrations, one undo step for each."""
+        """Restore the stored calibrations, with an undo step for each."""
         for key in self.modified:
             self._change(key, self._held(key))
 
@@ -160,7 +160,7 @@ class Calibrations(QObject):
             self._undo.push(Edit(text, self._put, key, before, wanted, run=run))
 
     def _put(self, key: CalibrationKey, wanted: Calibration | None) -> None:
-        """Apply an edit. Ignores the other input source of a board that never showed it."""
+        """Apply an edit. Ignores the inactive input source if the board never showed it."""
         held = self._held(key)
         if not self._open_ended and key.source is not self.source and held is None:
             return

@@ -1,4 +1,4 @@
-"""Two sets of settings as a table, with a check box for each change."""
+"""Table of two sets of settings, with a check box for each change."""
 
 from collections.abc import Callable, Collection, Hashable, Mapping, Sequence
 from enum import IntEnum
@@ -35,7 +35,7 @@ _NONE = "–"
 
 
 class ComparisonColumn(IntEnum):
-    """The columns. OUTCOME is there after writing. The user role of each is the key of the row."""
+    """Columns, OUTCOME only after writing. Their user role is the key of the row."""
 
     SETTING = 0
     BEFORE = 1
@@ -66,9 +66,9 @@ class ComparisonTable(QAbstractTableModel):
         with_ticks: bool = True,
         outcomes: Mapping[str, str] = MappingProxyType({}),
     ) -> None:
-        """Show a comparison, every change ticked. `before` and `after` head the columns.
+        """Show a comparison, with every change ticked. `before` and `after` head the columns.
 
-        `outcomes` are reasons by key, such as those of failures. An empty one is a stored value.
+        `outcomes` has reasons of failures by key. An empty reason means that a value is stored.
         """
         self.beginResetModel()
         self.comparison = comparison
@@ -81,7 +81,7 @@ class ComparisonTable(QAbstractTableModel):
         self.ticked_changed.emit()
 
     def renew(self, comparison: Comparison, *, tick_new: bool = True) -> None:
-        """Update both sides. Cleared check boxes stay cleared, new changes get `tick_new`."""
+        """Update both sides. Cleared check boxes stay cleared. `tick_new` ticks new changes."""
         if not tick_new:
             ticked = {row.key for row in self.ticked}
             self._cleared |= {row.key for row in comparison.rows if row.is_offered} - ticked
@@ -98,7 +98,7 @@ class ComparisonTable(QAbstractTableModel):
 
     @property
     def ticked(self) -> tuple[ComparisonRow, ...]:
-        """The changes to make, in the order of the table."""
+        """Ticked changes, in the order of the table."""
         return self.ticked_of(self.comparison)
 
     def ticked_of(self, comparison: Comparison) -> tuple[ComparisonRow, ...]:
@@ -209,7 +209,7 @@ class ComparisonTable(QAbstractTableModel):
         )
 
     def _side_text(self, row: ComparisonRow, value: int | Calibration | None, text: str) -> str:
-        """Return one side in physical units. Each differing field of a calibration has a line."""
+        """Return one side in physical units, with a line for each changed calibration field."""
         if value is None:
             return tr("not given")
         if isinstance(value, int) or row.before == row.after:
@@ -235,10 +235,10 @@ def renew_rows(
     wanted: Sequence[RowT],
     key: Callable[[RowT], Hashable],
 ) -> None:
-    """Change the `rows` of a model in place to the wanted ones, and announce only differences.
+    """Change the `rows` of a model in place, and announce only differences.
 
-    Selection, scroll position and check boxes are kept. `key` identifies a row. A different
-    order of rows that stay resets the model.
+    Selection, scroll position and check boxes stay. `key` identifies a row. Resets the model if
+    remaining rows change their order.
     """
     if not rows and not wanted:
         return

@@ -21,10 +21,10 @@ _LAYOUT = "\t\n\v\f\r\x1b\xa0"
 
 
 class SettingsDocument(QObject):
-    """The text as opened, and a draft of its settings.
+    """Text as opened, and a draft of its settings.
 
-    While a text has errors, the text itself is edited. Then the draft is edited, and `text`
-    follows it with comments and order kept.
+    While a text has errors, the user edits the text. Afterwards the user edits the draft, and
+    `text` follows the draft with its comments and order.
     """
 
     changed = Signal()  # text, findings, file or `readable`
@@ -32,7 +32,7 @@ class SettingsDocument(QObject):
     def __init__(
         self, text: str, name: str, *, path: Path | None = None, doubt: Finding | None = None
     ) -> None:
-        """Start with a text. With a `doubt` the user must check it before it is read."""
+        """Start with a text. With a `doubt`, the user must check the text before it is read."""
         super().__init__()
         self.draft = SettingsDraft(self)  # empty while the text is not readable
         self._name = name
@@ -40,7 +40,7 @@ class SettingsDocument(QObject):
         self._base = text
         self._saved = text
         self._text = text
-        self.on_disk: bytes | None = None  # what the file held when it was opened or saved
+        self.on_disk: bytes | None = None  # content of the file when it was opened or saved
         self.readable = False  # whether the text has settings
         self._trouble = ""
         self._findings: tuple[Finding, ...] = ()
@@ -57,10 +57,10 @@ class SettingsDocument(QObject):
 
     @classmethod
     def of_file(cls, path: Path, data: bytes) -> "SettingsDocument":
-        """Show a file that was read, also one with errors.
+        """Create a document from the content of a file, which may have errors.
 
         Raises:
-            SettingsError: it is too large, or not a text.
+            SettingsError: the file is too large, or not a text.
         """
         text, doubt = text_of(data, path.name)
         document = cls(text, path.name, path=path, doubt=doubt)
@@ -69,7 +69,7 @@ class SettingsDocument(QObject):
 
     @classmethod
     def of_settings(cls, settings: Settings, name: str, title: str) -> "SettingsDocument":
-        """Begin a file with settings. Invalid values become comments.
+        """Create a new file with settings. Invalid values become comments.
 
         Raises:
             BadRequest: the settings hold a key that their model and firmware do not have.
@@ -82,18 +82,18 @@ class SettingsDocument(QObject):
 
     @property
     def settings(self) -> Settings | None:
-        """The settings with their edits. `None` while the text is not readable."""
+        """Settings with their edits. `None` while the text is not readable."""
         return self.draft.shown if self.readable else None
 
     @property
     def text(self) -> str:
-        """The text that Save writes, byte order mark and line ends included."""
+        """Text that Save writes, byte order mark and line ends included."""
         self._settle()
         return self._text
 
     @property
     def trouble(self) -> str:
-        """Reason that the edits cannot be put into the text in place. Empty while they can."""
+        """Reason why edits cannot be written into the text. Empty while they can."""
         self._settle()
         return self._trouble
 
@@ -126,9 +126,9 @@ class SettingsDocument(QObject):
         return self.readable
 
     def content(self, *, fresh: bool = False) -> Content:
-        """Return what Save writes now. Edits made while that is being saved stay unsaved.
+        """Return the content to save. Edits made while it is being saved stay unsaved.
 
-        With `fresh`, in the program's own layout, without the user's comments.
+        With `fresh`, it has the program's own layout, without the user's comments.
 
         Raises:
             SettingsError: the edits do not fit into the text.
@@ -180,10 +180,10 @@ class SettingsDocument(QObject):
 
 
 def text_of(data: bytes, name: str) -> tuple[str, Finding | None]:
-    """Return the text of a file, byte order mark included. A finding if the encoding is a guess.
+    """Return the text of a file, byte order mark included, and a finding on a guessed encoding.
 
     Raises:
-        SettingsError: it is too large, or not a text.
+        SettingsError: the file is too large, or not a text.
     """
     try:
         text = decode(data, name)
@@ -203,12 +203,12 @@ def text_of(data: bytes, name: str) -> tuple[str, Finding | None]:
 def set_calibrations(
     draft: SettingsDraft, settings: Settings, text: str
 ) -> tuple[int, tuple[str, ...]]:
-    """Make the calibrations of a file edits, in one undo step with the name `text`.
+    """Edit calibrations to the values of a file, as an undo step named `text`.
 
-    Returns how many differ, and a sentence for each that was left out.
+    Returns the number of differing calibrations, and a sentence for each setting left out.
 
     Raises:
-        BadRequest: it has no calibrations, or is for another model.
+        BadRequest: the file has no calibrations, or is for another model.
     """
     if not settings.calibrations:
         raise BadRequest(tr("it contains no calibrations"))
@@ -220,7 +220,7 @@ def set_calibrations(
 
 
 def put_calibrations(shown: Settings, path: Path, title: str) -> None:
-    """Write the calibrations shown into a file. The rest of an existing file stays.
+    """Write the shown calibrations into a file. The rest of an existing file stays.
 
     Raises:
         SettingsError: the file cannot be read or written, or is for another model.

@@ -1,4 +1,4 @@
-"""The settings of a board or a file with their edits and undo."""
+"""Settings of a board or a file, with their edits and undo."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
@@ -25,7 +25,7 @@ from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 
 
 class SettingsDraft(QObject):
-    """Stored settings, their edits, and the undo stack that parameters and calibrations share."""
+    """Stored settings, their edits, and the undo stack of both."""
 
     loaded = Signal()  # the stored settings were read again
     pending_changed = Signal()  # `pending`, or an edit
@@ -36,11 +36,11 @@ class SettingsDraft(QObject):
         self.parameters = ParameterModel(self, self.undo)
         self.calibrations = Calibrations(self, self.undo)
         self.notes = Notes(self, self.undo)
-        self.reset_pending = False  # the next start will reset what is written until then
+        self.reset_pending = False  # the next start resets everything written until then
         self._product: Model | None = None
         self._firmware: str | None = None
-        # Of boards on the line that are not selected: what each stores, what is active there
-        # although it stores something else, and `reset_pending`
+        # For boards on the line that are not selected: stored values, values that are active
+        # although others are stored, and `reset_pending`
         self._set_aside: dict[BoardIdentity, tuple[dict[str, int], dict[str, int], bool]] = {}
 
         self.parameters.pending_changed.connect(self.pending_changed)
@@ -57,7 +57,7 @@ class SettingsDraft(QObject):
         return parameters.values.specs[key].name if parameters.index_of(key).isValid() else key
 
     def stored_curve(self, channel: Channel) -> ChannelCurve | None:
-        """Return the curve of a channel with the stored values, if they are known."""
+        """Return the curve of a channel from stored values. `None` if they are unknown."""
         calibration = self.calibrations.stored(channel)
         if calibration is None:
             return None
@@ -65,9 +65,9 @@ class SettingsDraft(QObject):
         return ChannelCurve.stored(number, calibration, self.parameters.values.stored.get)
 
     def select_state(self, state: DeviceState, connection: ConnectionSettings | None) -> None:
-        """Take what another board on the same line stores. Edits are forgotten.
+        """Load the settings of another board on the same line, and discard edits.
 
-        What waits for a power cycle of the former board is known again when that is selected.
+        Values that wait for a power cycle are restored when their board is selected again.
         """
         values = self.parameters.values
         if (before := self.stored) is not None:
@@ -88,10 +88,10 @@ class SettingsDraft(QObject):
         power_cycled: bool,
         opened: bool = False,
     ) -> None:
-        """Take what a board stores. Edits stay if it is the same kind of board.
+        """Load the settings of a board. Edits stay if its model is the same.
 
-        Other stored values than before show that a pending reset has been done. `opened`: the
-        line is, just now.
+        Changed stored values show that a pending reset has been done. `opened` tells that the
+        line has just been opened.
         """
         if opened:
             self._set_aside.clear()
@@ -126,7 +126,7 @@ class SettingsDraft(QObject):
         self.calibrations.record_stored(state.calibrations)
 
     def take_settings(self, settings: Settings) -> None:
-        """Take the settings of a file, to which any setting may be added."""
+        """Load the settings of a file, to which any setting may be added."""
         self._start(settings.product, settings.firmware)
         specs = specs_for(settings.product, settings.firmware)
         is_analog = settings.parameters.get(ParameterKey.CHANNEL_INPUT_SOURCE) == 1
@@ -144,12 +144,12 @@ class SettingsDraft(QObject):
 
     @property
     def stored(self) -> Settings | None:
-        """The settings of the board or the file. `None` before the first."""
+        """Settings of the board or the file. `None` before any were loaded."""
         return self._settings(self.parameters.values.all_stored, self.calibrations.all_stored)
 
     @property
     def shown(self) -> Settings | None:
-        """The settings after Apply or Save."""
+        """Settings after Apply or Save."""
         return self._settings(self.parameters.values.all_shown, self.calibrations.all_shown)
 
     def _settings(
@@ -176,12 +176,12 @@ class SettingsDraft(QObject):
         return self.parameters.values.can_edit(key)
 
     def stage(self, rows: Iterable[ComparisonRow], text: str) -> None:
-        """Edit settings to the right side of a comparison, and take its notes, in one undo step.
+        """Edit settings and notes to a comparison's right side, in one undo step.
 
         Rows without a right side, or whose setting cannot be edited, are left out.
 
         Raises:
-            BadRequest: no board takes a value; nothing was changed.
+            BadRequest: a value that no board accepts; nothing was changed.
         """
         chosen = list(rows)
         wanted = [row for row in chosen if row.after is not None and self.can_edit(row.key)]
@@ -201,7 +201,7 @@ class SettingsDraft(QObject):
                 self.notes.edit(row.key, row.note_after, name=row.name)
 
     def discard_edits(self) -> None:
-        """Go back to the stored settings, in one undo step."""
+        """Restore the stored settings, in one undo step."""
         if self.pending:
             with self.one_edit(tr("Discard edits")):
                 self.parameters.discard_edits()
@@ -223,14 +223,14 @@ class SettingsDraft(QObject):
 def diff_against_draft(
     draft: SettingsDraft, settings: Settings, *, is_stored: bool = False
 ) -> Comparison:
-    """Compare the settings shown with what they would be with other settings taken in.
+    """Compare the settings shown with their state after other settings are applied.
 
-    With `is_stored` those without edits are compared.
+    With `is_stored`, compare the stored settings, without edits.
 
-    Settings that the board does not have, or does not accept now, are left out and named.
+    Settings that the board lacks or does not accept now are left out. The result names them.
 
     Raises:
-        BadRequest: the settings are for another model, or nothing was read to compare with.
+        BadRequest: the settings are for another model, or the draft has no settings yet.
     """
     shown = draft.stored if is_stored else draft.shown
     if shown is None:

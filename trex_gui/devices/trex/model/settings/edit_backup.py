@@ -1,4 +1,4 @@
-"""Keeps the edits of a board until they are applied or discarded, even if the program dies."""
+"""Backup of unapplied edits of a board, which survives a crash of the program."""
 
 from collections.abc import Collection
 from dataclasses import dataclass, replace
@@ -17,43 +17,43 @@ from trex_gui.ui.translations import error_sentence
 
 @dataclass(frozen=True, slots=True)
 class EditOffer:
-    """Edits that were not applied in an earlier run, as far as they still change something."""
+    """Unapplied edits of an earlier run that still change a setting."""
 
     rows: tuple[ComparisonRow, ...]
     saved: SavedEdits
 
 
 class EditBackup(QObject):
-    """Saves the edits of a draft soon after each change, and offers those of an earlier run.
+    """Saves edits after each change, and offers edits of an earlier run.
 
     Files are read and written in a thread.
     """
 
-    offered = Signal()  # `offer` is new, or gone
-    failed = Signal(str)  # why edits cannot be kept, for the user; once, until it works again
+    offered = Signal()  # `offer` is new or gone
+    failed = Signal(str)  # why edits cannot be saved, for the user; once until saving works again
 
     def __init__(self, draft: SettingsDraft, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        # What the user has to decide about; it stays saved until then
+        # Edits that the user has to restore or discard; they stay saved until then
         self.offer: EditOffer | None = None
         self._draft = draft
         self.files = BoardFiles(EditFiles(), self)
-        self._board: BoardIdentity | None = None  # whose edits the draft holds
-        self._is_read = False  # what was saved for it before is known
+        self._board: BoardIdentity | None = None  # the board whose edits the draft holds
+        self._is_read = False  # whether the edits saved earlier for this board are known
         self._has_file = False
         self._undecided: Settings | None = None  # saved edits that the draft does not hold
         self._left: tuple[BoardIdentity | None, bool] = (None, False)
         self._edits_left: Settings | None = None
-        self._parked: dict[BoardIdentity, Settings] = {}  # of boards that are not selected
+        self._parked: dict[BoardIdentity, Settings] = {}  # edits of boards that are not selected
         self.files.found.connect(self._on_found)
         self.files.failed.connect(self._on_failed)
         draft.pending_changed.connect(self._on_changed)
 
     def close_board(self, *, is_deselected: bool = False) -> None:
-        """Save no changes until `take_board`: the draft is about to take what a board stores.
+        """Save no changes until `take_board`, because the draft is about to be loaded.
 
-        Edits of a board that `is_deselected`, since another one on its line is selected, are made
-        again when it is taken the next time.
+        `is_deselected`: another board on the line is selected. Edits of the former board are made
+        again when it is selected again.
         """
         stored = self._draft.stored
         if is_deselected and stored is not None and self._board is not None and self._draft.pending:
@@ -67,11 +67,11 @@ class EditBackup(QObject):
         self._board = None
 
     def take_board(self, *, ask: bool, is_simulated: bool = False) -> None:
-        """Keep the edits of the board in the draft, and look for those of an earlier run.
+        """Save edits for the board, and look for its edits of an earlier run.
 
-        Edits of a simulated board are kept apart from those of real boards.
-        If it is the same board as before, an offer is made again only with `ask`. Edits that the
-        draft has dropped since their setting could not be read this time stay saved.
+        Edits of simulated and of real boards are saved separately. For the same board as before,
+        a present offer is repeated only with `ask`. Edits that the draft has dropped, because
+        their setting could not be read this time, stay saved.
         """
         stored = self._draft.stored
         if stored is None:
@@ -98,9 +98,9 @@ class EditBackup(QObject):
     # --- Decisions ----------------------------------------------------------------------
 
     def restore(self) -> None:
-        """Make the offered edits pending, but none that was edited again meanwhile.
+        """Make the offered edits pending, except settings that were edited meanwhile.
 
-        Those that the board does not take now stay saved.
+        Edits that the board does not accept now stay saved.
         """
         if self.offer is None:
             return
@@ -115,7 +115,7 @@ class EditBackup(QObject):
         self._set_offer(None)
 
     def discard(self) -> None:
-        """Forget the edits in the draft, at the end of the program."""
+        """Discard the saved edits of the draft, at the end of the program."""
         if self._board is not None and self._has_file and self._draft.pending:
             self.files.save(self._board, self._undecided)
         self._board = None
@@ -136,7 +136,7 @@ class EditBackup(QObject):
         board = BoardIdentity.of(stored, is_simulated=self._board.is_simulated)
         edits = self._edits(stored)
         before, self._board = self._board, board
-        if board != before and edits is not None:  # its number was written
+        if board != before and edits is not None:  # the device number was written
             self.files.move(before, board, edits)
         elif board != before:
             self.files.save(before, None)
@@ -175,7 +175,7 @@ class EditBackup(QObject):
         self._set_offer(offer)
 
     def _out_of_reach(self, edits: Settings) -> set[str]:
-        """Return the keys of edits that the draft neither holds nor can take now."""
+        """Return the keys of edits that the draft neither holds nor accepts now."""
         can_edit, is_modified = self._draft.can_edit, self._draft.is_modified
         return {key for key in edits.keys if not can_edit(key) and not is_modified(key)}
 

@@ -19,21 +19,21 @@ from trex_gui.ui.translations import error_sentence, local_time
 
 
 class KeptFiles(QObject):
-    """Serves a `BoardMemory` with its files, and the parameters with `AcceptedValues`."""
+    """Files of a `BoardMemory`, and `AcceptedValues` of the parameters."""
 
-    changed = Signal()  # what `memory` knows
-    failed = Signal(str)  # why nothing can be kept, for the user; once, until it works again
-    doubted = Signal(str)  # that the record may be of another board, for the user
+    changed = Signal()  # content of `memory`
+    failed = Signal(str)  # why records cannot be saved, for the user; once until saving works again
+    doubted = Signal(str)  # warning that the record may be of another board, for the user
 
     def __init__(self, draft: SettingsDraft, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._notes, self._parameters = draft.notes, draft.parameters
         self._records = BoardRecords()
         self._accepted = AcceptedValues()
-        self._kind: Signature | None = None  # of the board whose accepted values are set
+        self._kind: Signature | None = None  # kind of board whose accepted values are set
         self.memory = BoardMemory(self)
         self.files = BoardFiles(self._records, self)
-        # For the memory:
+        # For the memory
         self.find, self.save, self.move = self.files.read, self.files.save, self.files.move
         self.record_change = self.changed.emit
 
@@ -42,7 +42,7 @@ class KeptFiles(QObject):
         self._notes.edited.connect(self._on_note_edited)
 
     def set_kind(self, kind: Signature, *, opened: bool, is_simulated: bool) -> None:
-        """Read what boards of another kind have stored. A simulated board says nothing of it."""
+        """Read the values that boards of this kind accepted. Skipped for simulated boards."""
         if opened or kind != self._kind:
             self._kind = kind
             self._parameters.set_accepted({})

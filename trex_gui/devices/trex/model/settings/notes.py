@@ -1,4 +1,4 @@
-"""The notes on the settings of a board or a file: why each has its value."""
+"""Notes of the user on settings of a board or a file."""
 
 from collections.abc import Mapping
 
@@ -11,9 +11,9 @@ from trex_gui.ui.devices.undo import Edit
 
 
 class Notes(QObject):
-    """One note for each key. Edits go over an undo stack, and need no Apply.
+    """A note for each key. Edits use an undo stack, and need no Apply.
 
-    A board cannot store them: they are kept on this computer, see `BoardMemory`.
+    A board cannot store notes. They are saved on this computer, see `BoardMemory`.
     """
 
     changed = Signal()
@@ -21,7 +21,7 @@ class Notes(QObject):
 
     def __init__(self, parent: QObject | None = None, undo: QUndoStack | None = None) -> None:
         super().__init__(parent)
-        self.are_known = False  # whether those of this board or file were read
+        self.are_known = False  # whether the notes of this board or file were read
         self._undo = undo or QUndoStack(self)
         self._notes: dict[str, str] = {}
         self._owner: object = None
@@ -34,17 +34,17 @@ class Notes(QObject):
         return self._notes.get(key, "")
 
     def load(self, notes: Mapping[str, str], owner: object = None) -> None:
-        """Take the notes that are kept. Undo changes those of the same owner only."""
+        """Load saved notes. Undo affects notes of this owner only."""
         self._notes, self._owner, self.are_known = dict(notes), owner, True
         self.changed.emit()
 
     def clear(self) -> None:
-        """Show none until those of another board are known."""
+        """Show no notes until the notes of another board are known."""
         self._notes, self._owner, self.are_known = {}, None, False
         self.changed.emit()
 
     def edit(self, key: str, text: str, *, name: str = "", run: object = None) -> None:
-        """Replace a note. An empty text removes it. `name` is that of the setting, for undo.
+        """Replace a note. An empty text removes it. Undo shows `name`, the setting's name.
 
         Consecutive edits of a note with the same `run` are one undo step.
         """

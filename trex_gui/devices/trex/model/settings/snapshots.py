@@ -1,4 +1,4 @@
-"""The history as a table with a row per snapshot."""
+"""Table of the settings history, with a row for each snapshot."""
 
 from collections import Counter
 from collections.abc import Callable, Mapping
@@ -45,12 +45,12 @@ class SnapshotColumn(IntEnum):
 
 
 _LABELS = {SnapshotColumn.NAME: "name", SnapshotColumn.NOTE: "note"}
-"""The columns that the user writes, and what `SettingsHistory.label` calls them."""
+"""Columns that the user edits, and their parameter names in `SettingsHistory.label`."""
 
 
 @dataclass(frozen=True, slots=True)
 class Listing:
-    snapshots: tuple[Snapshot, ...]  # all, the newest first
+    snapshots: tuple[Snapshot, ...]  # all snapshots, newest first
     bound: Bound
     has_folder: bool
 
@@ -58,7 +58,7 @@ class Listing:
 def _read(
     history: SettingsHistory, known: Mapping[Path, Snapshot], progress: ProgressCallback
 ) -> Listing:
-    """Read the folder in a thread. `known` are heads that were read before."""
+    """Read the folder, in a thread. `known` has the snapshots that were listed before."""
     files, snapshots = history.files(), list[Snapshot]()
     for number, file in enumerate(files, 1):
         snapshots.append(history.look_at(file, known.get(history.folder / file[2])))
@@ -67,14 +67,14 @@ def _read(
 
 
 class SnapshotTable(QAbstractTableModel):
-    """The snapshots in the folder of a history that match a search, the newest first.
+    """Snapshots in the folder of a history that match a search, newest first.
 
-    Files are listed and read in threads of their own. Damage below the head of a file is found when
-    the snapshot is loaded, and stays known.
+    Files are listed and read in separate threads. Damage below the head of a file is found when
+    the snapshot is loaded, and is remembered.
     """
 
-    listed = Signal(object)  # the `listing`: the folder was read, or is searched for other words
-    loaded = Signal()  # `content_of` knows more
+    listed = Signal(object)  # the `listing`, after the folder was read or the search has changed
+    loaded = Signal()  # `content_of` knows another snapshot
     failed = Signal(str)  # why the folder cannot be listed, for the user
 
     def __init__(self, history: SettingsHistory, parent: QObject | None = None) -> None:
@@ -83,13 +83,13 @@ class SnapshotTable(QAbstractTableModel):
         self.snapshots: list[Snapshot] = []
         self.listing: Listing | None = None  # `None` before the folder was read
         self._busy_minutes: frozenset[datetime] = frozenset()
-        self._contents: dict[Path, tuple[Stamp, Settings | str]] = {}  # or why it is damaged
+        self._contents: dict[Path, tuple[Stamp, Settings | str]] = {}  # or the damage
         self._loading: set[Path] = set()
         self._words: list[str] = []
         self._cancel: Callable[[], None] = lambda: None
 
     def set_words(self, text: str) -> None:
-        """Show only snapshots with all these words, in any of their columns."""
+        """Show only snapshots that contain all these words, in any column or the tooltip."""
         self._words = text.casefold().split()
         if self.listing is not None:
             self.beginResetModel()
@@ -113,8 +113,8 @@ class SnapshotTable(QAbstractTableModel):
         self._busy_minutes = frozenset(minute for minute, count in minutes.items() if count > 1)
         wanted = self._matching(listing)
         renew_rows(self, self.snapshots, wanted, lambda snapshot: snapshot.path)
-        self.snapshots[:] = wanted  # equal ones may have another stamp
-        if wanted:  # it may be tomorrow now, or a minute have more snapshots
+        self.snapshots[:] = wanted  # equal snapshots may have different stamps
+        if wanted:  # times change after midnight, or if a minute has more snapshots
             self._announce(0, len(wanted) - 1)
         self.listed.emit(listing)
 
@@ -133,7 +133,7 @@ class SnapshotTable(QAbstractTableModel):
         return next((row for row, snapshot in rows if snapshot.path == path), None)
 
     def neighbour(self, snapshot: Snapshot) -> Snapshot | None:
-        """Return the next newer sound snapshot of the same product, else the next older one."""
+        """Return the next newer valid snapshot of the product, or else the next older."""
         row = self.row_of(snapshot.path)
         if row is None:
             return None
@@ -144,7 +144,7 @@ class SnapshotTable(QAbstractTableModel):
     def content_of(self, snapshot: Snapshot) -> Settings | str | None:
         """Return the settings in a snapshot, or why it cannot be used.
 
-        `None` while that is not known: it is being read, and `loaded` follows.
+        `None` while the snapshot is being read. Then `loaded` follows.
         """
         stamp, content = self._contents.get(snapshot.path, (None, None))
         if stamp == snapshot.stamp:
@@ -159,12 +159,12 @@ class SnapshotTable(QAbstractTableModel):
         self._loading.discard(snapshot.path)
         self._contents[snapshot.path] = (snapshot.stamp, content)
         row = self.row_of(snapshot.path)
-        if row is not None:  # it may be damaged
+        if row is not None:  # the snapshot may be damaged
             self._announce(row, row)
         self.loaded.emit()
 
     def problem_of(self, snapshot: Snapshot) -> str:
-        """Return why a snapshot cannot be used, as far as that is known. Empty if it can."""
+        """Return why a snapshot cannot be used, as far as known. Empty if it can be used."""
         stamp, content = self._contents.get(snapshot.path, (None, snapshot.problem))
         is_current = stamp == snapshot.stamp
         return content if is_current and isinstance(content, str) else snapshot.problem
@@ -188,7 +188,7 @@ class SnapshotTable(QAbstractTableModel):
         return flags | Qt.ItemFlag.ItemIsEditable if index.column() in _LABELS else flags
 
     def setData(self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole) -> bool:
-        """Give a snapshot a name or a note, in a thread. `failed` says why it has none."""
+        """Set the name or note of a snapshot, in a thread. `failed` reports an error."""
         if role != Qt.ItemDataRole.EditRole or str(value) == self.data(index):
             return False
         text = {_LABELS[SnapshotColumn(index.column())]: str(value)}
@@ -231,7 +231,7 @@ class SnapshotTable(QAbstractTableModel):
         return "\n".join(lines)
 
     def time_text(self, snapshot: Snapshot) -> str:
-        """Return local time such as `today 14:03`, with seconds if the minute has several."""
+        """Return local time, `today 14:03`, with seconds if its minute has several snapshots."""
         local = snapshot.taken.astimezone()
         today = datetime.now().astimezone().date()
         is_busy = _minute(snapshot) in self._busy_minutes

@@ -33,14 +33,14 @@ _TIMEOUT = ParameterKey.SERIAL_TIMEOUT
 class SettingsWriter(QObject):
     """Writes settings, one write at a time. Failed writes stay edits.
 
-    Every write begins with a snapshot of the stored settings, which is saved in the background;
-    without one nothing is written. `finished` or `failed` reports each result.
+    Before every write, a snapshot of the stored settings is saved in the background. Without a
+    snapshot nothing is written. `finished` or `failed` reports each result.
     """
 
     changed = Signal()  # `running` has become true, or `is_saving_snapshot` false
     written = Signal(object)  # the `Written`, before `finished`; its receiver updates the draft
     finished = Signal(object)  # the `WriteResult` of every value that was tried
-    failed = Signal(str)  # why nothing, or nothing more, was written, for the user
+    failed = Signal(str)  # why the write failed or ended early, for the user
 
     def __init__(
         self,
@@ -63,18 +63,18 @@ class SettingsWriter(QObject):
 
     @property
     def is_saving_snapshot(self) -> bool:
-        """Return whether it can still be cancelled: nothing was sent to the board yet."""
+        """True while the write can be cancelled: nothing was sent to the board yet."""
         return self._cancel_snapshot is not None
 
     @property
     def is_rejected(self) -> bool:
-        """Return whether the board is in a mode in which it rejects every write."""
+        """True if the board is in a mode in which it rejects every write."""
         state = self._board.state
         return self._is_connected and state is not None and not state.mode.is_serial
 
     @property
     def can_apply(self) -> bool:
-        """Return whether edits can be written: to this board, and to no other one on the line."""
+        """True if edits can be written, and would reach this board only."""
         is_ready = self._is_connected and not self.running
         return is_ready and not self.is_rejected and not self._driving.reaches_several
 
@@ -95,10 +95,10 @@ class SettingsWriter(QObject):
     # --- Writes -------------------------------------------------------------------------
 
     def apply(self, only: Collection[str] | None = None) -> None:
-        """Write every edit, or those with these keys.
+        """Write every edit, or only edits with these keys.
 
-        Before the first byte the session gets the settings at which the board may be afterwards,
-        since its power may fail right behind the write.
+        Before the first byte, the session gets the line settings that the board may have after the
+        write, since its power may fail right then.
         """
         if self._draft.reset_pending or self._state_to_change() is None:
             return
@@ -112,12 +112,12 @@ class SettingsWriter(QObject):
             self.write(tr("Apply of %n setting(s)", "", count), changed, curves)
 
     def set_serial_timeout(self, seconds: float) -> None:
-        """Write how long the board waits for a byte before it stops its motors, 0 to disable that.
+        """Write the serial timeout, after which a silent line stops the motors. 0 disables it.
 
-        UART-Error Shutdown is switched on with it: the timeout may need it.
+        Also switches UART-Error Shutdown on, which the timeout may need.
 
         Raises:
-            BadRequest: the board cannot wait so long.
+            BadRequest: the timeout is beyond the range of the board.
         """
         self._set(_TIMEOUT, lambda spec: with_shutdown(spec.check(round(seconds / spec.scale))))
 
@@ -139,10 +139,10 @@ class SettingsWriter(QObject):
         self.write(tr("{0} set").format(spec.name), tuple((changed or wires).items()))
 
     def reset_to_factory(self) -> None:
-        """Let the board reset every parameter at its next start.
+        """Make the board reset every parameter at its next start.
 
-        Once the board has accepted that, pending edits are discarded: the values they change will
-        be gone. It cannot be read back, so its reply is the only confirmation.
+        Pending edits are discarded once the board accepts the reset, since the values that they
+        change will be gone. Its reply is the only confirmation: the reset cannot be read back.
         """
         if self.running or (state := self._state_to_change()) is None:
             return
@@ -158,7 +158,7 @@ class SettingsWriter(QObject):
         parameters: tuple[tuple[str, int], ...],
         calibrations: tuple[tuple[CalibrationKey, Calibration], ...] = (),
     ) -> None:
-        """Write these values for this `reason`, which heads the snapshot. Edits stay pending."""
+        """Write these values. `reason` heads the snapshot. Edits stay pending."""
         if self.running or (state := self._state_to_change()) is None:
             return
         self.running = True
@@ -178,7 +178,7 @@ class SettingsWriter(QObject):
         self.changed.emit()
 
     def _state_to_change(self) -> DeviceState | None:
-        """Return what the board stores. `None` if a write would not reach it, or others, too."""
+        """Return the stored state. `None` if a write would miss the board or reach others."""
         if self._driving.reaches_several and self._connection.is_open:
             text = tr(
                 "Nothing was written: without a device number it would reach several boards. "
@@ -189,14 +189,14 @@ class SettingsWriter(QObject):
         return self._board.state if self._connection.is_open else None
 
     def _expect_after(self, stored: Mapping[str, int]) -> None:
-        """Look for the board at the settings of these values, too, if it stops responding."""
+        """Search a silent board also at the line settings that these values set."""
         state, link = self._board.state, self._connection.settings
         if state is not None and link is not None:
             firmware = state.signature.firmware
             self._connection.expect(reconnect_candidates(link, state.parameters, stored, firmware))
 
     def cancel(self) -> bool:
-        """Write nothing, if nothing was sent yet. Return whether that is so."""
+        """Cancel the write if nothing was sent yet. Return whether it was cancelled."""
         if self._cancel_snapshot is None:
             return False
         self.end()
@@ -204,12 +204,12 @@ class SettingsWriter(QObject):
         return True
 
     def give_up(self, reason: str) -> None:
-        """Write nothing, for this reason, if nothing was sent yet."""
+        """Cancel the write and report this reason, if nothing was sent yet."""
         if self.cancel():
             self.failed.emit(reason)
 
     def end(self) -> None:
-        """Expect nothing more: the line was closed."""
+        """End the write, such as after the line was closed."""
         self.running = False
         if self._cancel_snapshot is not None:
             self._cancel_snapshot()

@@ -19,7 +19,7 @@ _RAMPS = (
 
 
 class Preset(Enum):
-    """Kinds of robots. The value is the sample of one."""
+    """Kinds of robots. The value is the file name of a sample."""
 
     TANK = "tank_with_mix.txt"
     ROVER = "rover_with_serial_override.txt"
@@ -27,14 +27,14 @@ class Preset(Enum):
 
     @property
     def product(self) -> str:
-        """The model of the board of the sample, as a key."""
+        """Key of the board model of the sample."""
         return _sample(self.value).product.key
 
     def values(self, model: str) -> Mapping[str, int]:
         """Return wire values by key for a model.
 
-        A current limit is left out where the sample is for another model: it counts in other
-        units there, and the motor drivers carry other currents.
+        Current limits are left out if the sample is for another model, because their units and
+        the ratings of the motor drivers differ.
         """
         sample = _sample(self.value).parameters
         keys = [parameter.of(motor) for motor in (1, 2) for parameter in _RAMPS]

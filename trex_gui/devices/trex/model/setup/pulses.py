@@ -1,4 +1,4 @@
-"""Short weak pulses of one motor, which show what it drives."""
+"""Short weak pulses of one motor, to show which wheel it drives."""
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -13,10 +13,10 @@ from trex_gui.ui.runtime import new_timer
 _HOLDER = "setup"  # the name by which the pulses acquire the motors
 
 WEAK, STRONGER = round(0.2 * FULL_SCALE), FIRST_CEILING
-"""Speeds of a pulse: 20 % of full, and the 30 % that a new board is limited to.
+"""Speeds of a pulse: 20 % of full speed, and the speed ceiling of a new board, 30 %.
 
-Inferred: 20 % turns most geared motors whose wheels are free, and a robot that stands on the
-floor all the same moves a few centimetres. 30 % is for motors that it did not turn.
+Inferred: 20 % turns most geared motors whose wheels are free. A robot that stands on the floor
+nevertheless moves by a few centimetres. 30 % is for motors that 20 % does not turn.
 """
 
 PULSE = 0.4  # seconds for which the motor is driven; long enough to see which way it turns
@@ -25,18 +25,18 @@ PAUSE = 0.6  # seconds at rest between two pulses
 
 
 class MotorPulses(QObject):
-    """Drives one motor forward in pulses, only while a button is held.
+    """Drives one motor forward in pulses while a button is held.
 
-    They are common setpoints of a held control: arming, the speed ceiling, stops and the guardian
-    apply as everywhere. The other motor has to be at rest, and remains there.
+    Pulses are normal setpoints of a held control: arming, speed ceiling, stops and guardian apply
+    as usual. The other motor has to be at rest, and stays at rest.
     """
 
     changed = Signal()  # `motor`, `wheels_are_free` or `blocker`
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.motor = 0  # the motor that the held button drives; 0 for none
-        self.wheels_are_free = False  # the user has confirmed it
+        self.motor = 0  # the motor that the held button drives; 0 if no button is held
+        self.wheels_are_free = False  # whether the user has confirmed that the wheels turn freely
         self._device = device
         self._motors = motors = device.motors
         self._speed = WEAK
@@ -62,7 +62,7 @@ class MotorPulses(QObject):
 
     @property
     def blocker(self) -> str:
-        """Reason why no pulse can start, and what to do, for the user. Empty when one can."""
+        """Reason why no pulse can start, and the remedy, for the user. Empty if a pulse can."""
         if self.cannot_drive:
             return self.cannot_drive
         if self._device.is_connected and not self.wheels_are_free:
@@ -72,7 +72,7 @@ class MotorPulses(QObject):
         )
 
     def confirm_wheels(self, free: bool) -> None:
-        """Record that the wheels are off the ground, or not. Then everything stops."""
+        """Record whether the wheels are off the ground. If not, stop everything."""
         if free:
             self.wheels_are_free = True
             self.changed.emit()
@@ -80,14 +80,14 @@ class MotorPulses(QObject):
             self.stop(tr("The wheels may touch the ground."))
 
     def stop(self, reason: str) -> None:
-        """Stop and disarm all motors if any may move. The wheels may be on the ground then."""
+        """Stop and disarm all motors if any may move. The wheels have to be confirmed again."""
         self.wheels_are_free = False
         if self._motors.armed or self._device.may_move:
             self._motors.stop(reason)
         self.changed.emit()
 
     def start(self, motor: int, *, stronger: bool = False) -> bool:
-        """Start pulses of motor 1 or 2, and return whether they could start."""
+        """Start pulses of motor 1 or 2. Return whether they have started."""
         if self.motor or self.blocker or not self._motors.acquire(_HOLDER):
             return False
         motors = self._motors
@@ -130,7 +130,7 @@ class MotorPulses(QObject):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        """Forget the confirmation with the board: the robot may be set down meanwhile."""
+        """Discard the confirmation if the board is lost: the robot may be put down meanwhile."""
         if not self._device.is_connected:
             self.wheels_are_free = False
         self.changed.emit()

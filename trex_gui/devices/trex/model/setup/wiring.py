@@ -1,4 +1,4 @@
-"""Which motor drives which wheel, and what corrects it."""
+"""Connections of motors and wheels, and their correction."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -35,9 +35,9 @@ class Movement(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Rewiring:
-    """Changes of wires that no setting of the board can replace."""
+    """Changes of wires that settings of the board cannot replace."""
 
-    exchange_motors: bool  # the pairs of wires of motors 1 and 2
+    exchange_motors: bool  # whether motors 1 and 2 have to exchange their pairs of wires
     reverse: frozenset[Side]  # motors whose two wires have to be exchanged
 
     def __bool__(self) -> bool:
@@ -46,16 +46,16 @@ class Rewiring:
 
 @dataclass(frozen=True, slots=True)
 class Wiring:
-    """Connections of the motors. Normally motor 1 drives the left wheel, both forward."""
+    """Connections of the motors. Normally motor 1 is on the left, and both turn forward."""
 
     swapped: bool  # motor 1 drives the right wheel
     backward: frozenset[Side]  # wheels that turn backward when their motor is driven forward
 
     @classmethod
     def seen(cls, movements: Mapping[int, Movement]) -> "Wiring | None":
-        """Return the wiring that both motors (1 and 2) showed. `None` if not known yet.
+        """Return the wiring that the movements of motors 1 and 2 showed.
 
-        Nor is it known if both seemed to move the same wheel.
+        `None` if a movement is unknown, or if both motors seemed to move the same wheel.
         """
         sides = [movements[motor].side for motor in (1, 2) if motor in movements]
         if set(sides) != {Side.LEFT, Side.RIGHT}:
@@ -64,11 +64,11 @@ class Wiring:
         return cls(sides[0] is Side.RIGHT, frozenset(filter(None, backward)))
 
     def rewiring(self, driver: Driver) -> Rewiring:
-        """Return which wires have to be exchanged.
+        """Return the wires that have to be exchanged.
 
-        The board stores no direction and no place of a motor, only directions of channels
-        (parameter 0x03), which serial commands ignore. With mixing these can turn both motors
-        round, or make left of right; without it, each motor round.
+        The board stores neither direction nor side of a motor, only directions of channels
+        (parameter 0x03). Serial commands ignore them. With mixing, they can reverse both motors or
+        exchange left and right. Without mixing, they can reverse each motor.
         """
         nothing: frozenset[Side] = frozenset()
         match driver:
@@ -80,10 +80,10 @@ class Wiring:
                 return Rewiring(self.swapped, self.backward)
 
     def turned_channels(self, driver: Driver) -> frozenset[int]:
-        """Return which of channels 1 and 2 have to give the opposite, once all is rewired.
+        """Return which of channels 1 and 2 have to be reversed after rewiring.
 
         Mixing is motor 1 = forward + turn, motor 2 = forward - turn (inferred, reference
-        section 3), so turning channel 1 exchanges the motors, and turning both channels
+        section 3), so reversing channel 1 exchanges the motors, and reversing both channels
         reverses both motors.
         """
         backward = self.backward - self.rewiring(driver).reverse

@@ -1,4 +1,4 @@
-"""Steps of learning: motors stopped, hands off, all ends, review. Or a test of the sticks."""
+"""Steps of learning (motors stopped, hands off, all ends, review) or of a stick test."""
 
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -20,12 +20,12 @@ from trex_gui.devices.trex.views.robot_view import RobotView
 from trex_gui.devices.trex.views.steps import Flow, Page, Shown
 from trex_gui.ui.widgets import builders as ui
 
-# Index of a step; others are at 0, the test at 1.
+# Index of a step in the list of steps. The test is at 1, other steps are at 0.
 _PLACES = {LearningStep.NEUTRAL: 1, LearningStep.TRAVEL: 2, LearningStep.REVIEW: 3}
 
 
 class LearnFlow(Flow):
-    """Opening it again while it is learning only shows it: no measurement is lost."""
+    """Flow of learning channels. Opening it again does not restart learning in progress."""
 
     size = 1040, 660
     apply_requested = Signal()  # the learned values are edits now
@@ -33,7 +33,7 @@ class LearnFlow(Flow):
     def __init__(
         self, learning: Learning, parent: QObject | None = None, *, name: str = "learn"
     ) -> None:
-        """`name` is another one inside of another task, which also opens the test by itself."""
+        """`name`: differs from `learn` inside another task, which opens the test itself."""
         super().__init__(parent)
         self.name = name
         self.learning = learning
@@ -47,7 +47,7 @@ class LearnFlow(Flow):
             learning.stored.connect(self._on_stored)
 
     def learn(self, channels: Sequence[int] = CHANNELS) -> None:
-        """Learn these channels unless it is learning already. The motors are stopped first."""
+        """Learn these channels, unless learning is in progress. The motors are stopped first."""
         self._open(partial(self.learning.start, channels))
 
     def test(self, channels: Sequence[int] = CHANNELS) -> None:
@@ -62,7 +62,7 @@ class LearnFlow(Flow):
 
     @property
     def is_learning(self) -> bool:
-        """Measurements would be lost. A test does not count, as it is quickly repeated."""
+        """True while measurements could be lost. False in a test, which is quickly repeated."""
         ended = {LearningStep.ENDED, LearningStep.FAILED}
         return not self.learning.is_test and self.learning.step not in ended
 
@@ -100,14 +100,14 @@ class LearnFlow(Flow):
         if closed:
             self.learning.cancel()
 
-    # --- What changes -------------------------------------------------------------------
+    # --- Changes ------------------------------------------------------------------------
 
     @Slot()
     def _on_stored(self) -> None:
         if not self.learning.motors_armed:
             self.test(self.learning.numbers)
             return
-        self._offers_test = True  # the user is driving: the motors run on
+        self._offers_test = True  # the user is driving: the motors keep running
         self.opened.emit(False)
 
     @Slot()
@@ -160,7 +160,7 @@ class LearnFlow(Flow):
         )
 
     def _page_of(self, step: LearningStep) -> Page:
-        # New channels or tests need a new page, too.
+        # New channels or tests also need a new page.
         learning = self.learning
         subject = learning.tests if step is LearningStep.TEST else learning.channels
         if self._page is not None and self._shown_for == (step, subject):
@@ -182,7 +182,7 @@ class LearnFlow(Flow):
             case LearningStep.TRAVEL:
                 return ChannelRows(learning, "learnTravelPage", TravelRow, learning.channels)
             case LearningStep.REVIEW:
-                # pyqtgraph takes as long to load as Qt: import it only when it is needed.
+                # pyqtgraph takes as long to load as Qt, so import it only when needed.
                 from trex_gui.devices.trex.views.learning import review_page  # noqa: PLC0415
 
                 return review_page.ReviewPage(learning)

@@ -1,4 +1,4 @@
-"""The pages that show live inputs: at rest, in motion, and in the test of the sticks."""
+"""Pages of live inputs: at rest, in motion, and in the stick test."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -28,11 +28,11 @@ from trex_gui.ui.widgets.labels import Muted, Note, Sign
 ChannelT = TypeVar("ChannelT", bound=LearnedChannel | StickTest)
 
 _TEXT_WIDTH = 24  # characters of the text beside a strip before it wraps
-_LEAST_LINES = 3.2  # height of a strip in the lowest window
+_LEAST_LINES = 3.2  # least height of a strip, in lines of text
 
 
 class InputStrip(ChannelStrip):
-    """A channel that is shown and cannot be chosen."""
+    """Strip of a channel that cannot be selected."""
 
     spoken_role = QAccessible.Role.Graphic
 
@@ -57,7 +57,7 @@ class InputStrip(ChannelStrip):
         raw: int | None,
         output: int | None = None,
     ) -> None:
-        """Add a sample, unless it is shown already. `None` is no signal."""
+        """Add a sample, unless it is already shown. `raw` is `None` without a signal."""
         if (source, marks) != self._scale:
             self._scale = source, marks
             self.set_scale(source, marks)
@@ -68,7 +68,7 @@ class InputStrip(ChannelStrip):
 
 
 class ChannelRow(Generic[ChannelT]):
-    """One channel: its live strip, and beside it signs and a text."""
+    """Row of one channel: its live strip, signs and a text."""
 
     text_name = ""
 
@@ -141,16 +141,16 @@ class RestRow(ChannelRow[LearnedChannel]):
 
 
 class EndState(Enum):
-    """State of an end: its sign, the colour, and words."""
+    """State of an end: its sign, colour and text."""
 
     OPEN = "○", "muted", tr_noop("{0} end: not reached yet")
     HOLD = "▸", "window_text", tr_noop("{0} end: hold it there")
     DONE = "✓", "good", tr_noop("{0} end: reached")
-    NEEDLESS = "", "muted", tr_noop("{0} end: not needed")  # a switch has shown its other end
+    NEEDLESS = "", "muted", tr_noop("{0} end: not needed")  # a switch reached its other end
 
 
 class EndSign(QLabel):
-    """The name of an end and its sign. Its width never changes."""
+    """Name and sign of an end, in a fixed width."""
 
     def __init__(self, name: str, object_name: str, parent: QWidget) -> None:
         super().__init__(parent)
@@ -174,7 +174,7 @@ class EndSign(QLabel):
 
 
 class TravelRow(ChannelRow[LearnedChannel]):
-    """The ends of a channel so far as marks on its strip, with a sign for each."""
+    """Ends of a channel: marks on its strip for reached ends, and a sign for each end."""
 
     text_name = "learnTravel"
 
@@ -236,7 +236,7 @@ class TestRow(ChannelRow[StickTest]):
 
 
 class TestPage(ChannelRows):
-    """A row for each channel that is tested. Beside them, what safe-start would do."""
+    """Rows of the tested channels, and a note about what safe-start would do."""
 
     __test__ = False
 

@@ -1,4 +1,4 @@
-"""Learned values beside the stored ones, for each channel. Importing it loads pyqtgraph."""
+"""Learned and stored values of each channel. Importing it loads pyqtgraph."""
 
 from functools import partial
 from typing import Any
@@ -31,7 +31,7 @@ _CURVE_CHARACTERS, _CURVE_LINES = 40, 13
 
 
 class ChannelForm(QWidget):
-    """One channel: whether to use its values, the values, the old ones and the reasons."""
+    """Form of one channel: a box to use its new values, new and old values, reasons."""
 
     def __init__(self, learning: Learning, channel: LearnedChannel, parent: QWidget) -> None:
         super().__init__(parent)
@@ -146,7 +146,7 @@ class ChannelForm(QWidget):
 
 
 class ReviewPage(Page):
-    """One channel at a time: its curve, whose handles edit it, and beside it its numbers."""
+    """Page of one channel at a time: its curve with handles to edit it, and its values."""
 
     def __init__(self, learning: Learning) -> None:
         super().__init__("learnReviewPage")

@@ -1,4 +1,4 @@
-"""Plot of a board's currents, for its page and a window. Importing it loads pyqtgraph."""
+"""Plot of a board's currents, for a page and a window. Importing it loads pyqtgraph."""
 
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QCloseEvent, QKeySequence, QShortcut, QShowEvent
@@ -20,7 +20,7 @@ from trex_gui.ui.widgets.placement import fit_on_screen, restore_geometry, save_
 
 
 class CurrentsPanel(TracePanel):
-    """Follows the currents of a board while it can be seen."""
+    """Shows the currents of a board. Updated only while visible."""
 
     def __init__(
         self, device: Device, parent: QWidget | None = None, *, key: str = "currents"
@@ -64,7 +64,7 @@ class CurrentsPanel(TracePanel):
         if settings is not None and settings.group:
             title = tr("Board {0}").format(settings.device_number)
         self._head.show_title(title)
-        if name := self._device.board_name:  # the curves remain when it is disconnected
+        if name := self._device.board_name:  # the curves remain after a disconnection
             self.export.heading = f"{tr('Motor currents')}, {name}"
         # The result of an export remains until the note changes.
         if note != self._note_text:
@@ -84,7 +84,7 @@ class CurrentsPanel(TracePanel):
 
 
 class PlotWindow(QMainWindow):
-    """The plot beside another page. Its choices are apart from the page's."""
+    """Window of the plot, for use beside another page. It has its own plot settings."""
 
     _KEY = "plot_window"
 

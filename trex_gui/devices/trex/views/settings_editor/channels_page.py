@@ -1,4 +1,4 @@
-"""The channels of a settings file: its calibrations, with the card of the board's page."""
+"""Channels of a settings file: its calibrations, in the same card as on the board's page."""
 
 from functools import partial
 
@@ -20,7 +20,7 @@ from trex_gui.ui.widgets.labels import ElidedLabel
 
 
 class DocumentChannels(PlotPage):
-    """Five channels, and the calibration of the chosen one, which the file may lack."""
+    """Five channels, and the calibration of the selected channel. The file may lack it."""
 
     def __init__(self, draft: SettingsDraft, linter: SettingsLinter, parent: QWidget) -> None:
         super().__init__(parent)

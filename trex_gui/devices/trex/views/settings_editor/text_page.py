@@ -1,4 +1,4 @@
-"""The text of a settings file, with line numbers: as Save writes it, or to be corrected."""
+"""Text of a settings file with line numbers, as Save writes it or to be corrected."""
 
 import re
 from bisect import bisect_right
@@ -23,11 +23,11 @@ from trex_gui.ui.widgets.painted import Painter
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 _MARGIN = 6
-EDITOR_BREAK = re.compile("\r\n|[\n\r\u2029\ufdd0\ufdd1]")  # of Qt's editor; YAML has two more
+EDITOR_BREAK = re.compile("\r\n|[\n\r\u2029\ufdd0\ufdd1]")  # in Qt's editor; YAML has two more
 
 
 def with_line_ends(lines: Sequence[str], before: str) -> str:
-    """Join the lines of an editor. Lines that are changed get the end of the first line before."""
+    """Join the lines of an editor. Changed lines get the first line end of `before`."""
     ends, old, typed = EDITOR_BREAK.findall(before), EDITOR_BREAK.split(before), list(lines)
     if typed == old:
         return before
@@ -47,7 +47,7 @@ def _common_start(one: list[str], other: list[str]) -> int:
 
 
 class TextPage(QWidget):
-    """The text of the document, which can be edited here while it has errors."""
+    """Text of the document. It can be edited here while it has errors."""
 
     checked = Signal()  # the text was read again
     repaired = Signal(object)  # a line for each repair; empty: nothing could be repaired
@@ -91,7 +91,7 @@ class TextPage(QWidget):
         self.editor.setFocus()
 
     def _editor_lines(self, lines: Iterable[int]) -> dict[int, int]:
-        """Return the editor's numbers for lines of YAML."""
+        """Return a dict: line number in YAML → line number in the editor."""
         text = self._document.text
         starts = [0, *(found.end() for found in LINE_END.finditer(text))]
         breaks = [found.end() for found in EDITOR_BREAK.finditer(text)]
@@ -109,12 +109,12 @@ class TextPage(QWidget):
         try:
             text, repairs = repair_values(document.text.encode("utf-8"), document.name)
         except SettingsError:
-            repairs = ()  # not sound YAML; the findings say where
+            repairs = ()  # not valid YAML; the findings say where
         if repairs:
-            cursor = QTextCursor(self.editor.document())  # unlike a new text, it can be undone
+            cursor = QTextCursor(self.editor.document())  # undoable, unlike `setPlainText`
             cursor.select(QTextCursor.SelectionType.Document)
             cursor.insertText(text.removeprefix(BYTE_ORDER_MARK))
-            self._shown = text  # with the line ends that the editor does not know
+            self._shown = text  # with line ends that the editor does not know
             document.set_text(text)
         document.check()
         self.checked.emit()

@@ -41,7 +41,7 @@ _TOOL_BAR = ("new", "open", "save", SEPARATOR, "undo", "redo", SEPARATOR, "send"
 
 
 class SettingsEditor(QMainWindow):
-    """Pages around one document, which is deleted with its window."""
+    """Window with the pages of one document. The window deletes the document."""
 
     send_requested = Signal()  # the user wants to load the settings into the board
     new_requested = Signal()
@@ -66,7 +66,7 @@ class SettingsEditor(QMainWindow):
         self._banner = Banner(self)
         self.tabs = named(QTabWidget(self), "editorTabs", accessible=tr("Pages"))
         self.tabs.setDocumentMode(True)
-        self.tabs.tabBar().setDrawBase(False)  # the tool bar has a line
+        self.tabs.tabBar().setDrawBase(False)  # the tool bar already draws a line
         parameters = ParameterTable(document.draft, self._linter, self)
         self._text = TextPage(document, self)
         frame = QWidget(self)
@@ -142,12 +142,12 @@ class SettingsEditor(QMainWindow):
                 bar.addSeparator()
                 continue
             action = self._actions[key]
-            action.setIconText(action.text().replace("&", "").rstrip("…"))  # of constant width
+            action.setIconText(action.text().replace("&", "").rstrip("…"))  # width stays constant
             bar.addAction(action)
         self.addToolBar(bar)
 
     def save(self) -> bool:
-        """Begin to save the file. Return whether that has begun."""
+        """Start saving the file. Return whether saving has started."""
         path = self.document.path
         return self._prompt_and_save() if path is None else self._save(path, ask=True)
 

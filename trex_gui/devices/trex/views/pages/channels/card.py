@@ -1,4 +1,4 @@
-"""Card of one channel, of a board or of a file: curve, fields, options, note."""
+"""Card of one channel of a board or file: curve, fields, options, note."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
@@ -30,7 +30,7 @@ class ChannelCard(Card):
     """Shows one calibration with the options of its channel. Edits go to the draft."""
 
     source_chosen = Signal(object)  # the user opened the tab of an `InputSource`
-    released = Signal()  # no handle of the curve is held any more
+    released = Signal()  # the held handle of the curve was released
     rejected = Signal(str)  # why an edit was rejected, for the user
 
     def __init__(self, draft: SettingsDraft, parent: QWidget) -> None:
@@ -63,7 +63,7 @@ class ChannelCard(Card):
     def lay_out(
         self, beside: QWidget, above: Sequence[QWidget], live: QWidget, *buttons: QWidget
     ) -> None:
-        """Add what the page has: beside the title, above the curve, around the note."""
+        """Add the page's widgets beside the title, above the curve and around the note."""
         first, last = buttons
         title = row(self._title, (beside, 1), self.sources, spacing=12)
         legend = row((live, 1), *self._keys, spacing=16)
@@ -94,7 +94,7 @@ class ChannelCard(Card):
         *,
         editable: bool,
     ) -> None:
-        """Show a calibration, and the curves of its channel as stored and after the edits."""
+        """Show a calibration, and the curves of its channel before and after the edits."""
         channel, name = key.channel, tr(CHANNEL_NAMES[key.channel])
         self._key, self._before, self._editable = key, before, editable
         self._title.setText(f"{channel}  {name}")
@@ -113,7 +113,7 @@ class ChannelCard(Card):
 
     @Slot(object)
     def _on_previewed(self, calibration: Calibration) -> None:
-        """Show the numbers of a held handle."""
+        """Show the values while a handle is held."""
         self._fields.show_calibration(self._key.source, calibration, editable=self._editable)
         self._show_keys(self.plot is not None and self.plot.curve != self._before)
 

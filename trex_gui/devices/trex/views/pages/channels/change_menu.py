@@ -29,9 +29,9 @@ from trex_gui.ui.widgets.builders import Trigger, action, plain
 
 
 class ChangeMenu(QMenu):
-    """Actions on the calibration of one channel. Each is one edit to undo."""
+    """Actions on the calibration of one channel. Each edit is one undo step."""
 
-    discard_requested = Signal()  # the edits of the channel
+    discard_requested = Signal()  # the user wants to discard the edits of the channel
 
     def __init__(self, device: Device, parent: QWidget) -> None:
         super().__init__(parent)
@@ -78,7 +78,7 @@ class ChangeMenu(QMenu):
         return made
 
     def show_channel(self, channel: int, *, editable: bool, edited: bool) -> None:
-        """Act on a channel, or save only. A tool tip gives the reason for a disabled action."""
+        """Set the channel to act on. If it is not editable, only saving is enabled."""
         self._channel = channel
         for change in self.actions():
             change.setEnabled(editable or change is self._save)
@@ -131,7 +131,7 @@ class ChangeMenu(QMenu):
             title_of(tr("&Save calibrations to a file…")),
             str(file_questions.last_folder() / "calibrations.txt"),
             file_questions.file_filter(),
-            options=QFileDialog.Option.DontConfirmOverwrite,  # only the calibrations change
+            options=QFileDialog.Option.DontConfirmOverwrite,  # saving replaces only calibrations
         )
         if chosen:
             file_questions.remember_folder(Path(chosen))

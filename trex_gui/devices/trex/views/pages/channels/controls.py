@@ -1,4 +1,4 @@
-"""Controls of one channel: fields, check boxes for its bits of the masks, its input source."""
+"""Controls of one channel: calibration fields, check boxes of its mask bits, input source."""
 
 from dataclasses import replace
 from functools import partial
@@ -26,7 +26,7 @@ _SOURCE = ParameterKey.CHANNEL_INPUT_SOURCE
 class CalibrationFields(QWidget):
     """Four fields in µs, V or counts. Arrow keys step by a count."""
 
-    # A valid calibration, and its run of steps, which is one undo step; `None`: it was typed
+    # A valid calibration, and its run of steps (one undo step), or `None` if a value was typed
     edited = Signal(object, object)
     rejected = Signal(str)  # why the text is invalid, for the user
 
@@ -59,7 +59,7 @@ class CalibrationFields(QWidget):
     def show_calibration(
         self, source: InputSource, calibration: Calibration | None, *, editable: bool
     ) -> None:
-        """Show these values. `None`: unknown."""
+        """Show a calibration. `None`: unknown."""
         self._source = source
         self._calibration = calibration
         for field, editor in self._editors.items():
@@ -90,11 +90,11 @@ class CalibrationFields(QWidget):
 
 
 def _fit(editor: CountEditor) -> None:
-    """Let it become as narrow as a value. Qt leaves room for the widest one."""
+    """Let an editor be as narrow as a usual value. Qt reserves space for the widest value."""
     editor.setMinimumWidth(editor.fontMetrics().horizontalAdvance("0000 µs") + 44)
 
 
-CHANNEL_OPTIONS = {  # title and tool tip of each
+CHANNEL_OPTIONS = {  # title and tool tip of each option
     ParameterKey.REVERSED_CHANNELS: (
         tr_noop("Re&versed"),
         tr_noop("The output changes its sign: forward and reverse are swapped"),
@@ -175,7 +175,7 @@ class ChannelOptions(QWidget):
 
     @Slot()
     def _refresh(self) -> None:
-        """Show the bits as they would be after Apply, the edited ones in bold."""
+        """Show the bits as they would be after Apply, edited bits in bold."""
         for key, box in self._boxes.items():
             with QSignalBlocker(box):
                 box.setChecked(self._bit(key, self._channel))
@@ -215,7 +215,7 @@ class OtherSource(QWidget):
         self._cycle.clicked.connect(self.power_cycle_requested)
 
     def show_source(self, source: InputSource, mode: Mode, known: Known | None) -> None:
-        """Describe a source that a board in this mode does not read. `None`: nor ever did."""
+        """Describe a source that the board does not read in this mode. `known`: age of values."""
         parameters = self._device.parameters
         self._source = source
         name, wire = tr(channel_text.SOURCE_NAMES[source]), int(source is InputSource.ANALOG)

@@ -1,4 +1,4 @@
-"""The handles over a channel's curve, their names, and the threshold of a switch channel."""
+"""Handles over a channel's curve, their names, and the threshold of a switch channel."""
 
 from dataclasses import dataclass
 
@@ -18,14 +18,14 @@ from trex_gui.ui.plotting.axes import spread
 from trex_gui.ui.theme.theme import theme
 
 GRIP = 6.0  # half the width of a grip in pixels
-_REACH = 9.0  # pixels beside a handle at which the mouse still grabs it
+_REACH = 9.0  # pixels beside a handle where the mouse still grabs it
 _MAIN = (Handle.MINIMUM, Handle.NEUTRAL, Handle.MAXIMUM)
 _EDGES = (Handle.DEADBAND_LOW, Handle.DEADBAND_HIGH)
 
 
 @dataclass(frozen=True, slots=True)
 class Threshold:
-    """The threshold of a switch in pixels. `above`: it is on to the right of it."""
+    """Threshold of a switch in pixels. `above`: the switch is on to the right of it."""
 
     x: float
     above: bool
@@ -33,10 +33,10 @@ class Threshold:
 
 
 class HandleLayer(QGraphicsObject):
-    """Three lines from the top, the deadband's two from the bottom. Places are in pixels."""
+    """Three handles with grips at the top, and the deadband's two with grips at the bottom."""
 
-    dragged = Signal(float)  # the held handle to this x
-    released = Signal()  # no handle is held any more, whether or not it was moved
+    dragged = Signal(float)  # x in pixels to which the held handle is dragged
+    released = Signal()  # the held handle was released, moved or not
 
     def __init__(self, font: QFont) -> None:
         super().__init__()
@@ -47,7 +47,7 @@ class HandleLayer(QGraphicsObject):
         }
         self.set_font(font)
         self._frame = QRectF()
-        self._places: dict[Handle, float] = {}
+        self._places: dict[Handle, float] = {}  # pixels
         self._threshold: Threshold | None = None
         self._editable = True
         self._active: Handle | None = None
@@ -76,7 +76,7 @@ class HandleLayer(QGraphicsObject):
         self.update()
 
     def set_editable(self, editable: bool) -> None:
-        """Draw grips, or release the held handle and draw lines only."""
+        """Draw grips. If not editable, release the held handle and draw lines only."""
         if not editable:
             self.release()
         self._editable = editable
@@ -87,7 +87,7 @@ class HandleLayer(QGraphicsObject):
         self.update()
 
     def _handle_at(self, where: QPointF) -> Handle | None:
-        """Return the nearest handle under the mouse. In the lower half one of the deadband."""
+        """Return the handle under the mouse. In the lower half, deadband handles come first."""
         if not self._editable or not self._places:
             return None
         lower = where.y() > self._frame.center().y()
@@ -163,14 +163,14 @@ class HandleLayer(QGraphicsObject):
         active = handle is self._active
         color = theme().color("pointer" if active else "neutral" if handle.is_deadband else "mark")
         style = Qt.PenStyle.SolidLine if active else Qt.PenStyle.DotLine
-        if active or not handle.is_deadband:  # the band shows its ends
+        if active or not handle.is_deadband:  # the band itself shows its ends
             self._paint_line(painter, x, QPen(color, 2 if active else 1, style))
         if not self._editable:
             return
         tip, base = frame.top() + GRIP * 0.9, frame.top() - GRIP * 0.7
         if handle.is_deadband:
             tip, base = frame.bottom() - GRIP * 1.6, frame.bottom() - 1
-        # The two of the deadband may touch: each has one half of the grip.
+        # The two handles of the deadband may touch, so each has one half of the grip.
         left = x if handle is Handle.DEADBAND_HIGH else x - GRIP
         right = x if handle is Handle.DEADBAND_LOW else x + GRIP
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)

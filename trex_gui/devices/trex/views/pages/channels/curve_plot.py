@@ -25,17 +25,17 @@ _OUTPUT_REACH = FULL_SCALE + 14.0
 _DOT = 5.0
 _WIDEST_X_LABEL = "5000 µs"
 _MIN_CURVE_LINES = 4
-_ROOM = {InputSource.RC: 125, InputSource.ANALOG: 0}  # counts beyond a handle, to drag it on
+_ROOM = {InputSource.RC: 125, InputSource.ANALOG: 0}  # spare counts beyond a handle, to drag it
 
 
 class CurvePlot(Painted):
-    """The output of a channel for each input. The stored curve is dashed, below the edited one."""
+    """Output of a channel for each input. The stored curve is dashed, below the edited curve."""
 
     spoken_role = QAccessible.Role.Chart
 
-    previewed = Signal(object)  # the calibration as the held handle would leave it
-    released = Signal()  # no handle is held any more, whether or not one was moved
-    edited = Signal(object)  # the calibration that a released handle left; one edit
+    previewed = Signal(object)  # the calibration if the held handle were released now
+    released = Signal()  # the held handle was released, moved or not
+    edited = Signal(object)  # the calibration after a moved handle was released; one edit
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -52,7 +52,7 @@ class CurvePlot(Painted):
 
         self._canvas = PlotCanvas(self.accessibleName(), self)
         self._canvas.viewport.setObjectName("curveViewport")
-        self._canvas.viewport.setAutoFillBackground(False)  # it may be in a card
+        self._canvas.viewport.setAutoFillBackground(False)  # the plot may be in a card
         self._deadband = self._canvas.add_band("deadband")
         self._stored_line = self._canvas.add_curve("muted", 1, Qt.PenStyle.DashLine)
         self._line = self._canvas.add_curve("pointer", 2)
@@ -81,7 +81,7 @@ class CurvePlot(Painted):
         *,
         editable: bool,
     ) -> None:
-        """Show a channel: what the board stores and what it would store after Apply."""
+        """Show a channel. `stored`: curve on the board, `shown`: curve after Apply."""
         if (channel, source) != (self._channel, self._source):
             self._cancel_drag()
             self._raw = None
@@ -106,7 +106,7 @@ class CurvePlot(Painted):
 
     @property
     def curve(self) -> ChannelCurve | None:
-        """The curve as a held handle would leave it, else as it would be stored."""
+        """The preview while a handle is held, else the curve after Apply."""
         return self._preview or self._shown
 
     @property
@@ -115,7 +115,7 @@ class CurvePlot(Painted):
         return None if raw is None or curve is None else (raw, curve.output(raw))
 
     def x_of(self, count: float) -> float:
-        """Return the place of a raw count, in pixels from the left."""
+        """Return the position of a raw count, in pixels from the left."""
         return self._canvas.x_of(count)
 
     def sizeHint(self) -> QSize:
@@ -198,7 +198,7 @@ class CurvePlot(Painted):
         count, beyond = within_input(shown.calibration, handle, count, self._source)
         calibration, why = moved(shown.calibration, handle, count)
         self._preview = replace(shown, calibration=calibration)
-        # The axis goes as far as the handle is pulled, so that the handle stays at the mouse.
+        # Extend the axis to the handle, so that the handle stays at the mouse.
         low, high = self.axis
         reached = handle.count(calibration)
         if not low <= reached <= high:

@@ -1,4 +1,4 @@
-"""Page of the channels: five live strips, and the calibration of the chosen one."""
+"""Page of the channels: five live strips, and the calibration of the selected channel."""
 
 from PySide6.QtCore import Signal, Slot
 from PySide6.QtGui import QShowEvent
@@ -38,7 +38,7 @@ class ChannelsPage(PlotPage):
         self._device = device
         self.source = InputSource.RC  # the input source whose calibrations are shown
         self._followed: InputSource | None = None
-        self._control: bool | None = None  # as the texts say
+        self._control: bool | None = None  # `board.serial_controls` as shown in the texts
         self._failures: dict[int, tuple[Calibration | None, str]] = {}
         self._rejection = ""
 
@@ -56,7 +56,7 @@ class ChannelsPage(PlotPage):
         self._findings = FindingsList("calibration", card.sources, card, is_wide=True)
         self._other = OtherSource(device, card)
         self._live = LiveLabel("channelLive", tr("Live value"), card)
-        # Values that change must not change the least width of the page.
+        # Changing values must not change the minimum width of the page.
         self._live.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         set_style_property(self._live, "textSize", "caption")
         text = tr("Learn &this channel…")
@@ -76,7 +76,7 @@ class ChannelsPage(PlotPage):
         self._strips.chosen.connect(self._refresh)
         learn_all.clicked.connect(lambda: self.learn_requested.emit(CHANNELS))
         self._learn.clicked.connect(lambda: self.learn_requested.emit((self.channel,)))
-        # `concern` is about the calibration that is shown; these are about the options.
+        # `concern` covers the shown calibration, these findings cover the options.
         self._findings.follow(
             linter, lambda found: not CHANNEL_OPTIONS.keys().isdisjoint(found.keys)
         )
@@ -98,12 +98,12 @@ class ChannelsPage(PlotPage):
 
     @property
     def channel(self) -> int:
-        """The chosen channel, 1 to 5."""
+        """The selected channel, 1 to 5."""
         return self._strips.channel
 
     @property
     def _is_active(self) -> bool:
-        """Return whether the board reads the input source that is shown."""
+        """True if the board reads the input source that is shown."""
         return self.source is self._device.calibrations.source
 
     @property
@@ -117,7 +117,7 @@ class ChannelsPage(PlotPage):
             return calibrations.shown(self.channel)
         return self._device.board.memory.hidden_calibration(self.channel, self.source)[0]
 
-    # --- The chosen channel -------------------------------------------------------------
+    # --- The selected channel -----------------------------------------------------------
 
     @Slot()
     def _on_device_changed(self) -> None:
@@ -129,7 +129,7 @@ class ChannelsPage(PlotPage):
 
     @Slot()
     def _refresh(self) -> None:
-        """Show the channel without a message about a rejected value."""
+        """Show the channel, and clear the message about a rejected value."""
         self._rejection = ""
         self._show_channel()
 
@@ -154,7 +154,7 @@ class ChannelsPage(PlotPage):
 
     @Slot()
     def _show_texts(self) -> None:
-        """Say how the inputs are read, and what the chosen one does."""
+        """Show how the inputs are read, and the function of the selected channel."""
         device, channel, state = self._device, self.channel, self._device.state
         self._control = device.board.serial_controls
         self._head.show_state(self._state_text())
@@ -234,7 +234,7 @@ class ChannelsPage(PlotPage):
         self._card.note.show_note(problem or hint, alarming=bool(problem))
 
     def _problem_text(self) -> str:
-        """Return why a value was rejected or not stored, or a concern. Empty: none."""
+        """Return why a value was rejected or not stored, or a concern. Empty without a problem."""
         if self._rejection or not self._is_active:
             return self._rejection
         if failure := self._failure(self.channel):
@@ -244,7 +244,7 @@ class ChannelsPage(PlotPage):
             return ""
         return channel_text.concern(calibration, self.source)
 
-    # --- What is live -------------------------------------------------------------------
+    # --- Live values --------------------------------------------------------------------
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -268,7 +268,7 @@ class ChannelsPage(PlotPage):
 
     @property
     def _raw(self) -> int | None:
-        """The raw count of the chosen channel, if the board measures it now."""
+        """Raw count of the selected channel, if the board measures it now."""
         return self._device.telemetry.raw_of(self.channel) if self._is_active else None
 
     def _live_text(self, raw: int | None) -> str:
@@ -298,7 +298,7 @@ class ChannelsPage(PlotPage):
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
-        """Remember why the board did not store a calibration."""
+        """Record why the board did not store a calibration."""
         for result in results:
             if (channel := result.channel) is None:
                 continue

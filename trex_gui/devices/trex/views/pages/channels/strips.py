@@ -1,4 +1,4 @@
-"""The inputs, live: value, bar with the calibration, and a line of the last seconds of each."""
+"""Live strips of the channels: value, bar with the calibration, plot of the last seconds."""
 
 import math
 from collections.abc import Iterable
@@ -38,15 +38,15 @@ from trex_gui.ui.widgets.painted import Painter, never_mirror
 
 STRIP_SECONDS = 10.0
 _INTERVAL = 0.06  # seconds: every second frame
-_MAX_GAP = 0.5  # seconds without a sample that interrupt the line
+_MAX_GAP = 0.5  # seconds without a sample after which the line is interrupted
 _PADDING, _GAP, _TRACK, _BEYOND = 10, 7, 8, 3  # pixels
 _RIGHT = Qt.AlignmentFlag.AlignRight
 
 
 class ChannelStrip(QAbstractButton, Spoken):
-    """A channel to choose. Time runs to the right of its line, counts upwards.
+    """Selectable strip of a channel. Time runs to the right, counts run upwards.
 
-    Qt keeps the points: a frame adds the new samples and costs a twentieth of a millisecond.
+    Qt stores the points. A frame only adds the new samples and costs a twentieth of a millisecond.
     """
 
     spoken_role = QAccessible.Role.RadioButton
@@ -60,30 +60,30 @@ class ChannelStrip(QAbstractButton, Spoken):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setCheckable(True)
-        self.setAutoExclusive(True)  # arrow keys go from one to the next
+        self.setAutoExclusive(True)  # arrow keys select the next strip
         self._axis = USUAL_AXIS[InputSource.RC]
         self._curve: ChannelCurve | None = None
         self._calibration: Calibration | None = None
         self._count: int | None = None
         self._value = self._output = self._spoken = self._mark = ""
         self._newest = -math.inf  # time at the right edge
-        self._is_broken = True  # the next point begins a line
-        self.lines: list[QPolygonF] = []  # of points (time, count); gaps are between them
+        self._is_broken = True  # the next point starts a new line
+        self.lines: list[QPolygonF] = []  # points (time, count); gaps lie between lines
         theme().changed.connect(self.update)
 
     def set_curve(self, source: InputSource, curve: ChannelCurve | None) -> None:
-        """Set the curve that turns an input into an output. Its calibration is marked."""
+        """Set the curve from input to output. Its calibration is marked."""
         self._curve = curve
         self.set_scale(source, curve.calibration if curve else None)
 
     def set_scale(self, source: InputSource, calibration: Calibration | None) -> None:
-        """Set whose minimum, neutral and maximum are marked. The scale contains them."""
+        """Mark minimum, neutral and maximum of a calibration. The scale contains them."""
         self._calibration = calibration
         self._axis = input_axis(source, calibration)
         self.update()
 
     def show_value(self, source: InputSource, raw: int | None) -> None:
-        """Show an input as a value, and what its curve makes of it."""
+        """Show the value of an input, and its output from the curve."""
         output = "" if raw is None or self._curve is None else signed_text(self._curve.output(raw))
         value = "" if raw is None else units().ordered(source.text(raw), str(raw))[0]
         self.show_texts(value or tr("no signal"), output, live_text(source, raw, self._curve))
@@ -97,14 +97,14 @@ class ChannelStrip(QAbstractButton, Spoken):
             self.update(0, 0, self.width(), self._bar_top())
 
     def show_mark(self, mark: str, problem: str) -> None:
-        """Mark the channel as edited, or as one with a problem, which the tool tip explains."""
+        """Mark the channel as edited or faulty. The tool tip explains a problem."""
         self.setToolTip(plain(problem or self._name))
         if mark != self._mark:
             self._mark = mark
             self.update()
 
     def add_samples(self, times: Iterable[float], counts: Iterable[float]) -> None:
-        """Add samples that are newer than those before. NaN is a gap."""
+        """Add samples that are newer than all earlier samples. NaN is a gap."""
         for time, count in zip(times, counts, strict=True):
             if math.isnan(count):
                 self._is_broken = True
@@ -146,7 +146,7 @@ class ChannelStrip(QAbstractButton, Spoken):
         return QFontMetrics(font).horizontalAdvance(f"0  {role}  0000 µs  −000") + 2 * _PADDING
 
     def _large(self) -> QFont:
-        """Return the font of the values, which is larger where there is room."""
+        """Return the font of the values. It is larger if there is space."""
         larger = scaled_font(self.font(), 1.15)
         return larger if self._width(larger, f"{self._name} MM") <= self.width() else self.font()
 
@@ -213,7 +213,7 @@ class ChannelStrip(QAbstractButton, Spoken):
         pen.setCosmetic(True)
         painter.setPen(pen)
         base = painter.worldTransform()
-        for shift in (0, 1):  # twice a pen of one pixel, which is faster than one of two
+        for shift in (0, 1):  # two strokes of one pixel are faster than one of two
             painter.setWorldTransform(base * QTransform.fromTranslate(0, shift))
             for _ in strokes(painter):
                 for line in self.lines:
@@ -221,10 +221,10 @@ class ChannelStrip(QAbstractButton, Spoken):
 
 
 class ChannelStrips(QWidget):
-    chosen = Signal()  # another channel
+    chosen = Signal()  # the user selected another channel
 
     def __init__(self, device: Device | None, parent: QWidget) -> None:
-        """Create strips of a board, or without one of a file, which have nothing live."""
+        """Create strips of a board with live values, or strips of a file if `device` is `None`."""
         super().__init__(parent)
         named(self, "channelStrips", accessible=tr("Channels"))
         self._device = device
@@ -246,7 +246,7 @@ class ChannelStrips(QWidget):
             self.chosen.emit()
 
     def renew(self) -> None:
-        """Draw the lines again, from what is known now."""
+        """Redraw lines and texts from the available samples."""
         self._clear()
         self._on_frame_due()
         self._on_text_due()

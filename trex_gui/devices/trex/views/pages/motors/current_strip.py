@@ -11,7 +11,7 @@ from trex_gui.ui.plotting.axes import ValueAxis
 from trex_gui.ui.plotting.canvas import PlotCanvas
 
 _SECONDS, _BINS = 10.0, 200
-_STEP = 0.1  # seconds of new samples that are drawn at once
+_STEP = 0.1  # seconds of new samples between two redraws
 _SERIES = {1: Series.CURRENT1, 2: Series.CURRENT2}
 
 
@@ -21,7 +21,7 @@ class CurrentStrip(PlotCanvas):
     def __init__(self, device: Device, parent: QWidget) -> None:
         super().__init__(tr("Motor currents"), parent)
         self.setObjectName("currentStrip")
-        self.viewport.setAutoFillBackground(False)  # the card has one
+        self.viewport.setAutoFillBackground(False)  # the card has a background
         self._device = device
         self._axis = ValueAxis("A")
         self._curves = {motor: self.add_curve(f"motor{motor}") for motor in _SERIES}
@@ -35,7 +35,7 @@ class CurrentStrip(PlotCanvas):
         return span[1] if span is not None else 0.0
 
     def follow(self) -> None:
-        """Draw again if there is enough that is new."""
+        """Redraw if there are enough new samples."""
         if abs(self._newest() - self._end) >= _STEP:
             self.draw()
 

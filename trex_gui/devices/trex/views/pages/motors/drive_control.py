@@ -1,4 +1,4 @@
-"""Controls of one motor: slider, entry box, zero and brake, and what the board reports."""
+"""Controls of one motor: slider, entry box, zero and brake buttons, and the board's report."""
 
 from PySide6.QtCore import QEvent, QRect, QRectF, QSignalBlocker, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QKeyEvent, QPainter, QPen, QWheelEvent
@@ -20,7 +20,7 @@ from trex_gui.ui.widgets.bar import WARNING_SIGN, LimitState, limit_state
 from trex_gui.ui.widgets.labels import ElidedLabel, LiveLabel
 from trex_gui.ui.widgets.sliders import PressSlider
 
-_GROOVE, _HANDLE = 14, 36  # widths in pixels; that of the handle is in the style sheet
+_GROOVE, _HANDLE = 14, 36  # widths in pixels; the style sheet has the handle's, too
 _MOVING_KEYS = {
     *(Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Up, Qt.Key.Key_Down),
     *(Qt.Key.Key_PageUp, Qt.Key.Key_PageDown),
@@ -31,9 +31,9 @@ _DISCARDS = {  # events that discard a half-typed number
 
 
 class SpeedSlider(PressSlider):
-    """Vertical, from `lowest` to 127. Keys that move it hold it, too.
+    """Vertical slider, from `lowest` to 127. Keys that move it also hold it.
 
-    End and the wheel do nothing: neither one key nor scrolling must drive a motor.
+    The End key and the wheel do nothing: no motor jumps to full speed or follows scrolling.
     """
 
     def __init__(self, lowest: int, parent: QWidget | None = None, color: str = "bar") -> None:
@@ -41,7 +41,7 @@ class SpeedSlider(PressSlider):
         self.setOrientation(Qt.Orientation.Vertical)
         set_look(self, color)
         self._color = color
-        self.ceiling = 0  # greatest speed, 1-127, either way
+        self.ceiling = 0  # greatest speed in both directions, 1-127
         self.setPageStep(16)
 
     def limited(self, speed: int) -> int:
@@ -61,7 +61,7 @@ class SpeedSlider(PressSlider):
         super().keyPressEvent(event)
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
-        """End the hold with any key: a pressed arrow may be released as a digit (Num Lock)."""
+        """End the hold when any key is released. With Num Lock, an arrow may become a digit."""
         super().keyReleaseEvent(event)
         if not event.isAutoRepeat() and not self.isSliderDown():
             self.release()
@@ -70,7 +70,7 @@ class SpeedSlider(PressSlider):
         event.ignore()
 
     def _beside(self) -> int:
-        """Return the pixels at either side of the handle: the scale is at its left."""
+        """Return the space on each side of the handle, in pixels. The scale is on the left."""
         return self.fontMetrics().horizontalAdvance(f"{signed_text(FULL_SCALE)} ")
 
     def sizeHint(self) -> QSize:
@@ -84,7 +84,7 @@ class SpeedSlider(PressSlider):
         option.rect = self.rect().adjusted(self._beside(), 0, -self._beside(), 0)
 
     def _y_of(self, value: int, handle: QRect) -> int:
-        """Return where the middle of a handle of this size is at a value."""
+        """Return the y position of the handle's middle at a value."""
         room = self.height() - handle.height()
         return handle.height() // 2 + QStyle.sliderPositionFromValue(
             self.minimum(), self.maximum(), value, room, upsideDown=True
@@ -125,7 +125,7 @@ class SpeedEntry(QSpinBox):
     """Reports a speed on Enter and on steps.
 
     Qt's own box also accepts a half-typed number when it loses the focus or is hidden: a motor
-    would start because the user opened another page. Here the setpoint comes back.
+    would start because the user opened another page. Here the setpoint is shown again.
     """
 
     chosen = Signal(int)  # the speed that the user entered or stepped to
@@ -155,7 +155,7 @@ class SpeedEntry(QSpinBox):
 
     def put(self, speed: int) -> None:
         self._setpoint = speed
-        if speed != self.value() or self._is_typed:  # Qt paints it even where nothing changes
+        if speed != self.value() or self._is_typed:  # Qt repaints even an unchanged value
             self._is_typed = False
             with QSignalBlocker(self):
                 self.setValue(speed)
@@ -189,9 +189,9 @@ class SpeedEntry(QSpinBox):
 
 
 class DriveControl(ui.Card):
-    """Slider and entry of one speed, and the current with its limit."""
+    """Slider and entry box of a motor's speed, and its current with the limit."""
 
-    speed_wanted = Signal(int)  # a speed of 0 or -127 to 127 that the user chose
+    speed_wanted = Signal(int)  # the speed that the user chose, from 0 or -127 to 127
     brake_wanted = Signal()
 
     def __init__(
@@ -205,7 +205,7 @@ class DriveControl(ui.Card):
 
         self._title = ui.label(self, f"{name}Title", size="heading")
         set_text_color(self._title, color)
-        # Its signals report whether the user holds it
+        # The slider's signals report whether the user holds it
         self.slider = ui.named(SpeedSlider(lowest, self, color), f"{name}Slider")
         self._entry = ui.named(SpeedEntry(self), f"{name}Entry")
         self._entry.setRange(lowest, FULL_SCALE)
@@ -258,7 +258,7 @@ class DriveControl(ui.Card):
             widget.setEnabled(usable)
 
     def set_ceiling(self, ceiling: int) -> None:
-        """Offer no speed beyond this one, 1-127, either way."""
+        """Limit the speed in both directions, 1-127."""
         if ceiling == self.slider.ceiling:
             return
         self.slider.ceiling = ceiling

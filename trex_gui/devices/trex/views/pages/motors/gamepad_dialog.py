@@ -1,4 +1,4 @@
-"""Set-up of a gamepad: the assignment of its axes and buttons, with its live state."""
+"""Set-up of a gamepad: assignment of its axes and buttons, and its live state."""
 
 from functools import partial
 
@@ -72,10 +72,10 @@ class PadView(QWidget):
 
 
 class PartRow(QWidget):
-    """A list of axes or buttons, and a button to detect one by moving or pressing it."""
+    """List of axes or buttons, and a button to detect an axis or button when it is used."""
 
-    chosen = Signal()  # the user chose another axis or button, or its direction
-    detect_toggled = Signal(bool)  # whether to detect the one that is moved or pressed now
+    chosen = Signal()  # the user selected an axis, its direction, or a button
+    detect_toggled = Signal(bool)  # whether to detect the next axis or button that is used
 
     def __init__(self, name: str, parent: QWidget, *, is_axis: bool) -> None:
         super().__init__(parent)
@@ -101,7 +101,7 @@ class PartRow(QWidget):
         self._invert.setAccessibleName(tr("{0}: inverted").format(use))
 
     def set_parts(self, names: list[str], none: str = "") -> None:
-        """List axes or buttons by their names. `none` is an entry for none of them."""
+        """List axes or buttons by their names. `none`: text of the entry for no selection."""
         texts = [none, *names] if none else names
         if texts != [self._combo.itemText(row) for row in range(self._combo.count())]:
             self._combo.clear()
@@ -120,7 +120,7 @@ class PartRow(QWidget):
         return Axis(self.number or 0, self._invert.isChecked())
 
     def show_part(self, number: int | None, *, inverted: bool = False) -> None:
-        """Show a choice without reporting it."""
+        """Show a selection without emitting `chosen`."""
         numbers = [self._combo.itemData(row) for row in range(self._combo.count())]
         self._combo.setCurrentIndex(numbers.index(number) if number in numbers else -1)
         with QSignalBlocker(self._invert):
@@ -132,7 +132,7 @@ class PartRow(QWidget):
 
 
 class GamepadDialog(ReusedDialog):
-    """Applies choices at once. Its owner keeps the gamepad from driving while it is open."""
+    """Applies changes at once. Its owner prevents driving with the gamepad while it is open."""
 
     def __init__(self, gamepad: Gamepad, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -217,7 +217,7 @@ class GamepadDialog(ReusedDialog):
     @Slot()
     def _on_edited(self) -> None:
         hold, stop = self._rows["hold"].number, self._rows["stop"].number
-        if hold is not None and hold == stop:  # one button has one use: the newly chosen one
+        if hold is not None and hold == stop:  # one button has one use: the newly selected use
             hold, stop = (None, stop) if stop != self._gamepad.profile.stop else (hold, None)
         self._detect("")
         profile = GamepadProfile(
@@ -239,7 +239,7 @@ class GamepadDialog(ReusedDialog):
             self._gamepad.set_profile(default_profile(self._gamepad.pad))
 
     def _detect(self, key: str) -> None:
-        """Assign the next axis or button that is used to this row, or detect none without a key."""
+        """Assign the next used axis or button to a row. Stop detecting if `key` is empty."""
         state = self._gamepad.state
         self._detecting = key if state is not None else ""
         self._detector = InputDetector(state) if key and state is not None else None

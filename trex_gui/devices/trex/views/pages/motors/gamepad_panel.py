@@ -1,4 +1,4 @@
-"""Panel of the gamepad: switching it on, choosing one, and its state."""
+"""Panel of the gamepad: on/off switch, selection, set-up and state."""
 
 from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Slot
 from PySide6.QtGui import QGuiApplication

@@ -1,4 +1,4 @@
-"""Arrow keys or WASD drive while they are held."""
+"""Driving with arrow keys or WASD while they are held."""
 
 from PySide6.QtCore import QEvent, QObject, Qt, Slot
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QWindow
@@ -34,12 +34,12 @@ _NEEDS_KEYS = (  # widgets that keep arrows and letters for themselves
 )
 _MODIFIERS = Qt.KeyboardModifier
 _OTHER_KEYS = _MODIFIERS.ControlModifier | _MODIFIERS.AltModifier | _MODIFIERS.MetaModifier
-_CHANGING_KEYS: set[int] = {  # they change the names under which others are released
+_CHANGING_KEYS: set[int] = {  # they change the names under which other keys are released
     *(Qt.Key.Key_Shift, Qt.Key.Key_Control, Qt.Key.Key_Alt, Qt.Key.Key_Meta, Qt.Key.Key_AltGr),
     *(Qt.Key.Key_CapsLock, Qt.Key.Key_NumLock, Qt.Key.Key_ScrollLock, Qt.Key.Key_Mode_switch),
     *(Qt.Key.Key_Super_L, Qt.Key.Key_Super_R, Qt.Key.Key_Hyper_L, Qt.Key.Key_Hyper_R),
 }
-_REPEAT_MS = 20  # within which X11 delivers the press of a repeated key after its release
+_REPEAT_MS = 20  # X11 delivers the press of a repeated key within this time after its release
 
 
 class KeyDriver(QObject):
@@ -48,13 +48,13 @@ class KeyDriver(QObject):
     While `enabled`, keys drive wherever the focus is, except in fields, tables and lists: a robot
     must not depend on which slider or tab was clicked last. In the pad, arrow keys always drive.
 
-    A key is identified by its place on the keyboard: it may be released under another name than
-    it was pressed, after a switch of the layout or with Num Lock. All keys count as released when
-    an unknown one is released, and when a key like Shift changes.
+    A key is identified by its place on the keyboard. Its name may change between press and
+    release, after a switch of the layout or with Num Lock. All keys count as released when an
+    unknown key is released, and when a key like Shift changes.
 
-    On X11 a held key repeats as a release and a press of the same time. Qt marks them as repeats
-    only if it has received both when it handles the first, which it often has not: without a
-    short wait for the press the motors would brake now and then while a key is held.
+    On X11 a held key repeats as a release and a press with the same timestamp. Qt often handles the
+    release before it has received the press, and then does not mark them as repeats. Without a
+    short wait for the press, the motors would brake now and then while a key is held.
     """
 
     def __init__(self, drive: MomentaryDrive, motors: Motors, page: QWidget, pad: QWidget) -> None:
@@ -64,11 +64,11 @@ class KeyDriver(QObject):
         self._page = page
         self._pad = pad
         self.enabled = False
-        self._keys: dict[int, Heading] = {}  # those that are down, by their place
+        self._keys: dict[int, Heading] = {}  # pressed keys, by their place
         self._modifiers = Qt.KeyboardModifier.NoModifier
         self._watch = PressMonitor(page)
         self.repeats_apart = QGuiApplication.platformName() == "xcb"
-        self._released = 0, 0  # place and time of the key that may only repeat
+        self._released = 0, 0  # place and time of the last release, perhaps a repeat
         self._repeat = new_timer(self, _REPEAT_MS, self._on_key_released, single_shot=True)
 
         self._watch.lost.connect(self.release)

@@ -1,4 +1,4 @@
-"""Options of driving: ceiling, ramp, brake strength, lock, spring return, and other controls."""
+"""Driving options: ceiling, ramp, brake strength, lock, spring return, and other controls."""
 
 from collections.abc import Callable
 from functools import partial
@@ -22,7 +22,7 @@ _SPACING = 6  # pixels
 
 
 class _StrengthEntry(SpeedEntry):
-    """Shows beside the number its share of full scale. A typed number counts with Enter."""
+    """Entry of a number that also shows its share of full scale. Enter applies a typed number."""
 
     def __init__(self, lowest: int, apply: Callable[[int], object], parent: QWidget) -> None:
         super().__init__(parent)
@@ -32,13 +32,13 @@ class _StrengthEntry(SpeedEntry):
         self.chosen.connect(apply)
 
     def put(self, speed: int) -> None:
-        with QSignalBlocker(self):  # writing a suffix writes the text anew
+        with QSignalBlocker(self):  # a new suffix rewrites the text
             self.setSuffix(f" ({100 * speed / FULL_SCALE:.0f} %)")
         super().put(speed)
 
 
 class SpeedCeiling(QWidget):
-    """The ceiling of the board, and why it is low at first."""
+    """Speed ceiling of the board, with a note on why it is low at first."""
 
     def __init__(self, motors: Motors, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -70,7 +70,7 @@ class SpeedCeiling(QWidget):
 
 
 class DriveWith(ui.Card):
-    """Controls that drive beside pad and sliders. None of them is stored."""
+    """Card of other controls than pad and sliders. Their on/off states are not stored."""
 
     def __init__(self, device: Device, parent: QWidget) -> None:
         super().__init__(tr("Drive with"), parent)
@@ -97,7 +97,7 @@ class DriveWith(ui.Card):
 
     @Slot()
     def _show_link(self) -> None:
-        """Allow linking only motors at the same speed: it must not start or speed up one."""
+        """Allow linking only at equal speeds. It must not start a motor or speed it up."""
         motors = self._motors
         can_link = motors.linked or motors.can_link
         self._link.setChecked(motors.linked)
@@ -108,7 +108,7 @@ class DriveWith(ui.Card):
 
 
 class Options(ui.Card):
-    """Options that are rarely changed. All but the ramp are stored."""
+    """Options that are rarely changed. All except the ramp are stored."""
 
     def __init__(self, motors: Motors, parent: QWidget | None = None) -> None:
         super().__init__(title_of(tr("E&xtra options")), parent)
@@ -146,8 +146,8 @@ class Options(ui.Card):
         lock.setRange(0, round(LONGEST))
         lock.setSuffix(tr(" s"))
         lock.setSpecialValueText(tr("none (0 s)"))
-        lock.setMinimumWidth(lock.sizeHint().width())  # as wide with any text
-        # Off by default: who looks at Currents or changes a parameter may want the motors to go on.
+        lock.setMinimumWidth(lock.sizeHint().width())  # the same width with any text
+        # Off by default: the motors may have to keep running while another page is open.
         text = tr("Stop when you lea&ve this page")
         tip = tr(
             "Stop both motors and the auxiliary when another page is shown or the window is "
@@ -176,7 +176,7 @@ class Options(ui.Card):
         self._on_options_changed()
 
     def _create_stored(self, name: str, text: str, tip: str, key: str) -> QCheckBox:
-        """Create a check box whose state is stored, by default cleared."""
+        """Create a check box whose state is stored. It is cleared by default."""
         checked, store = self._store.flag(key, default=False), partial(self._store.set, key)
         return ui.check_box(self, name, text, tip=tip, checked=checked, on_toggle=store)
 

@@ -44,13 +44,13 @@ from trex_gui.ui.widgets.bar import NO_VALUE, WARNING_SIGN
 from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.labels import PAGE_MARGINS, LinkLabel, PageHead
 
-_UNLIMITED = 16_777_215  # the height of widgets without a limit, QWIDGETSIZE_MAX in C++
+_UNLIMITED = 16_777_215  # maximum height of unlimited widgets, QWIDGETSIZE_MAX in C++
 _ANYWHERE = Qt.AlignmentFlag(0)
 _GAP = 8  # pixels between cards
 
 
 class MotorsPage(QWidget):
-    """Nothing moves before the motors are armed. Leaving the page releases every control."""
+    """Page to drive the motors once they are armed. Leaving it releases every control."""
 
     parameter_wanted = Signal(str)  # the key of a parameter that the user wants to see or change
     plot_wanted = Signal()
@@ -142,10 +142,10 @@ class MotorsPage(QWidget):
         device.telemetry.text_due.connect(self._on_text_due)
         self._on_state_changed()
 
-    # --- Places -------------------------------------------------------------------------
+    # --- Layout -------------------------------------------------------------------------
 
     def minimumSizeHint(self) -> QSize:
-        """Return the least size, with the currents below the motors."""
+        """Return the minimum size, with the currents below the motors."""
         hint = super().minimumSizeHint()
         return QSize(self._drive_box.minimumSizeHint().width() + 32, hint.height())
 
@@ -156,13 +156,13 @@ class MotorsPage(QWidget):
             self._set_still(still=False)  # until the next frame
 
     def _room(self) -> QSize:
-        """Return the size of the area in which the page scrolls, which only the window changes."""
+        """Return the size of the area in which the page scrolls. Only the window changes it."""
         viewport = self.parentWidget()
         area = viewport.parentWidget() if viewport is not None else None
         return self.size() if area is None else area.size()
 
     def _place_side(self) -> None:
-        """Place what is beside the motors below them where there is no room."""
+        """Place the side cards beside the motors, or below them if space is missing."""
         cards = self._options, self._drive_with
         beside = max(card.minimumSizeHint().width() for card in cards)
         wide = self.width() >= self.minimumSizeHint().width() + _GAP + beside
@@ -176,7 +176,7 @@ class MotorsPage(QWidget):
 
     @Slot()
     def _hold_still(self) -> None:
-        """Move no control while the motors are armed, whatever needs more room beside or below."""
+        """Move no control while the motors are armed, even if other widgets need more space."""
         still = self._motors.armed and self.isVisible()
         is_shrinking = self.height() > max(self._room().height(), self.minimumSizeHint().height())
         if still is not self._is_held_still and not (still and is_shrinking):
@@ -192,7 +192,7 @@ class MotorsPage(QWidget):
         box.setMaximumHeight(height if still else _UNLIMITED)
         self._body.setAlignment(box, Qt.AlignmentFlag.AlignTop if still else _ANYWHERE)
 
-    # --- What the user does -------------------------------------------------------------
+    # --- User actions -------------------------------------------------------------------
 
     def _on_speed_wanted(self, number: int, speed: int) -> None:
         holder = _name(number) if self._motors.holder == _name(number) else ""
@@ -239,7 +239,7 @@ class MotorsPage(QWidget):
 
     @Slot()
     def _show_stored(self) -> None:
-        """Show the stored settings, grey and without links while the board may store others."""
+        """Show the stored settings. Without a connection they are grey and have no links."""
         device, is_connected = self._device, self._device.is_connected
         facts = _stored_facts(device)
         self._stored.setText(_table(facts, linked=is_connected))
@@ -255,7 +255,7 @@ class MotorsPage(QWidget):
     def _on_holder_changed(self) -> None:
         """Remember a held control until the event that ends the hold is over.
 
-        A page that is hidden first takes the focus from its controls, which releases them.
+        When a page is hidden, its controls lose the focus first, and are released by that.
         """
         own = {self._pad_drive.name, self._key_drive.name, *map(_name, self._controls)}
         if self._motors.holder in own:
@@ -265,7 +265,7 @@ class MotorsPage(QWidget):
         if self._pad.held and not self._pad_drive.held:
             self._pad.release()
 
-    # --- What is shown ------------------------------------------------------------------
+    # --- Displays -----------------------------------------------------------------------
 
     @Slot()
     def _show_options(self) -> None:
@@ -274,7 +274,7 @@ class MotorsPage(QWidget):
         group = focused.parentWidget() if focused is not None else None
         is_driving = focused is self._pad or isinstance(group, DriveControl)
         if not motors.armed and is_driving:
-            focus_stop(self)  # Qt would go on to a link, and arrow keys from there to other pages
+            focus_stop(self)  # else Qt focuses a link, where arrow keys open other pages
         self._pad.setEnabled(motors.armed)
         self._pad.set_can_turn(self._pad_drive.can_turn)
         brake = tr("Brake with {0}").format(share_text(motors.release_brake))
@@ -308,9 +308,9 @@ class MotorsPage(QWidget):
         self._pad.show_setpoints(*speeds)
 
     def _setpoint_of(self, number: int, inputs: DriveInputs) -> tuple[int, str]:
-        """Return the speed at which a motor is set to turn, and words for it."""
+        """Return the speed setpoint of a motor, and its text."""
         telemetry, setpoint = self._device.telemetry, setpoint_of(self._device, number, inputs)
-        if self._group.wheels and number != AUXILIARY and inputs.armed:  # of a side
+        if self._group.wheels and number != AUXILIARY and inputs.armed:  # the setpoint of a side
             drive = self._motors.drive(number)
             return drive.signed if drive else 0, setpoint_text(drive)
         match setpoint.source:
@@ -368,7 +368,7 @@ class MotorsPage(QWidget):
         self._show_options()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Stop the motors if a control is held or a slider pressed, or if the user wants that."""
+        """Stop the motors if a control is held, a slider is pressed, or the option is on."""
         is_dragged = self._dragged is not None and self._motors.armed
         self._dragged = None
         if self._holder or is_dragged:
@@ -385,7 +385,7 @@ class MotorsPage(QWidget):
 
     @Slot()
     def _on_event_over(self) -> None:
-        """Forget the control, unless the window is inactive: it may be about to be minimised."""
+        """Clear the released control. An inactive window keeps its slider: it may be minimised."""
         sliders = [control.slider for control in self._controls.values()]
         if self.isActiveWindow() and not any(slider.held for slider in sliders):
             self._dragged = None
@@ -407,7 +407,7 @@ _SILENCE = {
 
 
 def _stored_facts(device: Device) -> _Facts:
-    """Return what the board stores: under each title, texts of values with their parameters."""
+    """Return the stored settings as a dict: title → text of a value → its parameter."""
     values, motors = device.parameters.values, (1,) if device.board.is_joint else (1, 2)
 
     def both(name: str) -> dict[str, str]:
@@ -432,7 +432,7 @@ def _stored_facts(device: Device) -> _Facts:
 
 
 def _table(facts: _Facts, *, linked: bool) -> str:
-    """Return the titles above their values, which are links to their parameters if `linked`."""
+    """Return the titles above their values. If `linked`, values link to their parameters."""
 
     def link(text: str, key: str) -> str:
         color = theme().color("warning" if WARNING_SIGN in text else "link").name()

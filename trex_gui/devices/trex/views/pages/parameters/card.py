@@ -1,4 +1,4 @@
-"""The selected parameter: its value, what it does, and what is known of it."""
+"""Card of the selected parameter: its value, effect, limits and details."""
 
 from html import escape
 
@@ -25,7 +25,7 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import ElidedLabel, LinkLabel, Muted
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
-_WIDTH = 33  # least, in average characters
+_WIDTH = 33  # minimum, in average characters
 _BOTH_MOTORS = "parameters/both_motors"
 
 
@@ -87,7 +87,7 @@ class ParameterCard(ui.Card):
         follow_theme(self, "card", fit)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Put the buttons one below the other where they would be cut."""
+        """Put the buttons one below the other if they do not fit side by side."""
         super().resizeEvent(event)
         needed = sum(each.sizeHint().width() + self._tools.spacing() for each in self._buttons)
         fits = needed <= self.contentsRect().width()
@@ -95,7 +95,7 @@ class ParameterCard(ui.Card):
         self._tools.setDirection(direction.LeftToRight if fits else direction.TopToBottom)
 
     def _wire_row(self, parent: QWidget) -> QWidget:
-        """Create the field for wire values beyond limits that are only inferred."""
+        """Create the field for wire values beyond a limit that is only inferred."""
         made = ui.named(QWidget(parent), "parameterWire")
         text = tr("No document confirms this limit. The board decides about other values.")
         note = ui.label(made, "wireNote", text, wrap=True)
@@ -173,7 +173,7 @@ def _details(text: ParameterText, key: str) -> str:
 
 
 def _push_button(action: QAction, parent: QWidget) -> QPushButton:
-    """Create a button that triggers an action, and has its short text and its state."""
+    """Create a button that triggers an action and shows its short text and state."""
     made = ui.button(parent, f"{action.objectName()}Button", on_click=action.trigger)
 
     def update() -> None:

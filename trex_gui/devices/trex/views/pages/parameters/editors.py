@@ -1,4 +1,4 @@
-"""Delegate and editors of the table of parameters. They take and return wire values."""
+"""Delegate and editors of the parameter table. They accept and return wire values."""
 
 import re
 from bisect import bisect_left, bisect_right
@@ -50,14 +50,14 @@ from trex_gui.ui.widgets.builders import ComboBox, check_box, combo_box, plain, 
 _TOLERANCE = 1.01
 _CLICKS = {QEvent.Type.MouseButtonRelease, QEvent.Type.MouseButtonDblClick}
 _ICON = 16
-_SIGNS = {"warning": "warning", "edited": "dirty", "power": "icon"}  # and their colours
+_SIGNS = {"warning": "warning", "edited": "dirty", "power": "icon"}  # with their colours
 _UNTOUCHED = "untouched"
 _STEPS = QAbstractSpinBox.StepEnabledFlag
 _BOTH_WAYS = _STEPS.StepUpEnabled | _STEPS.StepDownEnabled
 
 
 class NumberEditor(UnitSpinBox):
-    """Steps through wire values. Shows and takes them in any unit of the parameter."""
+    """Steps through wire values. Shows and accepts them in any unit of the parameter."""
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -86,7 +86,7 @@ class NumberEditor(UnitSpinBox):
 
 
 class AccelerationEditor(NumberEditor):
-    """Takes the time to full speed, too. Speed steps need their unit, `25 per 100 ms`."""
+    """Also accepts the time to full speed. Speed steps need their unit, as `25 per 100 ms`."""
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(spec, parent)
@@ -112,9 +112,9 @@ class AccelerationEditor(NumberEditor):
 
 
 class FrequencyEditor(UnitSpinBox):
-    """Steps through the PWM frequencies that exist. What is typed goes to the nearest of them.
+    """Steps through the available PWM frequencies. A typed number selects the nearest frequency.
 
-    Its value is a `frequency_code`; one that is no choice is shown until another is chosen.
+    Its value is a `frequency_code`. An unavailable code stays until the user selects a frequency.
     """
 
     def __init__(self, codes: Sequence[int], parent: QWidget | None = None) -> None:
@@ -152,9 +152,9 @@ class FrequencyEditor(UnitSpinBox):
 
 
 class ChoiceEditor(ComboBox):
-    """A drop-down of the values' meanings. An unknown value is kept until another is chosen."""
+    """Drop-down list of named values. An unknown value stays until the user selects another."""
 
-    valueChanged = Signal(int)  # the user has chosen a value, which may be the one that was shown
+    valueChanged = Signal(int)  # the user has selected a value, perhaps the value shown before
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -203,7 +203,7 @@ class ChannelsEditor(QWidget):
 
 
 class LineSettingsEditor(QWidget):
-    valueChanged = Signal(int)  # the user has chosen a setting, which may be the one that was shown
+    valueChanged = Signal(int)  # the user has selected a setting, perhaps the setting shown before
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -249,7 +249,7 @@ class LineSettingsEditor(QWidget):
         return self.settings().to_wire() if self._unknown is None else self._unknown
 
     def setValue(self, wire: int) -> None:
-        """Show a wire value. One of an unknown baud rate is kept until a field is changed."""
+        """Show a wire value. If its baud rate is unknown, it stays until a field is changed."""
         try:
             self.set_settings(LineSettings.from_wire(wire))
         except BadRequest:
@@ -284,8 +284,8 @@ def editor_for(spec: ParameterSpec, parent: QWidget | None = None) -> Editor:
 class ParameterDelegate(UnitDelegate):
     """Paints and edits the rows of a `ParameterModel`.
 
-    Where no value is given, the editor shows the default, which becomes the value only when
-    something is typed or chosen, or with Enter.
+    Without a value, the editor shows the default. The value is set only when the user types or
+    selects something, or presses Enter.
     """
 
     def __init__(
@@ -309,7 +309,7 @@ class ParameterDelegate(UnitDelegate):
         def on_touched() -> None:
             editor.setProperty(_UNTOUCHED, False)
             if not isinstance(editor, UnitSpinBox):
-                self.commitData.emit(editor)  # a number is an edit with Enter
+                self.commitData.emit(editor)  # a number is committed with Enter
 
         editor.valueChanged.connect(on_touched)
         if isinstance(editor, UnitSpinBox):
@@ -318,7 +318,7 @@ class ParameterDelegate(UnitDelegate):
         return editor
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Let Enter take the value shown."""
+        """Let Enter accept the shown value."""
         is_press = event.type() == QEvent.Type.KeyPress
         if is_press and isinstance(event, QKeyEvent) and event.key() in ENTER:
             watched.setProperty(_UNTOUCHED, False)
@@ -326,7 +326,7 @@ class ParameterDelegate(UnitDelegate):
 
     def setEditorData(self, editor: QWidget, index: Index) -> None:
         if isinstance(editor, UnitSpinBox) and editor.lineEdit().isModified():
-            return  # the row has changed while something is typed
+            return  # the row has changed while the user is typing
         wire = index.data(Qt.ItemDataRole.EditRole)
         untouched = editor.property(_UNTOUCHED)
         cast("Editor", editor).setValue(
@@ -373,7 +373,7 @@ class ParameterDelegate(UnitDelegate):
 
     def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
         super().initStyleOption(option, index)
-        option.state &= ~QStyle.StateFlag.State_Selected  # `paint` shows it
+        option.state &= ~QStyle.StateFlag.State_Selected  # `paint` shows the selection
         if index.data(ParameterRole.GROUP) is not None:
             option.state |= QStyle.StateFlag.State_Enabled
             _write(option, "muted", bold=True)
@@ -387,7 +387,7 @@ class ParameterDelegate(UnitDelegate):
         return super().sizeHint(option, index) + QSize(_ICON + 2, 0)
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
-        """Paint the current row, a sign before a value, and the icon that resets it."""
+        """Paint the current row, a sign before a value, and the reset icon."""
         cell, is_value = QRect(option.rect), index.column() != ParameterColumn.NAME
         if index.data(ParameterRole.GROUP) is not None:
             painter.setPen(theme().color("hairline"))
@@ -424,7 +424,7 @@ class ParameterDelegate(UnitDelegate):
         return "power" if index.data(ParameterRole.WAITING) is not None else ""
 
     def _reset_place(self, option: QStyleOptionViewItem, index: Index) -> QRect:
-        """Return where the icon is that resets a value. Empty without one, or room for it."""
+        """Return the rectangle of the reset icon. Empty without an icon or without space."""
         place, cell = QRect(0, 0, _ICON, _ICON), option.rect
         place.moveCenter(QPoint(cell.right() - _ICON, cell.center().y()))
         if index.data(ParameterRole.RESET) is None:
@@ -433,7 +433,7 @@ class ParameterDelegate(UnitDelegate):
 
 
 def _write(option: QStyleOptionViewItem, color: str, *, bold: bool = False) -> None:
-    """Write a text in a colour of the theme. Disabled text keeps its own."""
+    """Write a text in a theme colour. Disabled text keeps its own colour."""
     palette = QPalette(option.palette)
     for group in (QPalette.ColorGroup.Active, QPalette.ColorGroup.Inactive):
         palette.setColor(group, QPalette.ColorRole.Text, theme().color(color))

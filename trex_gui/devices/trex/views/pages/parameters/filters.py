@@ -17,14 +17,14 @@ class ParameterChoice(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class ParameterFilter:
-    """Conditions that a visible row meets, all of them."""
+    """Conditions that a visible row meets."""
 
-    words: tuple[str, ...] = ()  # in name, key or description; in lower case
+    words: tuple[str, ...] = ()  # lower case, searched in name, key and description
     shown: ParameterChoice = ParameterChoice.ALL
     found: frozenset[str] = frozenset()  # keys that a finding of the linter is about
 
     def rows(self, model: ParameterModel) -> list[int]:
-        """Return the visible rows, each task with its heading."""
+        """Return the visible rows, with their headings."""
         rows: list[int] = []
         heading: list[int] = []
         for number, row in enumerate(model.rows):
@@ -36,7 +36,7 @@ class ParameterFilter:
         return rows
 
     def best_match(self, model: ParameterModel) -> QModelIndex:
-        """Return the first visible value with all words in its name, or else the first one."""
+        """Return the first visible value with all words in its name, else the first value."""
         keys = [keys[0] for row in self.rows(model) if (keys := model.rows[row].keys)]
         names = ((key, model.text.title(key).casefold()) for key in keys)
         named = (key for key, name in names if all(word in name for word in self.words))

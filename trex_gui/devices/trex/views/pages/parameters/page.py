@@ -1,4 +1,4 @@
-"""Every parameter of the board: read, edit, apply."""
+"""Page to read, edit and apply every parameter of the board."""
 
 from PySide6.QtCore import Signal, Slot
 from PySide6.QtWidgets import QWidget
@@ -37,7 +37,7 @@ class ParametersPage(QWidget):
     @Slot()
     def _on_changed(self) -> None:
         connected = self._device.is_connected
-        # Edits go to the board with Apply only; a silent one interrupts nobody who is typing.
+        # Edits reach the board only with Apply, so a silent board need not interrupt typing.
         is_silent = self._device.link is ConnectionState.NOT_RESPONDING
         can_edit = (connected or is_silent) and not self._device.writer.is_rejected
         self.table.set_rows_enabled(can_edit)

@@ -1,4 +1,4 @@
-"""Small drawings of what a parameter does, from its present value. Only of what is known."""
+"""Small drawings of the effect of a parameter at its present value, if the effect is known."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -37,30 +37,30 @@ _COLOURS = {"motor1": "motor1", "motor2": "motor2", "aux": "auxiliary"}
 @dataclass(frozen=True, slots=True)
 class Stroke:
     points: Points
-    color: str = ""  # of the theme; empty: that of the parameter
+    color: str = ""  # of the theme; empty: the colour of the parameter
     style: Qt.PenStyle = _SOLID
 
 
 @dataclass(frozen=True, slots=True)
 class Picture:
-    """A drawing, and the sentence that says the same."""
+    """A drawing, and a sentence with the same content."""
 
     text: str
     caption: str
     lines: tuple[Stroke, ...]
     area: tuple[float, float, float] | None = None  # left, right and height
-    place: tuple[float, float] = (0.5, 0.85)  # of the middle below the caption
+    place: tuple[float, float] = (0.5, 0.85)  # bottom centre of the caption
 
 
 def picture_of(key: str, values: ParameterValues) -> Picture | None:
-    """Return the drawing of a parameter. `None`: its effect or its value is not known."""
+    """Return the drawing of a parameter. `None` if its effect or value is unknown."""
     kind = key.partition("_")[2] if motor_name(key) else key
     wire, draw = values.value_of(key), _PICTURES.get(kind)
     return None if draw is None or wire is None else draw(values.specs[key], wire, values)
 
 
 def _window(seconds: float, *steps: float) -> float:
-    """Return the first of these durations that has space beside `seconds`."""
+    """Return the first of `steps` that leaves space beside `seconds`, else the last."""
     return next((step for step in steps if step >= 1.2 * seconds), steps[-1])
 
 
@@ -82,7 +82,7 @@ def _reversal(spec: ParameterSpec, wire: int, values: ParameterValues) -> Pictur
     rate = values.value_of(spec.key.replace(MotorParameter.BRAKE_DURATION, "acceleration"))
     if rate is not None:
         ramp = 0.8 * FULL_SPEED_S / rate / window if rate else 0
-        reached = min(1, (1 - end) / ramp) if ramp else 1  # of the ramp, at the right edge
+        reached = min(1, (1 - end) / ramp) if ramp else 1  # share of the ramp, at the right edge
         output += (end + ramp * reached, 0.4 - 0.4 * reached), (1, 0.4 - 0.4 * reached)
     text = tr("Reversal by an accelerate command: {0}, then the ramp.").format(value)
     lines = Stroke(((0, 0.4), (1, 0.4)), "outline", _DOTTED), Stroke(output)
@@ -124,7 +124,7 @@ def _wave(spec: ParameterSpec, _wire: int, values: ParameterValues) -> Picture |
 def _stop(
     spec: ParameterSpec, wire: int, values: ParameterValues, after: float | None = None
 ) -> Picture:
-    """Draw signals that end, and motors that stop. `after`: seconds, `None`: the value."""
+    """Draw signals that end, and motors that stop `after` seconds (`None`: the value)."""
     value, begin = spec.text(wire), 0.3
     seconds = wire * spec.scale if after is None else after
     end = begin + 0.55 * seconds / _window(seconds, 0.5, 1.5, 5, 15)
@@ -148,7 +148,7 @@ def _brake(spec: ParameterSpec, wire: int, _values: ParameterValues) -> Picture:
 def _curve(
     spec: ParameterSpec, wire: int, _values: ParameterValues, output: Callable[[float], float]
 ) -> Picture:
-    """Draw the output over the input of the selected channels, and of the others dashed."""
+    """Draw output over input of the selected channels. Other channels are dashed."""
     inputs, value = [number / 20 - 1 for number in range(41)], spec.text(wire)
     lines = [Stroke(((0.1, 0), (0.9, 0.8)), "muted", _DASHED)]
     if wire:
@@ -173,7 +173,7 @@ _PICTURES: dict[str, Callable[[ParameterSpec, int, ParameterValues], Picture | N
 
 
 class ParameterPicture(Painted):
-    """The drawing of one parameter. Hidden where there is none."""
+    """Drawing of one parameter. Hidden if the parameter has no drawing."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -1,4 +1,4 @@
-"""The parameters of a draft: filters, table, and the selected one. Of a board or of a file."""
+"""Parameters of a board or of a file: filters, table, and card of the selected parameter."""
 
 from PySide6.QtCore import QModelIndex, Qt, Signal, Slot
 from PySide6.QtWidgets import QTabBar, QVBoxLayout, QWidget
@@ -12,11 +12,11 @@ from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets.builders import button, column, label, named, row, search_field
 
-_CLEAR = 20  # pixels of the frame of the search field
+_CLEAR = 20  # pixels for the frame of the search field
 
 
 class ParameterTable(QWidget):
-    """The parameters of a board or of a file. Has no access to a board."""
+    """Parameters of a board or of a file. Has no access to a board."""
 
     power_cycle_requested = Signal()
 
@@ -31,7 +31,7 @@ class ParameterTable(QWidget):
         super().__init__(parent)
         self._model = draft.parameters
         self._place = ""  # key of the cell that the user has selected
-        self._is_elsewhere = False  # the table has selected another one, which is visible
+        self._is_elsewhere = False  # the table has selected another, visible cell
 
         title = tr("Search parameters")
         self._words = search_field(self, "parameterSearch", title, title)
@@ -86,7 +86,7 @@ class ParameterTable(QWidget):
         self._card.set_can_edit(enabled)
 
     def show_parameter(self, key: str) -> None:
-        """Select a parameter, which may be filtered out, so that typing edits it."""
+        """Select a parameter, even if it is filtered out, so that typing edits it."""
         if self._model.index_of(key).isValid():
             self._show_all()
             self._view.setCurrentIndex(self._model.index_of(key))
@@ -108,7 +108,7 @@ class ParameterTable(QWidget):
 
     @Slot()
     def _update_rows(self) -> None:
-        """Show the rows that match, and how many there are of each kind."""
+        """Show the rows that match, and the number of parameters of each kind."""
         keys = frozenset(key for finding in self._linter.findings for key in finding.keys)
         words, shown = (
             self._words.text().casefold().split(),
@@ -126,7 +126,7 @@ class ParameterTable(QWidget):
             part.setEnabled(self._model.count > 0)
 
     def _on_rows_changed(self) -> None:
-        """Keep the user's value selected while it is visible. Else select the best match."""
+        """Select the user's cell while it is visible, else the best match."""
         current, wanted = self._view.currentIndex(), self._model.index_of(self._place)
         if self._is_elsewhere or self._view.is_hidden(current):
             if not self._view.is_hidden(wanted):

@@ -1,4 +1,4 @@
-"""The table of parameters, used with the mouse or with keys alone."""
+"""Table of parameters, for the mouse or for keys alone."""
 
 from collections.abc import Callable
 
@@ -28,12 +28,12 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ENTER, only_when_visible
 
 _PRESS = ENTER | {Qt.Key.Key_Space, Qt.Key.Key_Select}
-_LEAST = 20  # characters of the names
+_LEAST = 20  # minimum width of the names, in characters
 _PINNED = "parameters/pinned"
 
 
 class ParameterView(QTableView):
-    """The values are its cells: the name of a row leads to the first of them."""
+    """Table whose cells are values. Selecting the name of a row selects its first value."""
 
     wire_wanted = Signal()  # the user wants to try a wire value of the current parameter
 
@@ -72,7 +72,7 @@ class ParameterView(QTableView):
     @Slot()
     @only_when_visible
     def _fit_columns(self) -> None:
-        """Give the names what they need and both motors' values leave, and the values the rest."""
+        """Fit the names to their text, as far as both motors' values leave space."""
         room, index, width = self.viewport().width(), self._model.index, self.sizeHintForIndex
         names, values = [0], [0]
         for number, row in enumerate(self._model.rows):
@@ -87,7 +87,7 @@ class ParameterView(QTableView):
 
     @Slot()
     def _span_rows(self) -> None:
-        """Span headings, and values of the whole board, over the columns."""
+        """Span headings and values of the whole board over several columns."""
         self._visible = list(range(len(self._model.rows)))
         self.clearSpans()
         for number, row in enumerate(self._model.rows):
@@ -96,7 +96,7 @@ class ParameterView(QTableView):
         self._fit_columns()
 
     def show_rows(self, wanted: ParameterFilter) -> bool:
-        """Show the rows that match. Return whether others than before are visible."""
+        """Show the rows that match. Return whether the visible rows changed."""
         self.filter, before = wanted, self._visible
         self._visible = wanted.rows(self._model)
         for row in range(len(self._model.rows)):
@@ -112,7 +112,7 @@ class ParameterView(QTableView):
 
     @property
     def current_key(self) -> str:
-        """The parameter of the current cell. Empty without one."""
+        """Parameter of the current cell. Empty without a current cell."""
         return str(self.currentIndex().data(ParameterRole.KEY) or "")
 
     def indexAt(self, pos: QPoint) -> QModelIndex:  # noqa: N802 # of Qt
@@ -133,7 +133,7 @@ class ParameterView(QTableView):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         super().mousePressEvent(event)
         if self.indexAt(event.position().toPoint()).data(ParameterRole.KEY) is None:
-            self.setCurrentIndex(QModelIndex())  # else keys would edit a cell clicked before
+            self.setCurrentIndex(QModelIndex())  # else keys would edit the cell clicked before
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         is_editing = self.state() is QAbstractItemView.State.EditingState
@@ -171,7 +171,7 @@ class ParameterView(QTableView):
 
     @property
     def tools(self) -> tuple[QAction, ...]:
-        """Actions that are buttons beside the table, too."""
+        """Actions that also have a button beside the table."""
         return self._reset, self._pin, self._restore
 
     def _action(
@@ -195,7 +195,7 @@ class ParameterView(QTableView):
         )
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """Open the menu of the cell under the mouse, or with the menu key of the current one."""
+        """Open the menu of the cell under the mouse, or of the current cell with the menu key."""
         index, place = self.indexAt(event.pos()), event.pos()
         if event.reason() is QContextMenuEvent.Reason.Keyboard:
             index = self.currentIndex()
@@ -210,7 +210,7 @@ class ParameterView(QTableView):
             self.update_actions()
 
     def update_actions(self) -> None:
-        """Describe the effect of each action. Disable or hide those without one."""
+        """Describe the effect of each action. Disable or hide actions without an effect."""
         model, key = self._model, self.current_key
         for each in self.tools:
             each.setVisible(bool(key))
@@ -256,6 +256,6 @@ class ParameterView(QTableView):
 
 
 def _value_at(index: QModelIndex) -> QModelIndex:
-    """Return the value that a name stands for. Any other cell itself."""
+    """Return the first value of a name's row. Other cells are returned unchanged."""
     is_name = index.column() == ParameterColumn.NAME and index.data(ParameterRole.KEY) is not None
     return index.siblingAtColumn(ParameterColumn.MOTOR1) if is_name else index
