@@ -74,6 +74,13 @@ def test_range_goes_below_zero_only_for_negative_values_and_never_collapses() ->
     assert fitted(ValueAxis("A"), 0, 0) == (0, 1)
 
 
+def test_axis_of_counts_has_fixed_ends_while_values_fit() -> None:
+    axis = ValueAxis("")
+    assert fitted(axis, -20, 100) == (-127, 127)
+    assert fitted(axis, 0, 150) == (0, 200)
+    assert fitted(axis, 0, 127) == (-127, 127)
+
+
 def test_lower_end_of_a_low_plot_is_labelled_0() -> None:
     axis = ValueAxis("A")
     axis.fit([(0, 0.5)])

@@ -1,4 +1,4 @@
-"""Axes: round steps, ranges that do not jump, labels, and which part of the time is shown."""
+"""Axes: round steps, ranges that do not jump, labels, and the visible span of time."""
 
 import math
 from collections.abc import Sequence
@@ -14,19 +14,19 @@ _TIME_STEPS = (
 _MAX_TIME_LABELS = 7
 
 FULL_COUNTS = 127.0
-"""The highest speed and the highest remapped channel. Plain counts seldom exceed it."""
+"""Highest speed and highest value of a remapped channel. Plain counts seldom exceed it."""
 
 _SMALLEST_END = 1.0
 
 _SHRINK_BELOW = 0.8
-"""Share of the next smaller range that values must fit in before the axis shrinks."""
+"""The axis shrinks once its values fit into this part of the next smaller range."""
 
-MIN_SPAN = 0.05  # seconds shown at least: four samples of currents
-MAX_SPAN = 4 * 3600.0  # seconds shown at most; a full history is shorter
+MIN_SPAN = 0.05  # least seconds shown: four samples of currents
+MAX_SPAN = 4 * 3600.0  # most seconds shown; a full history is shorter
 
 
 def round_up(value: float) -> float:
-    """Return the smallest of ... 0.5, 1, 2, 5, 10, 20 ... that is not below `value` (> 0)."""
+    """Round `value` (> 0) up to 1, 2 or 5 times a power of ten."""
     decade = 10.0 ** math.floor(math.log10(value))
     # The margin keeps 0.3 - 0.1 from counting as more than 0.2.
     return next((s * decade for s in (1, 2, 5) if value <= s * decade * (1 + 1e-9)), 10 * decade)
@@ -41,14 +41,14 @@ def ticks(low: float, high: float, step: float) -> list[float]:
 def spread(
     centres: Sequence[float], widths: Sequence[float], low: float, high: float, gap: float
 ) -> list[float] | None:
-    """Move labels as little as needed so that none covers its neighbour.
+    """Move labels as little as needed so that no label covers its neighbour.
 
-    `centres` rise. Returns the new centres, within `low` to `high`; `None` without room for all.
+    `centres` rise. Returns the new centres, within `low` to `high`, or `None` if space is short.
     """
     if sum(widths) + gap * max(0, len(widths) - 1) > high - low:
         return None
-    # Labels that touch form a group, which lies where its members would be on average. Of each
-    # group: its left end, its width, and where each member would put the left end.
+    # Labels that touch form a group, placed at the average of its members' own places. A group
+    # has its left end, its width, and the left end that each member would give it.
     groups: list[tuple[float, float, list[float]]] = []
     for centre, width in zip(centres, widths, strict=True):
         size, targets = width, [centre - width / 2]
@@ -70,30 +70,32 @@ def spread(
 
 
 class ValueAxis:
-    """An axis for one unit that grows at once and shrinks only well below a step.
+    """Axis for one unit. It grows at once, but shrinks only well below a step.
 
-    It contains 0: currents and speeds mean little without it. Its ends are 1, 2 or 5 times a power
-    of ten; those of plain counts are -127 and 127 while they fit.
+    It contains 0, without which currents and speeds mean little. Its ends are 1, 2 or 5 times a
+    power of ten. An axis of plain counts ends at -127 and 127 while they fit.
     """
 
     def __init__(self, unit: str, top: float | None = None) -> None:
-        """Reach from 0 to `top`, or to where the values are."""
+        """Reach from 0 to `top`, or without it as far as the values."""
         self.unit = unit
         self._top = top
         self._low, self._high = 0.0, top or _SMALLEST_END
+        self._largest = top or 0.0  # magnitude of the values
 
     def fit(self, extremes: Sequence[tuple[float, float]]) -> None:
-        """Fit these lowest and highest values. Without any the axis stays as it is."""
+        """Fit pairs of lowest and highest values. Without pairs the axis does not change."""
         if extremes and self._top is None:
             self._high = _fitted_end(self._high, max(high for _, high in extremes))
             lowest = min(low for low, _ in extremes)
+            self._largest = max(-lowest, *(high for _, high in extremes))
             self._low = 0.0 - _fitted_end(-self._low, -lowest)  # not -0
             if self._high == self._low == 0:
                 self._high = _SMALLEST_END
 
     @property
     def _is_fixed(self) -> bool:
-        return not self.unit and max(self._high, -self._low) <= 200
+        return not self.unit and self._largest <= FULL_COUNTS
 
     @property
     def ends(self) -> tuple[float, float]:
@@ -102,13 +104,13 @@ class ValueAxis:
 
     @property
     def reach(self) -> tuple[float, float]:
-        """The values at the edges of the plot: a margin keeps lines at the ends visible."""
+        """Values at the edges of the plot. A margin keeps lines at the ends visible."""
         low, high = self.ends
         margin = (high - low) * 0.012
         return low - margin, high + margin
 
     def labels(self, most: int) -> Labels:
-        """Label up to `most` round values, or six, but at least the ends. The last has the unit."""
+        """Label up to `most` (or six) round values, or the ends. The last label has the unit."""
         low, high = self.ends
         if most < 5 and (most < 2 or self._is_fixed):
             return value_labels([low, high], self.unit)
@@ -118,7 +120,7 @@ class ValueAxis:
         return value_labels(ticks(low, high, step), self.unit)
 
     def onto(self, other: "ValueAxis", value: float) -> float:
-        """Return the value of another axis of the same height beside a value of this one."""
+        """Return the value of another axis, of the same height, beside a value of this axis."""
         (low, high), (bottom, top) = self.reach, other.reach
         return bottom + (value - low) / (high - low) * (top - bottom)
 
@@ -199,11 +201,11 @@ class Span:
         self._oldest, self._newest = oldest, newest
 
     def set_length(self, seconds: float) -> None:
-        """Show that many seconds. The right edge stays where it is."""
+        """Show this many seconds. The right edge does not move."""
         self.length = min(max(seconds, MIN_SPAN), MAX_SPAN)
 
     def select_length(self, seconds: float) -> None:
-        """Show that many seconds, also when live again."""
+        """Show this many seconds, also when live again."""
         self.set_length(seconds)
         self._live_length = self.length
 
@@ -212,7 +214,7 @@ class Span:
         self._stop_live()
 
     def go_live(self) -> None:
-        """Follow the newest sample again, at the zoom from before."""
+        """Follow the newest sample again, at the previous live zoom."""
         if not self.live:
             self.length, self.live = self._live_length, True
 
@@ -239,12 +241,12 @@ class Span:
             self._fit_in_reach()
 
     def pan(self, seconds: float) -> None:
-        """Move to later times (earlier below 0), and stay there."""
+        """Move to later times, or to earlier times if `seconds` is negative, and stay there."""
         self.hold()
         self._end += seconds
         self._fit_in_reach()
 
     def _fit_in_reach(self) -> None:
-        """Leave a tenth of the plot to the samples."""
+        """Keep samples in at least a tenth of the plot."""
         part = self.length / 10
         self._end = max(self._oldest + part, min(self._end, self._newest + self.length - part))
