@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 log = logging.getLogger(__name__)
 
-_FIRST_PAINT_MS = 100  # milliseconds in which the window is painted for the first time
+_FIRST_PAINT_MS = 100  # time allowed for the first painting of the window
 
 
 def _seconds(text: str) -> float:
@@ -91,16 +91,16 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
         help="write more into the log file, and all of it to the terminal",
     )
     parser.add_argument("--version", action="version", version=f"trex-gui {__version__}")
-    parser.set_defaults(is_again=False)  # the window was closed to be opened again
+    parser.set_defaults(is_again=False)  # True after the window was closed to be reopened
     return parser.parse_args(argv)
 
 
 def complete(
     program: "Program", collector: "GuiThreadCollector", *, has_crashed: bool = False
 ) -> None:
-    """Load what the window does not show at first.
+    """Load the parts that the window does not show at first.
 
-    That blocks this thread for half a second: before a motor can be armed.
+    This blocks the thread for half a second, so it is done before a motor can be armed.
     """
     program.complete()
     program.create_plots()
@@ -109,7 +109,7 @@ def complete(
 
 
 def begin(program: "Program", arguments: argparse.Namespace) -> None:
-    """Do what the command line wants, once the event loop runs."""
+    """Carry out the command line, once the event loop runs."""
     from PySide6.QtCore import QCoreApplication, QTimer  # noqa: PLC0415
 
     if arguments.tour is not None:
@@ -128,7 +128,7 @@ def begin(program: "Program", arguments: argparse.Namespace) -> None:
 
 
 def connect(program: "Program", arguments: argparse.Namespace) -> None:
-    """Connect to what the user named, or to a board that is known."""
+    """Connect to the port or demo that the user named, or to a known board."""
     is_named = arguments.demo or bool(arguments.port) or arguments.is_again
     program.auto_connect.start(at_once=not is_named)  # an adapter may be pulled out later
     if arguments.demo:
@@ -185,7 +185,7 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _run(arguments: argparse.Namespace, program_log: "ProgramLog") -> int:
-    # Qt is imported only now: --help, --version and the simulator do without it.
+    # Qt is imported only now, as --help, --version and the simulator do not need it.
     from PySide6.QtCore import Qt, QTimer, qVersion  # noqa: PLC0415
     from PySide6.QtWidgets import QApplication  # noqa: PLC0415
 
@@ -197,7 +197,7 @@ def _run(arguments: argparse.Namespace, program_log: "ProgramLog") -> int:
     from trex_gui.ui.translations import chosen_locale, install_translations  # noqa: PLC0415
     from trex_gui.ui.workers.threads import GuiThreadCollector  # noqa: PLC0415
 
-    # Not `platform.platform()`, which takes 50 ms: the report has it.
+    # Not `platform.platform()`, which takes 50 ms. The report includes it.
     system = f"{platform.system()} {platform.release()} {platform.machine()}"
     python, qt = platform.python_version(), qVersion()
     log.info("TReX Studio %s started on %s, Python %s, Qt %s", __version__, system, python, qt)
@@ -205,10 +205,10 @@ def _run(arguments: argparse.Namespace, program_log: "ProgramLog") -> int:
     QApplication.setOrganizationName("TReX Studio")
     QApplication.setApplicationVersion(__version__)
     QApplication.setDesktopFileName("trex-studio")
-    # A native dialog takes Esc for itself, and Esc has to stop the motors there too.
+    # Native dialogs consume Esc, which has to stop the motors in dialogs too.
     QApplication.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
     app = QApplication(["trex-gui"])
-    run_file = RunFile()  # not before: Qt aborts where there is no display
+    run_file = RunFile()  # not earlier: Qt aborts if there is no display
     theme().install(app)
     collector = GuiThreadCollector(app)
     collector.setObjectName("collector")
@@ -236,7 +236,7 @@ def _run(arguments: argparse.Namespace, program_log: "ProgramLog") -> int:
                 sys.stderr.flush()
             log.error("a port or a disk does not respond: ended with exit code %d", code)
             program_log.close()
-            # Qt would abort on destroying a thread that runs.
+            # Qt would abort when it destroys a running thread.
             os._exit(code)
         watching.close()
         reopens, port = program.window.reopens, program.window.port_to_reopen

@@ -29,18 +29,18 @@ UNCONFIRMED_STOP = 1
 
 INTERNAL_ERROR = 1  # exit code if the interpreter ends while the event loop runs
 
-_AGAIN_S = 1.0  # seconds within which the same internal error is caused by reporting the first
+_AGAIN_S = 1.0  # seconds within which a repeated error counts as caused by its own report
 
 _INTERVAL_MS = 500
 _LEAST_S = 1.0
-"""Seconds of sleep that count; less is the rounding of two clocks that are read one by one."""
+"""Shortest sleep in seconds that counts. Less may result from reading two clocks in turn."""
 
 
 class SafetySupervisor(QObject):
     """Stops every device when something outside the window requires it.
 
-    Create it in the main thread. It knows only why to stop; each device reports what the stop
-    means.
+    Create it in the main thread. It knows only the reason for a stop. Each device reports
+    its meaning.
     """
 
     def __init__(
@@ -50,7 +50,7 @@ class SafetySupervisor(QObject):
         *,
         end_log: Callable[[], object] = lambda: None,
     ) -> None:
-        """`end_log` writes what is left of the log, where the interpreter is ended at once."""
+        """Watch for events. `end_log` writes the rest of the log if the program ends at once."""
         super().__init__(parent)
         self._program = program
         self._end_log = end_log
@@ -88,7 +88,7 @@ class SafetySupervisor(QObject):
 
             try:
                 native = mac_events.NativeMac()
-            except (OSError, AttributeError, ValueError) as error:  # a library is not as described
+            except (OSError, AttributeError, ValueError) as error:  # a library is not as expected
                 log.warning("a locked screen and sleep cannot be noticed: %s", error)
                 return None
             mac = mac_events.MacEvents(native, lambda: manager.may_move, self, timeout=limit)
@@ -108,7 +108,7 @@ class SafetySupervisor(QObject):
         return events
 
     def close(self) -> None:
-        """End after the line was closed."""
+        """Stop watching. To be called after the line is closed."""
         atexit.unregister(self._on_exit)
         if self._sleep_delay is not None:
             self._sleep_delay.give()
@@ -116,21 +116,21 @@ class SafetySupervisor(QObject):
         self._signals.close()
 
     def report_unconfirmed_stop(self) -> bool:
-        """Write to the console, once the line is closed, if no stop was confirmed.
+        """Report an unconfirmed stop on the console, after the line is closed.
 
-        The window may be gone. Return whether that is so, or a board was left running before.
+        The window may be gone. Return whether a stop is unconfirmed, or a board was left running.
         """
         text = self._program.device_manager.unconfirmed_stop
-        if text and sys.stderr is not None:  # a program with a window has none on Windows
+        if text and sys.stderr is not None:  # `None` for a program with a window on Windows
             sys.stderr.write(f"{text}\n")
             sys.stderr.flush()
         return bool(text or driven_boards())
 
     def _on_exit(self) -> None:
-        """Stop the motors and end: `sys.exit` was called in a slot or an event handler.
+        """Stop the motors and end the program after `sys.exit` in a slot or an event handler.
 
-        PySide ends the interpreter at once, whose exit code is not known here. Going on would
-        destroy the thread of the line while it runs, and Qt would abort with the motors turning.
+        PySide ends the interpreter at once, with an exit code unknown here. Continuing would
+        destroy the running thread of the line, and Qt would abort with the motors turning.
         """
         log.error("the interpreter ends while the window is open")
         try:
@@ -144,9 +144,9 @@ class SafetySupervisor(QObject):
     def _on_error(self, reason: str) -> None:
         """Report an internal error even if there was nothing to stop.
 
-        An error that is caused by the report itself comes again at once: it is not reported again,
-        or that would never end. Its stop has been sent; motors that were armed meanwhile are
-        disarmed, and that is reported.
+        An error in the report itself recurs at once, and reporting it again would never end. Its
+        stop has been sent. If motors were armed meanwhile, they are disarmed and the error is
+        reported.
         """
         manager = self._program.device_manager
         is_again = reason == self._error and now() - self._error_at < _AGAIN_S
@@ -164,11 +164,11 @@ class SafetySupervisor(QObject):
 class StopBroadcaster(QObject):
     """Sends a stop without the GUI thread, which may be busy, hung or dead.
 
-    `stop_now` must be safe in any thread. An internal error in a slot of `stopped` causes a stop,
-    too: it is sent, but not reported again.
+    `stop_now` must be safe in any thread. An internal error in a slot of `stopped` sends a stop,
+    too, but `stopped` is not emitted again.
 
     Signals:
-        stopped: the reason; later, from the event loop of the thread that this lives in.
+        stopped: the reason. Emitted later, from the event loop of this object's thread.
     """
 
     stopped = Signal(str)
@@ -177,7 +177,7 @@ class StopBroadcaster(QObject):
     def __init__(self, stop_now: Callable[[], None], parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._stop_now = stop_now
-        self._reporting: int | None = None  # thread
+        self._reporting: int | None = None  # thread that emits `stopped`
         self._sent.connect(self._report, Qt.ConnectionType.QueuedConnection)
 
     def stop(self, reason: str) -> None:
@@ -221,7 +221,7 @@ class ExceptionWatch:
                 text = tr("Internal error ({0})")
                 self._stop(text.format(type(error).__name__))
             finally:
-                # `before` prints it.
+                # `before` prints the error.
                 log.critical("uncaught exception", exc_info=error, extra={"printed": True})
                 before(*args)
 
@@ -229,11 +229,11 @@ class ExceptionWatch:
 
 
 def slept_so_far() -> float:
-    """Return seconds that this computer has slept since it was started, if the system reports it.
+    """Return the seconds of sleep since this computer was started, 0 if unknown.
 
-    Linux has a clock that pauses during sleep and one that does not. Elsewhere 0: on Windows
-    Python's monotonic clock goes on, so that the line session misses heartbeats. On macOS it
-    pauses, as everything that is measured with it: sleep is not detected there.
+    Linux has a clock that pauses during sleep and one that does not. On Windows Python's
+    monotonic clock continues, so that the line session misses heartbeats. On macOS the clock
+    pauses, and so does every measurement with it: sleep is not detected here.
     """
     boottime = getattr(time, "CLOCK_BOOTTIME", None)
     return time.clock_gettime(boottime) - time.monotonic() if boottime is not None else 0.0
@@ -243,7 +243,7 @@ class SuspendDetector(QObject):
     """Checks twice a second whether the computer was suspended.
 
     Signals:
-        woke: it was; the reason to stop, a clause without a full stop.
+        woke: the computer was suspended. Reason to stop, a clause without a full stop.
     """
 
     woke = Signal(str)

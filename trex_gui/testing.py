@@ -1,7 +1,7 @@
 """A simulated TReX for the tests of your own program.
 
-`from trex_gui.testing import simulated_trex` in `conftest.py` gives its tests a fixture of pytest;
-`resources/examples/test_robot.py` has two of them.
+`from trex_gui.testing import simulated_trex` in `conftest.py` gives its tests a pytest fixture.
+`resources/examples/test_robot.py` has two such tests.
 """
 
 import json
@@ -18,12 +18,12 @@ class SimulatedTrex:
     """`trex-sim` as a process. Use it in a `with` statement.
 
     Attributes:
-        url: what `Trex` opens: a pseudo-terminal, or a TCP port where there are none.
-        process: that of the simulator.
+        url: address for `Trex`, a pseudo-terminal or, on systems without them, a TCP port.
+        process: process of the simulator.
     """
 
     def __init__(self, *options: str) -> None:
-        """Start it with these options, such as `--model trexjr`. See `trex-sim --help`."""
+        """Start the simulator with options, such as `--model trexjr`. See `trex-sim --help`."""
         command = [sys.executable, "-m", "trex_gui.cli.simulator", *options]
         self.process = subprocess.Popen(  # noqa: S603 - our own program, without a shell
             command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1
@@ -41,7 +41,7 @@ class SimulatedTrex:
         self.close()
 
     def obey(self, line: str) -> str:
-        """Send a control line. Return the answer, whatever it is."""
+        """Send a control line. Return the answer, even if it is an error."""
         assert self.process.stdin is not None  # noqa: S101 - for the type checker
         self.process.stdin.write(f"{line}\n")
         self.process.stdin.flush()
@@ -51,7 +51,7 @@ class SimulatedTrex:
         """Send a control line, such as `fault 1 on`, and return its answer.
 
         Raises:
-            ValueError: the simulator does not know it.
+            ValueError: the simulator rejected the line.
         """
         answer = self.obey(line)
         if not answer.startswith("ok"):
@@ -59,12 +59,12 @@ class SimulatedTrex:
         return answer.removeprefix("ok").strip()
 
     def show(self) -> dict[str, Any]:
-        """Return what the board is and does, as the control line `show` says it."""
+        """Return the state of the board from the control line `show`."""
         state: dict[str, Any] = json.loads(self.do("show"))
         return state
 
     def close(self) -> None:
-        """End it, which pulls the plug."""
+        """End the simulator, as if the plug were pulled."""
         self.process.terminate()
         self.process.communicate(timeout=30)
 

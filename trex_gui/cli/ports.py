@@ -1,4 +1,4 @@
-"""list, find: the ports, the devices on them, the settings of a board that does not respond."""
+"""Commands list and find: ports, devices on them, unknown settings of a board."""
 
 from collections.abc import Mapping
 from dataclasses import asdict
@@ -65,7 +65,7 @@ def list_command(as_json: bool, **options: Any) -> None:
 
 
 def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
-    """Return the first device that replies, else what each kind reports."""
+    """Return the first device that replies, else the reports of all kinds."""
     texts = []
     for plugin in PLUGINS:
         answer = plugin.port_reports.load().identify(url, options)
@@ -73,7 +73,7 @@ def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
             return answer
         texts.append(answer.text)
         if options["reserve"]:
-            break  # other devices get nothing
+            break  # nothing is sent to other kinds of devices
     return PortAnswer("; ".join(filter(None, texts)))
 
 

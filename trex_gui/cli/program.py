@@ -1,4 +1,4 @@
-"""trexcmd: the commands of every device in one table, each loaded when it is called."""
+"""The program trexcmd: commands of every device, each loaded when it is called."""
 
 import errno
 from collections.abc import Mapping
@@ -31,7 +31,7 @@ COMMANDS: Mapping[str, CommandInfo] = {
 
 
 class _Program(click.Group):
-    """A group that imports a command only when it is needed."""
+    """Group that imports a command only when the command is needed."""
 
     def main(self, *args: Any, **extra: Any) -> Any:
         with standard_streams():
@@ -41,7 +41,7 @@ class _Program(click.Group):
         try:
             return super().invoke(ctx)
         except OSError as error:
-            if error.errno == errno.EPIPE:  # click ends the program without a word
+            if error.errno == errno.EPIPE:  # click ends the program without a message
                 raise
             where = f"{error.filename}: " if error.filename else ""
             failure = click.ClickException(f"{where}{error.strerror or error}.")
@@ -94,7 +94,7 @@ class _Program(click.Group):
 def _run_guardian(
     context: click.Context, _option: click.Parameter, arguments: tuple[str, ...] | None
 ) -> None:
-    """Run as the guardian process, which an executable without Python starts from itself."""
+    """Run as the guardian process. A bundled executable starts itself for this."""
     if arguments:
         from trex_gui.core.guardian.process import main as run  # noqa: PLC0415 - rarely needed
 
@@ -138,7 +138,7 @@ def main() -> None:
     """
     from trex_gui.core.transport.driven import driven_boards  # noqa: PLC0415 - not for --help
 
-    driven_boards()  # logs those that were left running
+    driven_boards()  # logs boards whose motors were left running
 
 
 _COMPLETION_HELP = """Print the script that completes commands, parameter names and ports.

@@ -33,7 +33,7 @@ def _read_address(text: str) -> tuple[str, int]:
 
 
 def _device_options() -> list[click.Parameter]:
-    """Return the options of every device, each behind the flag that selects the device."""
+    """Return the options of every device, each after the flag that selects the device."""
     options: list[click.Parameter] = []
     for key, simulator in _SIMULATORS.items():
         if key != _DEFAULT:
@@ -110,7 +110,7 @@ def _endpoint(
         tcp = ("127.0.0.1", 0)
     if tcp is not None:
         return TcpEndpoint(*tcp)
-    # Imported on demand: one needs pyserial, the other a system with pseudo-terminals.
+    # Imported on demand: RFC 2217 needs pyserial, and the other a system with pseudo-terminals.
     if rfc2217 is not None:
         from trex_gui.core.simulator.rfc2217_endpoint import Rfc2217Endpoint  # noqa: PLC0415
 

@@ -1,4 +1,4 @@
-"""Reading and writing files beside the window's thread: a disk may be slow or hang."""
+"""Reading and writing files outside the GUI thread, since a disk may be slow or hang."""
 
 import io
 from collections.abc import Callable
@@ -24,13 +24,13 @@ ResultT = TypeVar("ResultT")
 _CANCEL_TIMEOUT_MS = 500
 
 background: "set[_Job[Any]]" = set()
-"""A function for `in_background`. The process must not exit normally before it has ended."""
+"""Running jobs. The process must not exit normally before they have ended."""
 
 
 def end_background(timeout_ms: int) -> bool:
     """End all work in the background and return whether it ended in time.
 
-    Files that are being saved are finished in that time, or cancelled at its end. Other work that
+    Files being saved have `timeout_ms` to finish before they are cancelled. Other work that
     reports progress is cancelled at once.
     """
     jobs, end = tuple(background), now() + timeout_ms / 1000
@@ -46,14 +46,14 @@ def end_background(timeout_ms: int) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class Content:
-    """Content of a document to be saved. `record_saved` takes the path, once it is there."""
+    """Content of a document to be saved. `record_saved` gets the path once it is saved."""
 
     text: str
     record_saved: Callable[[Path], object]
 
 
 class _Job(FileWorker, Generic[ResultT]):
-    """Work whose result goes to its owner, unless that is destroyed before."""
+    """Work whose result is passed on unless the owner is destroyed first."""
 
     def __init__(
         self,
@@ -100,7 +100,7 @@ def in_background(
 def save_in_background(
     owner: QObject, work: Callable[[], object], notifier: Notifier, saved: str
 ) -> None:
-    """Run work that writes a file, then report `saved` or why it was not written."""
+    """Run work that writes a file, then report `saved` or the error."""
     in_background(owner, work, lambda _: notifier.info.emit(saved), notifier.report_error)
 
 
@@ -110,9 +110,9 @@ def start_in_background(
     then: Callable[[ResultT], object],
     failed: Callable[[StudioError], object],
 ) -> Callable[[], None]:
-    """Do the same with work that reports its progress, and return what cancels it.
+    """Run work like `in_background`, with progress. Return a function that cancels it.
 
-    Work that is cancelled calls back no more.
+    Cancelled work calls neither `then` nor `failed`.
     """
     job = _Job(owner, work, then, failed)
     _start(job)
@@ -126,9 +126,9 @@ def write_in_background(
     notifier: Notifier,
     saved: Callable[[int], str],
 ) -> None:
-    """Let `write` write a text file and return its number of rows, completely or not at all.
+    """Write a text file with `write`, completely or not at all.
 
-    Then report `saved` of that number, or why the file was not written.
+    `write` returns the number of rows. Afterwards `saved(rows)` or the error is reported.
     """
     work = partial(write_text, path, write)
     report = notifier.info.emit
@@ -146,7 +146,7 @@ def write_text(
     try:
         with (
             atomic_file(path) as data,
-            # Names of ports may contain undecodable bytes.
+            # Port names may contain undecodable bytes.
             io.TextIOWrapper(data, "utf-8", errors="backslashreplace", newline="") as file,
         ):
             return write(file, progress)
@@ -158,10 +158,10 @@ def write_text(
 
 
 def save_picture(path: Path, image: QImage) -> None:
-    """Write a picture in the format that its name ends in.
+    """Save a picture in the format of its file extension.
 
     Raises:
-        SettingsError: it cannot be written; then the old file is still there.
+        SettingsError: the picture cannot be written; the old file is unchanged.
     """
     kind, buffer = path.suffix.removeprefix("."), QBuffer()
     if not QImageWriter(buffer, kind.encode()).write(image):

@@ -1,4 +1,4 @@
-"""The newest events of a device, and the log of a workspace with messages as well."""
+"""Event log of a device, and log of a workspace, which also has messages."""
 
 import logging
 import time
@@ -16,9 +16,9 @@ from trex_gui.ui.runtime import now
 log = logging.getLogger(__name__)
 
 MOST_EVENTS = 10_000  # events kept; the oldest are dropped
-MOST_ENTRIES = 2000  # kept; the oldest are dropped
+MOST_ENTRIES = 2000  # entries kept; the oldest are dropped
 _LONGEST = 2000  # characters of one entry
-_REPEATED = 1.0  # seconds in which the same text again is the same entry: event and message
+_REPEATED = 1.0  # seconds without a second entry of the same text, as of an event and a message
 _SIGN = "⚠"
 
 
@@ -51,7 +51,7 @@ class LogEntry:
 
 
 class Log(QObject):
-    """The newest entries, over the end of connections."""
+    """Newest entries, which outlast connections."""
 
     added = Signal(object)  # the new `LogEntry`
 

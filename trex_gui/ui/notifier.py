@@ -17,13 +17,13 @@ class Remedy(Enum):
     FIND = auto()  # look for a board whose line settings are unknown
     RECONNECT = auto()  # connect again to the port that was used last
     PLUG_IN = auto()
-    """The same, where the port is missing: the message is over as soon as it is plugged in."""
+    """Connect again to a missing port. The message ends as soon as the port appears."""
     SET_UP_CRC = auto()  # let the board detect errors on the line
     CHECK_BOARD = auto()  # show what to look at on a board that does not respond
     STOP_THEM = auto()
-    """Stop the motors that another program has left running: the message is shown until then."""
+    """Stop the motors that another program has left running. The message stays until then."""
     REPORT = auto()
-    """Show the report for support: the message is about the program and outlives connections."""
+    """Show the report for support. The message is about the program and outlives connections."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +56,7 @@ Remedies = tuple[AnyRemedy, ...]
 def remedies_of(error: BaseException, *, may_be_found: bool = False) -> Remedies:
     """Return the buttons for an error that closed a line.
 
-    `may_be_found`: a board may be there, at other settings.
+    `may_be_found`: a scan may find a board at other settings.
     """
     if isinstance(error, InternalError):
         return (Remedy.REPORT,)
@@ -68,7 +68,7 @@ def remedies_of(error: BaseException, *, may_be_found: bool = False) -> Remedies
 
 
 def never() -> bool:
-    """Return false: a danger message that the next message replaces."""
+    """Return false. For a danger message that the next message may replace."""
     return False
 
 
@@ -76,11 +76,11 @@ class Notifier(QObject):
     """Carries messages to one window, which shows the newest."""
 
     info = Signal(str)  # what was done, in sentences for the user
-    error = Signal(str)  # what was not done, and why
-    danger = Signal(str)  # what may hurt somebody now, and what to do about it
+    error = Signal(str)  # what failed, and why
+    danger = Signal(str)  # an immediate danger, and what to do about it
     remedies_offered = Signal(object)  # the `Remedies` for the message that came just before
-    resolved = Signal(object)  # a `Remedy` is no longer needed, nor a message that offers it
-    # The same behind the event that is being handled: for messages that come with a report whose
+    resolved = Signal(object)  # a `Remedy` that is no longer needed; ends messages that offer it
+    # Queued until the present event is handled, for messages that come with a report whose
     # handling clears the banner.
     delayed_info = Signal(str)
     delayed_error = Signal(str)
@@ -91,7 +91,7 @@ class Notifier(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        # What its window shows, as the banner keeps it: the message, and whether it is an error.
+        # State of the banner: its message, how long a danger lasts, and whether it shows an error.
         self.shown = ""
         self.danger_lasts: Callable[[], bool] = never
         self.shows_problem = False
@@ -103,7 +103,7 @@ class Notifier(QObject):
         self.danger.connect(lambda text: self.logged.emit(text, True))
 
     def log_also(self, other: "Notifier") -> None:
-        """Log the messages of another place in the program."""
+        """Log the messages of another notifier, too."""
         other.logged.connect(self.logged)
 
     @Slot(str, object)

@@ -17,16 +17,16 @@ T = TypeVar("T")
 
 log = logging.getLogger(__name__)
 
-_LARGEST_FILE = 4 * 1024 * 1024  # bytes; a used one has some 3000
-_ABANDONED_S = 600.0  # seconds after which a lock or a draft is nobody's
+_LARGEST_FILE = 4 * 1024 * 1024  # bytes; a typical file has some 3000
+_ABANDONED_S = 600.0  # seconds after which a lock or a draft counts as abandoned
 
 
 class Preferences:
-    """Values by key. One that cannot be used is logged, and counts as missing.
+    """Values by key. An unusable value is logged, and counts as missing.
 
-    Anybody may have edited the file, and Qt returns whatever it says: another type, a list, a
-    number of any size. A file that is not an ordinary one is not opened: a pipe would hang. What
-    is set then lasts until the program ends.
+    The user may have edited the file, and Qt returns whatever it contains: another type, a list, a
+    number of any size. Only an ordinary file is opened, since a pipe would block. Otherwise
+    values last until the program ends.
     """
 
     def __init__(self) -> None:
@@ -36,7 +36,7 @@ class Preferences:
         return self._read(key, default, _flag)
 
     def integer(self, key: str, default: int, lowest: int, highest: int) -> int:
-        """Return a number in a range. Any other number cannot be used."""
+        """Return a number in a range. Any other number is unusable."""
         return self._read(key, default, lambda found: _in_range(int(_text(found)), lowest, highest))
 
     def real(self, key: str, default: float, lowest: float, highest: float) -> float:
@@ -71,8 +71,8 @@ class Preferences:
 def _open() -> QSettings:
     form = QSettings.defaultFormat()
     if form is QSettings.Format.NativeFormat and sys.platform in {"win32", "darwin"}:
-        return QSettings()  # not a file that Qt opens
-    # Naming the file would need the object that opens it; another name shows its folder.
+        return QSettings()  # Qt opens no file here
+    # Only an object that opens the file can name it. An unused name shows its folder.
     beside = QSettings(form, QSettings.Scope.UserScope, "TReX Studio, no such file").fileName()
     place, suffix = Path(beside).parent, Path(beside).suffix
     organization = QCoreApplication.organizationName()
@@ -101,11 +101,11 @@ def remove_litter(path: Path) -> None:
 
 
 def _problem(path: Path) -> str:
-    """Say why Qt must not open this file, empty if it may, or if there is none."""
+    """Return the reason why Qt must not open a file. Empty if it may, or without a file."""
     try:
         found = path.stat()
     except OSError:
-        return ""  # there is none, or Qt cannot open it either
+        return ""  # no file, or Qt cannot open it either
     if not (stat.S_ISREG(found.st_mode) or stat.S_ISDIR(found.st_mode)):
         return "is not an ordinary file"
     return "is too large" if found.st_size > _LARGEST_FILE else ""

@@ -1,4 +1,4 @@
-"""Models and window of every kind of device, built from plugins."""
+"""The program: models and window for every kind of device, built from plugins."""
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
@@ -20,11 +20,11 @@ from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.plotting.page import PlotPage
 from trex_gui.ui.workers.threads import have_orphans_ended
 
-_FILES_TIMEOUT_MS = 5000  # a slow disk takes seconds to save a file; reading is cancelled
+_FILES_TIMEOUT_MS = 5000  # a slow disk takes seconds to save; reading is cancelled
 
 
 class Program:
-    """The window and everything below it. Nothing is connected at first."""
+    """Main window and its models. Nothing is connected at first."""
 
     def __init__(self, plugins: Sequence[DevicePlugin], timeouts: Timeouts | None = None) -> None:
         self.plugins = tuple(plugins)
@@ -38,7 +38,7 @@ class Program:
             for plugin in sorted(plugins, key=lambda plugin: plugin.key != last)
         }
         self.device_manager = manager = DeviceManager(makers, scanner)
-        # Before the window is told: it wants the workspace of the device.
+        # Connected before the window is: the window needs the workspace of the device.
         manager.changed.connect(self._use_current)
         manager.current_changed.connect(self._use_current)
         self._workspaces: dict[str, Workspace] = {}
@@ -60,23 +60,23 @@ class Program:
         return added
 
     def complete(self) -> None:
-        """Make the pages that were not shown yet, from now on of each kind of device in use.
+        """Create the missing pages, from now on for each kind of device in use.
 
-        Call it once the window is painted.
+        Call this once the window is painted.
         """
         self._is_complete = True
         self._use_current()
 
     def _use_current(self) -> None:
         """Add the workspace of the kind of device in use."""
-        if not self._workspaces:  # the window is being made: that chooses line settings
+        if not self._workspaces:  # the window is being created, and selects line settings
             return
         workspace = self.workspace(self.device_manager.current.plugin.key)
         if self._is_complete:
             workspace.create_pages()
 
     def create_plots(self) -> None:
-        """Make the plots of pages that were not shown yet, so that showing one takes no longer."""
+        """Create the missing plots, so that pages with plots open without delay."""
         for workspace in self._workspaces.values():
             for page in workspace.findChildren(PlotPage):
                 page.need_plot()
@@ -88,23 +88,23 @@ class Program:
 
     @property
     def workspaces(self) -> Mapping[str, Workspace]:
-        """The workspace of each kind of device by its key. Most users need one kind only."""
+        """Workspace of each kind of device by its key. Creates missing workspaces."""
         return {plugin.key: self.workspace(plugin.key) for plugin in self.plugins}
 
     def connect_to_demo(self, device: str) -> None:
         self.device_manager.connect_to(self.ports.demo_of(device))
 
     def connect_to_port(self, url: str, device: str | None = None) -> None:
-        """Connect to a port. If `device` is given it leads to that kind from now on."""
+        """Connect to a port. From now on it leads to the kind `device`, if given."""
         port = self.ports.add_typed(url)
         if device is not None:
             port = self.ports.lead_to(port, device)
         self.device_manager.connect_to(port)
 
     def open_named(self, path: Path, *, connecting: bool) -> None:
-        """Open a file that was named at the start, with the kind of device that it belongs to.
+        """Open a file of the command line, with the kind of device that it belongs to.
 
-        A file that is opened differently without a device waits for one that is being connected.
+        A file that opens differently without a device waits while a connection is being opened.
         """
         key, kind = self._file_kind(path)
         is_current = key == self.device_manager.current.plugin.key
@@ -124,18 +124,17 @@ class Program:
         return next((found for found in kinds if suffix in found[1].suffixes), kinds[0])
 
     def report_last_run(self, *, has_crashed: bool = False) -> None:
-        """Say whether motors may be turning, a guardian stopped motors, or the last run crashed.
+        """Report motors that may be turning, a stop by a guardian, or a crash of the last run.
 
-        It is said again once a connection that is being opened has cleared messages.
+        The check is repeated whenever messages are cleared, as by a connection being opened.
         """
         report_last_run(self._notifier, has_crashed=has_crashed)
         self._notifier.cleared.connect(partial(report_last_run, self._notifier))
 
     def shut_down(self) -> bool:
-        """Stop the motors, close the line, then end recordings, for the end of the program.
+        """Stop the motors, close the line, then end recordings.
 
-        Return whether every thread has ended, whatever it did; Qt aborts on destroying one that
-        runs.
+        Return whether every thread has ended. Qt aborts if a running thread is destroyed.
         """
         ends = [self.device_manager.shut_down()]
         ends += [workspace.shut_down() for workspace in self._workspaces.values()]
@@ -143,9 +142,9 @@ class Program:
         return all(ends) and have_orphans_ended()
 
     def close(self) -> bool:
-        """Shut down and destroy everything, for whoever runs the event loop.
+        """Shut down and destroy everything, for callers that run the event loop.
 
-        Return whether every thread has ended; otherwise nothing is destroyed, and only `os._exit`
+        Return whether every thread has ended. If not, nothing is destroyed, and only `os._exit`
         ends the process.
         """
         if not self.shut_down():
@@ -156,8 +155,8 @@ class Program:
     def destroy(self) -> None:
         """Destroy the window and its models, once everything is shut down.
 
-        Nothing is left to the end of the interpreter, which destroys objects in any order while
-        their event handlers can no longer run: Qt crashes.
+        Otherwise Qt would crash: at its end the interpreter destroys objects in any order, while
+        their event handlers can no longer run.
         """
         for workspace in self._workspaces.values():
             workspace.prepare_to_close()

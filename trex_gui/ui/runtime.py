@@ -1,8 +1,8 @@
-"""The clock, timers, threads and ports that the program runs on.
+"""Clock, timers, threads and ports that the program runs on.
 
-The program uses the computer's own. Tests run it in virtual time: they replace the runtime before
-they build a window. It is one for the whole process, like Qt's application object, because timers
-sit deep in widgets that have no other use for it.
+The default runtime is the computer's. Tests run in virtual time: they replace the runtime before
+they create a window. The process has one runtime, like Qt's application object, because timers
+sit deep in widgets that have no other use for a runtime.
 """
 
 import threading
@@ -17,7 +17,7 @@ from trex_gui.core.transport.settings import PortSettings
 
 
 class Runtime:
-    """The computer as it is."""
+    """Runtime of the computer, in real time."""
 
     def now(self) -> float:
         return time.monotonic()
@@ -36,7 +36,7 @@ class Runtime:
         QThread.start(thread, priority)
 
     def wait(self, thread: QThread, milliseconds: int) -> bool:
-        """Wait for the end of a thread, with -1 for ever, and return whether it has ended."""
+        """Wait for a thread to end; -1 waits for ever. Return whether it has ended."""
         return QThread.wait(thread, QDeadlineTimer(milliseconds))
 
     def process(self, parent: QObject) -> QProcess:
@@ -62,7 +62,7 @@ def use_runtime(runtime: Runtime) -> Runtime:
 def new_timer(
     parent: QObject, milliseconds: int, then: Callable[[], object], *, single_shot: bool = False
 ) -> QTimer:
-    """Return a timer that is not started yet. With 0 ms it fires after the event in progress."""
+    """Create a timer, not started yet. At 0 ms it fires after the current event."""
     timer = _runtime.timer(parent)
     timer.setInterval(milliseconds)
     timer.setSingleShot(single_shot)

@@ -16,20 +16,20 @@ from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.theme import Scheme, theme
 from trex_gui.ui.widgets.leds import Leds
 
-_SIZE = QSize(1440, 800)  # room for a page as it is, and for the panel of the simulated device
+_SIZE = QSize(1440, 800)  # space for a page and for the panel of the simulated device
 _SETTLE_MS = 2500
 _STEP_MS = 200
-_STOP_MS = 100  # for the stop to be sent
+_STOP_MS = 100  # time to send the stop
 _TIMEOUT_MS = 30_000  # a computer may be busy, and a stop is confirmed on a quiet line only
 
 Do = Callable[[], object]
-"""A step of the tour; one that returns `False` could not be done yet and is tried again."""
+"""Step of the tour. A step that returns `False` could not be done yet and is tried again."""
 
 
 class Tour(QObject):
     """Connects to each simulated device, runs the steps of its plugin, writes PNG files."""
 
-    # Whether all pictures are written; else a device did not connect, or a step could not be done.
+    # True if all pictures are written. False: a device did not connect, or a step failed.
     finished = Signal(bool)
 
     def __init__(
@@ -90,7 +90,7 @@ class Tour(QObject):
         yield from [lambda: None] * round(seconds * 1000 / _STEP_MS)
 
     def look_at_pages(self, state: str = "", *, first_only: bool = False) -> Iterator[Do]:
-        """Take pictures of the pages, or of the first. `state` becomes part of the file names."""
+        """Take pictures of all pages or the first page. `state` becomes part of the file names."""
         window = self._program.window
         for scheme in self._schemes:
             yield partial(theme().set_scheme, scheme)
@@ -132,7 +132,7 @@ class Tour(QObject):
 
     def write(self, widget: QWidget, name: str, scheme: Scheme) -> None:
         for leds in widget.findChildren(Leds):
-            leds.show_moment(0.0)  # when those that blink are lit
+            leds.show_moment(0.0)  # a moment when blinking LEDs are lit
         path = self._folder / f"{name}-{scheme}.png"
         if widget.grab().save(str(path)):
             sys.stdout.write(f"{path}\n")

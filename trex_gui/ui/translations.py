@@ -12,40 +12,40 @@ from trex_gui.core.translation import tr, use_translations
 from trex_gui.ui.preferences import Preferences
 
 CONTEXT = "trex_gui"
-"""The one context of the files: a text has the same translation wherever it is used."""
+"""The only context in the files. A text has the same translation wherever it is used."""
 
 ENGLISH = QLocale(QLocale.Language.English)
 
 LANGUAGES = {"en": "English", "de": "Deutsch", "fr": "Français"}
-"""The languages of the window by code, each by its own name."""
+"""Languages of the window: code → name in the language itself."""
 
 AS_THE_SYSTEM = "system"
 _KEY = "window/language"
 
 
 def chosen_language() -> str:
-    """Return the code of the language that the user wants, or `AS_THE_SYSTEM`."""
+    """Return the code of the selected language, or `AS_THE_SYSTEM`."""
     wanted = Preferences().text(_KEY, AS_THE_SYSTEM)
     return wanted if wanted in LANGUAGES else AS_THE_SYSTEM
 
 
 def select_language(code: str) -> None:
-    """Use a language from the next opening of the window on."""
+    """Save the language for the next time that the window opens."""
     Preferences().set(_KEY, code)
 
 
 def chosen_locale() -> QLocale:
-    """Return language and number formats of the window, those of the country if it has both."""
+    """Return the locale of the window. The system's locale if it has the selected language."""
     system, code = QLocale.system(), chosen_language()
     is_of_system = code in {AS_THE_SYSTEM, system.name().partition("_")[0]}
     return system if is_of_system else QLocale(code)
 
 
 def install_translations(app: QApplication, locale: QLocale) -> list[QTranslator]:
-    """Use the plural forms of English and the language of `locale`, as far as they are there.
+    """Install English plural forms, and the language of `locale` if it is available.
 
-    Numbers, dates and the direction of the layout follow the language that is shown. Texts that
-    were made before stay as they are. Remove what is returned before another language is installed.
+    Numbers, dates and the direction of the layout follow the language that is shown. Earlier
+    texts do not change. Remove the returned translators before installing another language.
     """
     folder = str(resource("translations"))
     english, catalog, of_qt = (QTranslator(app) for _ in range(3))
@@ -68,7 +68,7 @@ def install_translations(app: QApplication, locale: QLocale) -> list[QTranslator
 
 
 def error_text(error: BaseException) -> str:
-    """Return the message of an error in the language of the window, as far as it has a code."""
+    """Return the message of an error, in the language of the window if it has a code."""
     if isinstance(error, CodedError):
         return describe(error.code, error.fields, tr)
     return str(error)

@@ -126,7 +126,7 @@ def _write_mcap(
             data = json.dumps(dict(zip(names, values, strict=True))).encode()
             at = started + round(min(max(time, earliest), latest) * 1e9)
             writer.add_message(channels[index], at, data, at)
-    writer.finish()  # type: ignore[no-untyped-call] # the library leaves it without
+    writer.finish()  # type: ignore[no-untyped-call] # no annotation in the library
 
 
 def _schema(kind: SampleKind) -> dict[str, Any]:

@@ -41,7 +41,7 @@ Record = Report | Marker  # times are seconds on the session's clock
 
 @dataclass(frozen=True, slots=True)
 class RobotHeader:
-    """Describes the recording of a robot. `clock` is the session's (s) at the start."""
+    """Header of the recording of a robot. `clock`: session clock (s) at the start."""
 
     started: datetime
     clock: float
@@ -62,7 +62,7 @@ class RobotHeader:
 
     @classmethod
     def from_values(cls, values: Mapping[str, Any]) -> "RobotHeader":
-        """Return the header of these rows. ValueError if one is missing or damaged."""
+        """Create a header from its values. ValueError if a value is missing or damaged."""
         try:
             header = cls(
                 started=datetime.fromisoformat(values["started_utc"]).astimezone(UTC),
@@ -185,7 +185,7 @@ def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
 
 
 def _cells(values: Sequence[int], motors: int) -> tuple[int | None, ...]:
-    """Return a value for each motor, `None` for those that did not answer."""
+    """Return a value for each motor, `None` for a motor that did not answer."""
     cells = tuple(None if value == UNREADABLE else value for value in values[:motors])
     return cells + (None,) * (motors - len(cells))
 

@@ -1,9 +1,9 @@
 """Diagnosis of a line on which no TReX was found, and its remedy.
 
-A failed connection is followed by some probes of `discovery`, which move nothing: at the settings
-that were used, with each other error detection, and at the factory's settings. They recognise a
-board at other settings, its boot loader and a qik. A board in learning mode cannot be recognised:
-its jumper holds the line that it sends on (SO) to ground.
+After a failed connection some probes of `discovery` are sent, which move no motor: at the settings
+in use, with each other error detection, and at the factory settings. They recognise a board at
+other settings, its boot loader and a qik. A board in learning mode cannot be recognised: its
+jumper holds its transmit line (SO) to ground.
 """
 
 import contextlib
@@ -29,7 +29,7 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
 
 def explain(settings: ConnectionSettings, *, echo: bool, error: StudioError) -> StudioError:
-    """Return why no TReX was found, from the error of the first query and its echo."""
+    """Return the reason why no TReX was found. `error` and `echo` are of the first query."""
     where = settings.text()
     if is_unsteady(error):
         return error
@@ -52,10 +52,10 @@ def diagnose(
     progress: Callable[[ScanProgress], None] = ignore_step,
     cancelled: Callable[[], bool] = never_cancelled,
 ) -> StudioError:
-    """Return why no TReX was found: as `explain`, or what some probes recognised.
+    """Return the finding of some probes, or else the reason as `explain` does.
 
-    A silent local line takes a second. With CRC it takes seven more, for every polynomial, unless
-    `quick`. The line has the settings of the client again afterwards. Raises PortUnavailable.
+    A silent local line takes a second. With CRC all other polynomials are probed, which takes seven
+    more, unless `quick`. The line settings are restored afterwards. Raises PortUnavailable.
     """
     settings, wire = client.settings, client.transport
     plain = explain(settings, echo=client.echo, error=error)
@@ -79,7 +79,7 @@ def diagnose(
 
 
 def _plans(settings: ConnectionSettings, *, quick: bool) -> list[list[Attempt]]:
-    """Return the likely probes, and those with every other polynomial if CRC is used."""
+    """Return the likely probes. If CRC is used, also probes with every other polynomial."""
     line = settings.line
     likely = [
         Attempt.at(settings),

@@ -1,4 +1,4 @@
-"""Finding a TReX whose line settings are unknown: which probes are sent, and what replied."""
+"""Scan for a TReX whose line settings are unknown: probes, replies and diagnosis."""
 
 import contextlib
 from collections.abc import Callable, Iterator, Sequence
@@ -24,13 +24,13 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_nu
 _LIKELY = (19200, 115200, 9600, 38400, 57600)
 
 _LAST_PROBES = 5
-"""Number of probes of the default settings after everything else, the other likely ones once: a
-line may have swallowed a reply, or several. On a silent line that takes two seconds more."""
+"""Number of final probes of the default settings, since a line may have swallowed replies. Other
+likely settings are probed again once. On a silent line all this takes two seconds more."""
 
 NUMBERS = 128  # device numbers that a board can have, from 0 on
 
 _QIK = frozenset({b"1", b"2"})
-"""Replies of a Pololu qik, for which 81 asks for its firmware version.
+"""Replies of a Pololu qik, to which 81 is a request for its firmware version.
 
 Ref: qik 2s9v1 User's Guide 5.a, qik 2s12v10 User's Guide 5.b.
 """
@@ -39,10 +39,10 @@ _SHOWN = 12  # longest excerpt, in bytes, of an unknown reply
 
 
 def attempts(*, full: bool = False) -> Iterator[Attempt]:
-    """Return every probe, likely ones first.
+    """Yield every probe, likely probes first.
 
-    `full` adds every CRC-7 polynomial but the default, which takes some minutes; ten of them cannot
-    be probed safely at two of the rates (`UNSAFE`).
+    `full` adds every CRC-7 polynomial but the default, which takes some minutes. Ten polynomials
+    cannot be probed safely at two of the rates (`UNSAFE`).
     """
     rates = [*_LIKELY, *sorted({*baud_rates()} - {*_LIKELY}, reverse=True)]
     for stop_bits in (1, 2):
@@ -66,9 +66,9 @@ def attempts(*, full: bool = False) -> Iterator[Attempt]:
 
 @dataclass(frozen=True, slots=True)
 class FoundBoard:
-    settings: ConnectionSettings  # with a number only where several boards share the line
+    settings: ConnectionSettings  # with a device number only if boards share the line
     signature: Signature
-    device_number: int | None = None  # the number that it stores, if it was read
+    device_number: int | None = None  # number that the board stores, if it was read
     echo: bool = False
     note: str = ""  # a hint for the user; may be empty
 
@@ -80,7 +80,7 @@ class FoundBoard:
 def boards_by_number(
     client: TrexClient, progress: Callable[[int], object], cancelled: Callable[[], bool]
 ) -> list[FoundBoard]:
-    """Return the boards that reply to their device number on an open line, in its order.
+    """Return the boards on an open line that reply to a device number, in numerical order.
 
     `progress` gets each number before it is probed. Boards that share a number are left out. Raises
     PortUnavailable.
@@ -99,7 +99,7 @@ def boards_by_number(
 
 
 class TrexProber:
-    """Probes one line. It has several `found` boards only if they share the line."""
+    """Prober of one line. `found` has several boards only if they share the line."""
 
     def __init__(
         self,
@@ -109,7 +109,7 @@ class TrexProber:
         known: bool = False,
         plans: Sequence[Sequence[Attempt]] = (),
     ) -> None:
-        """Scan in the parts of `plans`, or else for a board that may have any settings.
+        """Prepare the probes of `plans`, or probes of all settings if it is empty.
 
         `full` tries every polynomial, and each device number even where one board replies.
         """
@@ -117,12 +117,12 @@ class TrexProber:
         self.found: list[FoundBoard] = []
         self._settings = ConnectionSettings.on(settings)
         self._full = full
-        self.echo = False  # whether what was sent came back
-        self._strange: list[tuple[SerialFormat, bytes]] = []  # other replies
+        self.echo = False  # whether sent bytes came back
+        self._strange: list[tuple[SerialFormat, bytes]] = []  # unknown data, and where
         self._is_loader = False
-        self._several: LineSettings | None = None  # where several boards replied at once
-        self._skipped: list[LineSettings] = []  # not supported by the port
-        self._asks_numbers = not plans  # of boards that reply at once
+        self._several: LineSettings | None = None  # settings at which several boards reply
+        self._skipped: list[LineSettings] = []  # settings unsupported by the port
+        self._asks_numbers = not plans  # if several boards reply at once
         self._is_fixed = False  # the rate is set at the other end, so only one probe was possible
         plan = list(attempts(full=full))
         likely = plan[: len(_LIKELY)]
@@ -131,7 +131,7 @@ class TrexProber:
 
     @property
     def parts(self) -> tuple[int, ...]:
-        """The likely rates, then everything else, then the likely ones again, unless planned."""
+        """Number of probes by part: likely rates, all others, likely rates again, or `plans`."""
         return tuple(len(plan) for plan in self._plans)
 
     @property
@@ -150,7 +150,7 @@ class TrexProber:
     ) -> None:
         plan = list(self._plans[part])
         if not wire.is_configurable:
-            # A flush byte at the rate of the probes does not separate them.
+            # Only one probe: a flush byte at the same rate would not separate several.
             self._is_fixed = True
             plan = plan[:1] if part == 0 else []
         for done, attempt in enumerate(plan):
@@ -165,13 +165,13 @@ class TrexProber:
                 return
 
     def recall(self, wire: Transport, settings: ConnectionSettings) -> None:
-        """Send one probe, for a board that was found at these settings."""
+        """Send one probe for a board that was found at these settings before."""
         self._settings, attempt = settings, Attempt.at(settings)
         if not attempt.is_unsafe:
             self._probe(wire, attempt, settings.device_number)
 
     def _probe(self, wire: Transport, attempt: Attempt, number: int | None = None) -> None:
-        """Send one probe. `number` addresses one board of several that reply to it."""
+        """Send one probe. `number` addresses one board if several boards reply."""
         try:
             if attempt.number is None:
                 flush(wire, self._settings.timeouts.extra)
@@ -193,13 +193,13 @@ class TrexProber:
         elif reply.kind is ReplyKind.SEVERAL:
             self._several = attempt.line
         elif reply.kind is ReplyKind.BOOT_LOADER:
-            # Noise may look like it once.
+            # Noise may look like a boot loader once.
             self._is_loader = send_probe(wire, attempt, extra).kind is ReplyKind.BOOT_LOADER
         elif reply.kind is not ReplyKind.NOTHING and attempt.line not in dict(self._strange):
             self._strange.append((attempt.line, reply.data))
 
     def _confirm(self, wire: Transport, attempt: Attempt, number: int | None) -> FoundBoard | None:
-        """Read more from a board that responded. Its line settings are known now."""
+        """Read a board that responded, at its line settings. `None` if that fails."""
         for polynomial in attempt.polynomials or (DEFAULT_POLYNOMIAL,):
             settings = self._settings_at(attempt.line, polynomial, number)
             client = TrexClient(wire, settings, echo=self.echo)
@@ -227,7 +227,7 @@ class TrexProber:
         progress: Callable[[ScanProgress], None],
         cancelled: Callable[[], bool],
     ) -> None:
-        """Probe each device number. Several that respond replace the board that was found."""
+        """Probe each device number. If several boards respond, they replace the found board."""
         polynomial = (attempt.polynomials or (DEFAULT_POLYNOMIAL,))[0]
         if self.found:
             polynomial = self.found[0].settings.polynomial
@@ -249,7 +249,7 @@ class TrexProber:
 
     @property
     def recognised(self) -> TrexBadReplyError | None:
-        """The device that replies, if it is known and cannot be connected to."""
+        """Error that names a known device that replies but cannot be connected to."""
         url = self._settings.label
         if self._is_loader:
             return TrexBadReplyError(ErrorCode.BOOT_LOADER, url)
@@ -310,7 +310,7 @@ class TrexProber:
 
 
 def _note(line: LineSettings, signature: Signature, stored: int) -> str:
-    """Say how the stored line settings differ from those in use."""
+    """Return a hint if the stored line settings differ from the settings in use."""
     try:
         kept = LineSettings.from_wire(stored)
     except BadRequest:
@@ -330,7 +330,7 @@ def _note(line: LineSettings, signature: Signature, stored: int) -> str:
 
 
 def recall(wire: Transport, settings: PortSettings, packed: str) -> FoundBoard | None:
-    """Probe for a board where one was found before. See `core.discovery.Recall`."""
+    """Probe for a board at the settings of an earlier find. See `core.discovery.Recall`."""
     prober = TrexProber(settings)
     with contextlib.suppress(BadRequest):
         prober.recall(wire, ConnectionSettings.on(settings).unpacked(packed))
@@ -338,4 +338,4 @@ def recall(wire: Transport, settings: PortSettings, packed: str) -> FoundBoard |
 
 
 TREX_PROBER = ProberInfo("TReX", TrexProber, recall=recall)
-"""Finds TReX boards, which send nothing unsolicited."""
+"""Prober of TReX boards, which send nothing unsolicited."""

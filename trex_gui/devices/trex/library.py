@@ -1,7 +1,7 @@
-"""A board for programs: read it, set it up, drive it. See `Trex`.
+"""Board interface for programs: read, set up and drive a board. See `Trex`.
 
-The line belongs to a session in a thread of its own, as in the window: it polls, confirms stops,
-and has a guardian process that stops the motors if the program is killed.
+As in the window, a session in its own thread owns the line. It polls, confirms stops, and has a
+guardian process that stops the motors if the program is killed.
 """
 
 import logging
@@ -69,9 +69,9 @@ from trex_gui.devices.trex.settings.writer import write_settings
 
 log = logging.getLogger(__name__)
 
-_STATUS_TIMEOUT = 5.0  # seconds for one sample of everything: 1200 baud takes two
+_STATUS_TIMEOUT = 5.0  # seconds for a sample of each kind, which takes 2 s at 1200 baud
 _LEASE_ANSWER = 3.0  # seconds within which a server replies
-_WRITING = 60.0  # seconds for every setting at 1200 baud
+_WRITING = 60.0  # seconds to write all settings at 1200 baud
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,8 +79,8 @@ class ChannelStatus:
     """An input channel."""
 
     raw: int | None  # in counts; `None` without a signal
-    value: float | None  # in µs or V; likewise
-    remapped: int  # what the board makes of it, -127 to 127
+    value: float | None  # in µs or V; `None` without a signal
+    remapped: int  # after remapping by the board, -127 to 127
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,15 +91,15 @@ class BoardStatus:
     firmware: str
     mode: str  # a sentence
     serial_controls: bool  # whether motor commands reach the motors
-    currents: tuple[float, float]  # of motors 1 and 2 in ampere
+    currents: tuple[float, float]  # of motors 1 and 2, in amperes
     channels: Mapping[int, ChannelStatus]  # by number, 1 to 5
     errors: tuple[str, ...]  # names of the error bits since the last status
 
 
 def snapshots() -> tuple[Snapshot, ...]:
-    """Return the snapshots on this computer, the newest first: what boards stored before a change.
+    """Return this computer's snapshots of boards before changes, newest first.
 
-    `Trex.apply_settings` brings one back from its `path`.
+    `Trex.apply_settings` restores a snapshot from its `path`.
     """
     return SettingsHistory().snapshots()
 
@@ -108,13 +108,13 @@ class Trex:
     """A TReX or TReX Jr on a serial line. Use it in a `with` statement.
 
     However the block ends, motors that were driven are stopped and the port is closed. While motors
-    run, use `wait` instead of `time.sleep`: without a call for half a second they are stopped,
-    as a program that hangs cannot stop them. Use it from one thread.
+    run, use `wait` instead of `time.sleep`. After half a second without a call they are stopped,
+    since a program that hangs cannot stop them. Use it from one thread.
 
     Methods raise `NoReply` or `BadReply` if the board does not reply as it should,
-    `PortUnavailable` if the line is gone, `BadRequest` for a value that does not fit, and
-    `MotorsStoppedError` if the motors were stopped for another reason than `stop`; all of them are
-    a `StudioError` whose text is for users.
+    `PortUnavailable` if the line is gone, `BadRequest` for an invalid value, and
+    `MotorsStoppedError` if the motors were stopped for another reason than `stop`. Each of them
+    is a `StudioError` whose text is for users.
     """
 
     def __init__(
@@ -156,7 +156,7 @@ class Trex:
     def __enter__(self) -> Self:
         """Open the port and read everything that the board stores. This moves nothing."""
         if self._opened is not None and self._opened.session.closed is None:
-            raise PortUnavailable("The line is open already.")  # and stays so until its block ends
+            raise PortUnavailable("The line is open already.")  # until its block ends
         session = OpenSession(self.settings)
         (self._opened,) = session.boards.values()
         session.open()
@@ -168,7 +168,7 @@ class Trex:
             self._opened.session.end(error)
 
     def use(self, board: OpenBoard) -> None:
-        """Take a board of a `TrexLine`."""
+        """Use an open board of a `TrexLine`."""
         self._opened = board
 
     @property
@@ -187,11 +187,11 @@ class Trex:
 
     @property
     def is_responding(self) -> bool:
-        """True if the board replied when it was last asked. `wait` takes what has come since."""
+        """True if the board replied to the last request. `wait` updates this."""
         return self._opened is not None and self._opened.mirror.is_responding
 
     def status(self) -> BoardStatus:
-        """Return what the board measures now, and the errors since the last call."""
+        """Return new measurements, and the errors since the last call."""
         board = self._board
         samples, begun = board.mirror.newest.samples, board.session.clock()
         wanted = {Raw, Remapped, Currents, Control}
@@ -225,18 +225,18 @@ class Trex:
         return self._board.mirror.errors.entries
 
     def motor_status(self) -> tuple[str, ...]:
-        """Return every reason why the motors do what they do, the worst first, as sentences."""
+        """Return sentences that explain the state of the motors, worst first."""
         statuses = drive_statuses(self._board.drive_inputs())
         return tuple(f"{status.text} {status.remedy}".strip() for status in statuses)
 
     def setpoint(self, motor: int) -> MotorSetpoint:
-        """Return the speed at which motor 1, 2 or 3 (auxiliary) is set to turn, and by what."""
+        """Return the setpoint of motor 1, 2 or 3 (auxiliary), and its source."""
         board = self._board
         sent = board.driven.get(motor, 0)
         return motor_setpoint(motor, board.drive_inputs(), board.mirror.newest, sent)
 
     def events(self) -> tuple[Event, ...]:
-        """Return what happened since the last call, as the log of the window shows it."""
+        """Return the events since the last call, as in the log of the window."""
         events = tuple(self._board.events)
         self._board.events.clear()
         return events
@@ -249,10 +249,10 @@ class Trex:
     def measurements(self, seconds: float) -> Iterator[Row]:
         """Yield a row for each new pair of motor currents, as `trexcmd stream` writes them.
 
-        Keys have the units: `time_s`, `motor_1_current_A`, `channel_1_us`, …
+        Keys include the units: `time_s`, `motor_1_current_A`, `channel_1_us`, …
 
         Raises:
-            NoReply: the board falls silent, or is silent for all of the time.
+            NoReply: the board falls silent, or never replies.
         """
         table = MeasurementTable(self.state.mode, self.state.signature.model.current_unit)
         board = self._board
@@ -268,7 +268,7 @@ class Trex:
 
     @property
     def parameters(self) -> Mapping[str, int]:
-        """The wire value of each parameter that was read, by its key."""
+        """Wire values of the parameters that were read, by key."""
         return self.state.parameters
 
     def parameter(self, key: str) -> int:
@@ -285,12 +285,12 @@ class Trex:
     def set_parameters(self, *, force: bool = False, **values: int | str) -> tuple[str, ...]:
         """Store parameters and read them back. Return the keys of those that changed.
 
-        A value is the wire value or a text with its unit, such as `"0.5 s"`. `force` lets the board
-        decide about a wire value that only an inferred limit is against. As for every change, a
-        snapshot of what the board stores is saved first, where the window keeps its own.
+        A value is the wire value or a text with its unit, such as `"0.5 s"`. `force` also sends
+        a wire value that only an inferred limit forbids. As for every change, a snapshot of the
+        stored values is saved first, in the history that the window uses.
 
         Raises:
-            Rejected: the board does not accept one; those before it are stored.
+            Rejected: the board does not accept a value. Earlier values are stored.
         """
         wires = {}
         for key, value in values.items():
@@ -308,7 +308,7 @@ class Trex:
         return self.state.calibrations[channel]
 
     def set_calibration(self, channel: int, calibration: Calibration) -> None:
-        """Store the calibration of a channel for the inputs in use. As `set_parameters`."""
+        """Store the calibration of a channel for the inputs in use. See `set_parameters`."""
         if problem := calibration.problem():
             raise BadRequest(f"channel {channel}: {problem}")
         if self.state.calibrations.get(channel) != calibration:
@@ -316,7 +316,7 @@ class Trex:
             self._write(calibrations=((key, calibration),))
 
     def save_settings(self, file: str | Path) -> None:
-        """Write what the board stores, and the notes on it, as a settings file.
+        """Save the stored values and their notes as a settings file.
 
         Raises:
             StudioError: the file cannot be written.
@@ -325,7 +325,7 @@ class Trex:
         save(Path(file), write_settings(settings, title_lines=["Read from the board by a program"]))
 
     def compare_settings(self, file: str | Path) -> tuple[ComparisonRow, ...]:
-        """Return what the board stores otherwise than a settings file, the board as `before`.
+        """Return the differences from a settings file. `before` is the board's value.
 
         Calibrations of the inputs that are not in use are left out: the board hides them.
 
@@ -340,10 +340,10 @@ class Trex:
         return tuple(row for row in result.rows if row.changed)
 
     def lost_settings(self) -> tuple[ComparisonRow, ...]:
-        """Return what the board stores otherwise than what was applied last, by any program here.
+        """Return the differences from the settings that a program here applied last.
 
-        A board with the device number of the factory, to which nothing was applied, counts as the
-        one that was at this adapter before: look at `device_number` before you apply this.
+        A board that has the factory device number, and to which nothing was applied, counts as the
+        previous board at this adapter. Check `device_number` before you apply the result.
         """
         self._board.keeper.load()
         return self._board.keeper.memory.differing.rows
@@ -351,10 +351,10 @@ class Trex:
     def apply_settings(
         self, wanted: str | Path | Iterable[ComparisonRow], *, force: bool = False
     ) -> tuple[str, ...]:
-        """Store what differs from a settings file, or the right side of rows. Return the keys.
+        """Store the values of a settings file, or `after` of rows. Return the keys.
 
-        What the board stores already is not written. Raises as `set_parameters` and
-        `compare_settings`.
+        Values that the board already stores are not written. Raises the errors of `set_parameters`
+        and `compare_settings`.
         """
         rows = self.compare_settings(wanted) if isinstance(wanted, str | Path) else wanted
         settings = settings_of(self.state)
@@ -368,7 +368,7 @@ class Trex:
         return tuple(row.key for row in rows)
 
     def restore_defaults(self) -> None:
-        """Let the board reset every parameter when it is switched off and on. See `set_parameters`.
+        """Request a reset of every parameter at the next power cycle. See `set_parameters`.
 
         The calibrations stay (inferred).
 
@@ -379,9 +379,9 @@ class Trex:
         self._write(((spec.key, spec.maximum),))
 
     def set_note(self, key: str, text: str) -> None:
-        """Keep a note on a setting on this computer: a board stores none. An empty one removes it.
+        """Save a note on a setting on this computer. Empty text removes the note.
 
-        `key` is that of a parameter, or such as `rc_channel_2`.
+        `key` belongs to a parameter, or to a calibration, such as `rc_channel_2`.
         """
         wanted = {**self._notes(), key: clean_note(text)[:LONGEST_NOTE].rstrip()}
         notes = {key: note for key, note in wanted.items() if note}
@@ -417,18 +417,18 @@ class Trex:
 
     @property
     def driver(self) -> str:
-        """The user who drives a board of the network. Empty: nobody, or it is at this computer."""
+        """User who drives a network board. Empty if no user drives it, or if it is local."""
         lease = self._board.session.lease
         return "" if lease is None else lease.driver
 
     def request_lease(self, seconds: float = 0.0, *, take: bool = False) -> None:
         """Drive a board of the network in place of another user, whose motors are stopped first.
 
-        Waits so long for it to be handed over. An owner may `take` it. Without this `drive` and
-        changes of settings request a lease that is free.
+        Waits `seconds` for the board to be handed over. An owner may `take` it. A free lease needs
+        no call: `drive` and changes of settings request it.
 
         Raises:
-            TrexRequestError: this user may not, or the board was not handed over.
+            TrexRequestError: this user may not drive, or the board was not handed over.
         """
         board = self._board
         lease = board.session.lease
@@ -444,10 +444,10 @@ class Trex:
             board.pump(end)
 
     def release_lease(self, user: str = "") -> None:
-        """Stop, and let others drive a board of the network: a `user` who has asked, or any.
+        """Stop, and release a network board to a `user` who has asked, or to any user.
 
         Raises:
-            BadRequest: this user has not asked.
+            BadRequest: `user` has not asked to drive.
         """
         self.stop()
         board = self._board
@@ -469,13 +469,13 @@ class Trex:
         auxiliary: int | None = None,
         accelerate: bool = False,
     ) -> None:
-        """Set speeds of -127 to 127, of the auxiliary motor 0 to 127. `None` leaves one alone.
+        """Set speeds of -127 to 127, 0 to 127 for the auxiliary motor. `None` changes nothing.
 
         The motors run until `stop`, the end of the block, or half a second without a call.
         `accelerate` uses the acceleration that is set in the board.
 
         Raises:
-            BadRequest: a speed does not fit, or serial commands do not reach the motors.
+            BadRequest: a speed is out of range, or serial commands do not reach the motors.
             NoReply: the board does not respond.
         """
         speeds = {1: motor_1, 2: motor_2}
@@ -487,7 +487,7 @@ class Trex:
         if auxiliary is not None and not 0 <= index(auxiliary) <= 127:
             raise BadRequest(f"the auxiliary motor's speed is 0 to 127, not {auxiliary}")
         board = self._board
-        board.pump(board.session.clock())  # what was reported meanwhile may forbid it
+        board.pump(board.session.clock())  # newer reports may forbid driving
         board.session.require_drivable()
         board.session.arm()
         board.driven |= {one.motor: one.drive.signed for one in motors}
@@ -503,7 +503,7 @@ class Trex:
         """Brake both motors, switch the auxiliary motor off, and wait for the confirmation.
 
         Raises:
-            NoReply: the board does not confirm it.
+            NoReply: the board does not confirm the stop.
         """
         self._board.session.stop()
 
@@ -529,9 +529,9 @@ class LineOptions(TypedDict, total=False):
 class TrexLine:
     """Boards on one line that are driven together. Use it in a `with` statement.
 
-    One arming and one stop are for all of them: a board that falls silent, restarts, stops by
-    itself or returns to its channels stops the others, and the error names it. `line[9]` is the
-    `Trex` of a board, whose `stop`, `wait` and lease are for all as well.
+    Arming and stopping apply to all boards. A board that falls silent, restarts, stops by itself
+    or returns to its channels stops the other boards, and the error names it. `line[9]` is the
+    `Trex` of a board, whose `stop`, `wait` and lease apply to all boards as well.
     """
 
     def __init__(self, url: str, *, boards: Iterable[int], **options: Unpack[LineOptions]) -> None:
@@ -565,7 +565,7 @@ class TrexLine:
         return iter(self._boards.values())
 
     def status(self) -> dict[int, BoardStatus]:
-        """Return what each board measures now, by its number."""
+        """Return new measurements of each board, by device number."""
         return {number: board.status() for number, board in self._boards.items()}
 
     def drive(
@@ -585,15 +585,15 @@ class TrexLine:
         return {number: board.errors() for number, board in self._boards.items()}
 
     def events(self) -> dict[int, tuple[Event, ...]]:
-        """Return what happened to each board since the last call."""
+        """Return the events of each board since the last call."""
         return {number: board.events() for number, board in self._boards.items()}
 
     def motor_status(self) -> dict[int, tuple[str, ...]]:
-        """Return why the motors of each board do what they do. See `Trex.motor_status`."""
+        """Return sentences on the motors of each board. See `Trex.motor_status`."""
         return {number: board.motor_status() for number, board in self._boards.items()}
 
     def stop(self) -> None:
-        """Stop every board. NoReply if one does not confirm it."""
+        """Stop every board. NoReply if a board does not confirm the stop."""
         next(iter(self)).stop()
 
     def wait(self, seconds: float) -> None:

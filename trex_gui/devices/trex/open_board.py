@@ -1,4 +1,4 @@
-"""The session of an open line in a thread of its own, for programs that drive boards."""
+"""Session of an open line in its own thread, for programs that drive boards."""
 
 import logging
 from collections import deque
@@ -49,15 +49,15 @@ log = logging.getLogger(__name__)
 NOT_OPEN = "The line is not open: use a Trex inside of its `with` block."
 _LATE = "The program did not call the board for more than half a second while motors were driven."
 _STOPPING = 10.0  # seconds until a stop is confirmed or not
-_MOST_WAITING = 1000  # reports that wait for a program that does not look at them
+_MOST_WAITING = 1000  # reports that wait for a program that does not read them
 
 
 class MotorsStoppedError(StudioError):
-    """The motors were stopped, or stopped by themselves, without a `stop` of the program."""
+    """The motors were stopped, or stopped by themselves, without a `stop` by the program."""
 
 
 class OpenSession:
-    """The session of a line, for a program that drives the boards on it from one thread."""
+    """Session of a line, for a program that drives its boards from one thread."""
 
     def __init__(self, settings: ConnectionSettings) -> None:
         computer = host()
@@ -78,7 +78,7 @@ class OpenSession:
         self._join = computer.start_thread(session.run)
 
     def _put_report(self, report: Report) -> None:
-        """Queue a report of the session. Of too many samples only the status bits are kept."""
+        """Queue a report of the session. If the queue is full, only status bits are kept."""
         batch = report.report if isinstance(report, OfBoard) else report
         if isinstance(batch, Batch) and len(self._reports) >= _MOST_WAITING:
             kept = tuple(one for one in batch.samples if isinstance(one, LatchedStatus))
@@ -93,7 +93,7 @@ class OpenSession:
             raise self.closed.error or PortUnavailable(NOT_OPEN)
 
     def open(self) -> None:
-        """Wait until every board was read."""
+        """Wait until every board is read."""
         try:
             self.wait_for(lambda: all(one.mirror.state for one in self.boards.values()))
         except BaseException:
@@ -113,12 +113,12 @@ class OpenSession:
 
     @property
     def lease(self) -> LeaseChanged | None:
-        """Who drives a served line. `None` for one at this computer."""
+        """Lease of a served line. `None` for a line of this computer."""
         return next(iter(self.boards.values())).mirror.lease
 
     @property
     def has_lease(self) -> bool:
-        """True if this program may drive: no other one does."""
+        """True if this program holds the lease, or needs no lease."""
         return self.lease is None or self.lease.is_mine
 
     def require_drivable(self) -> None:
@@ -149,7 +149,7 @@ class OpenSession:
             self.pump(end)
 
     def pump(self, end: float) -> list[tuple["OpenBoard", Sample]]:
-        """Send a heartbeat if motors are armed. Take the next report and those that follow it.
+        """Send a heartbeat if motors are armed. Handle the next report and all queued reports.
 
         Return the samples, each with its board.
         """
@@ -192,7 +192,7 @@ class OpenSession:
         return self.closed
 
     def end(self, error: BaseException | None) -> None:
-        """Close the line after an error, or none. NoReply if a stop was not confirmed."""
+        """Close the line, perhaps after an error. NoReply if a stop was not confirmed."""
         closed = self.close()
         if closed is not None and closed.may_move:
             text = "The stop is not confirmed. If a motor still turns, cut its power."
@@ -202,21 +202,21 @@ class OpenSession:
 
 
 class OpenBoard:
-    """The mirror of one board of a session, and what happened to it."""
+    """Mirror of one board of a session, with its errors and events."""
 
     def __init__(
         self, session: OpenSession, number: int | None, settings: ConnectionSettings
     ) -> None:
-        """`number` is that of one in a group."""
+        """Create the board. `number`: device number of a board in a group."""
         self.session = session
         self.keeper = Keeper(log.info, log.warning)
         self.mirror = BoardMirror(self.keeper.memory)
         self.mirror.adapter = adapter_key(settings.url)
         self.driven: dict[int, int] = {}  # speed by motor since the last confirmed stop
         self.errors: dict[str, None] = {}  # names of the bits since the last status
-        self.events = deque[Event](maxlen=_MOST_WAITING)  # since the program has read them
+        self.events = deque[Event](maxlen=_MOST_WAITING)  # events since the program last read them
         self._number = number
-        self._lost_control = 0  # replies in a row that say that channels control the motors
+        self._lost_control = 0  # consecutive replies that report control by channels
 
     @property
     def state(self) -> DeviceState:
@@ -224,7 +224,7 @@ class OpenBoard:
         return self.mirror.state
 
     def addressed(self, request: Any) -> Any:
-        """Return a request for this board, and for no other one of its group."""
+        """Return a request for this board, and for no other board of its group."""
         return request if self._number is None else ToBoard(self._number, request)
 
     def pump(self, end: float) -> list[Sample]:
@@ -232,7 +232,7 @@ class OpenBoard:
         return [sample for board, sample in self.session.pump(end) if board is self]
 
     def handle(self, report: Report) -> Iterator[Sample]:
-        """Take a report and yield its samples. Raise if the motors do not do as they should."""
+        """Handle a report and yield its samples. Raise if the board or its motors stopped."""
         for event in self.mirror.handle(report, self.session.clock(), utc_now()):
             match event:
                 case LatchedStatus():
@@ -257,7 +257,7 @@ class OpenBoard:
                 self._fail(f"{cause} The motors were stopped.", is_named=number is not None)
 
     def _handle_control(self, sample: Sample) -> None:
-        """Stop every board of a group if this one has returned to its channels."""
+        """Stop every board of a group if channels control this board again."""
         if self._number is None or not isinstance(sample, Control):
             return
         self._lost_control = 0 if sample.by_serial else self._lost_control + 1
@@ -276,12 +276,12 @@ class OpenBoard:
             self._fail(f"The board reports: {', '.join(latched.names)}. The motors were stopped.")
 
     def _fail(self, text: str, *, is_named: bool = False) -> None:
-        """Raise for the motors that were stopped. `is_named`: the text names the board."""
+        """Raise MotorsStoppedError. `is_named`: the text names the board."""
         self.session.is_armed = False
         raise MotorsStoppedError(text if is_named else self.named(text))
 
     def named(self, text: str) -> str:
-        """Return a text with the number of this board, if it is one of several."""
+        """Return a text, with the number of this board if it is in a group."""
         return text if self._number is None else f"Board {self._number}: {text}"
 
     def drive_inputs(self) -> DriveInputs:

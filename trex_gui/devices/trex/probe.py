@@ -1,8 +1,7 @@
 """One probe for a TReX whose line settings are unknown, without moving a motor.
 
-A board at another rate receives other bytes than those that were sent, and takes some of them for
-the start of a packet: two probes, each harmless by itself, could form a motor command. Two rules
-prevent that.
+A board at another rate misreads the bytes, and takes some of them for the start of a packet. Two
+probes, each harmless by itself, could form a motor command. Two rules prevent that.
 
 - The only probe is 81, alone or with its checksum: the signature, which changes nothing.
 - Before each probe `core.discovery.flush` ends every packet that may have begun, so the effect
@@ -25,18 +24,18 @@ from trex_gui.devices.trex.protocol.framing import Framing, crc7
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
 QUIET = 0.13
-"""Seconds after a probe in which nothing is sent: a misread probe may be answered, and a board that
-answers is deaf. Eleven bytes of eleven bits take 0.1 s at 1200 baud."""
+"""Seconds of silence after a probe. A board may answer a misread probe, and receives nothing while
+it answers. Eleven bytes of eleven bits take 0.1 s at 1200 baud."""
 
 UNSAFE = frozenset(product((14400, 28800), (0x2E, 0x4E)))
-"""Rates and checksums that are not probed where the board may be anywhere: at 8/3 of the rate
-(38400, 76800 baud) with odd parity it may receive 81 2E as F0 0E, which starts the auxiliary
-motor; 81 4E likewise."""
+"""Rates and checksums that are not probed while the settings of the board are unknown. At 8/3 of
+the rate (38400, 76800 baud) with odd parity it may receive 81 2E as F0 0E, which starts the
+auxiliary motor. The same is true of 81 4E."""
 
 _PROBE = GetSignature().opcode.to_bytes()
 _NAME = b"TReX"
 
-_LOADER = b"?"  # what a board that waits for new firmware sends behind the echo of each byte
+_LOADER = b"?"  # sent after the echo of each byte by a board that waits for new firmware
 
 
 def checksum(polynomial: int) -> int:
@@ -49,7 +48,7 @@ class Attempt:
 
     line: LineSettings
     polynomials: tuple[int, ...] = ()
-    number: int | None = None  # the board's, where other devices share the line
+    number: int | None = None  # device number, if other devices share the line
 
     @classmethod
     def at(cls, settings: ConnectionSettings) -> "Attempt":
@@ -73,7 +72,7 @@ class ReplyKind(Enum):
     BOOT_LOADER = auto()
     SEVERAL = auto()
     BOARD = auto()
-    BOARD_WITHOUT_CRC = auto()  # it ignores the checksum of the probe
+    BOARD_WITHOUT_CRC = auto()  # the board ignores the checksum of the probe
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,7 +83,7 @@ class ProbeReply:
 
 
 def send_probe(wire: Transport, attempt: Attempt, extra: float = 0.0) -> ProbeReply:
-    """Send a probe on a line that was flushed and set, and classify the reply."""
+    """Send a probe on a flushed and configured line, and classify the reply."""
     with contextlib.suppress(BadReply):
         wire.discard()
     wire.write(attempt.data)

@@ -39,7 +39,7 @@ STOP = "stop"  # kind of the marker after which the motors have no setpoint
 
 @dataclass(frozen=True, slots=True)
 class SetpointRecord:
-    """A setpoint of motor 1 or 2, when it was handed to the line."""
+    """Setpoint of motor 1 or 2, at the time when it was handed to the line."""
 
     time: float
     motor: int
@@ -67,9 +67,9 @@ OwnRecord = Sample | SetpointRecord | AuxiliarySetpointRecord | Marker | Setting
 
 @dataclass(frozen=True, slots=True)
 class OfBoardRecord:
-    """A record of another board that is driven with the one of the header, by its number."""
+    """Record of another board, driven together with the board of the header."""
 
-    board: int
+    board: int  # device number
     record: OwnRecord
 
     @property
@@ -99,9 +99,9 @@ class Header:
     clock: float  # the session's clock (s) at the start
     model: Model
     firmware: str
-    mode: Mode  # at the start; the unit of the channels follows from it
-    settings: str = ""  # what the board stored at the start, as the text of a settings file
-    device_number: int | None = None  # `None` where the board was addressed without one
+    mode: Mode  # at the start; determines the unit of the channels
+    settings: str = ""  # stored settings at the start, as the text of a settings file
+    device_number: int | None = None  # `None` if the board was addressed without a number
     program: str = f"TReX Studio {__version__}"
     # Other boards in the recording: ampere per count, by number
     others: Mapping[int, float] = field(default_factory=dict)
@@ -217,7 +217,7 @@ def sample_kinds(source: InputSource, current_unit: float) -> tuple[SampleKind, 
 
 
 def _with_board(kind: SampleKind, own: int | None, others: Mapping[int, float]) -> SampleKind:
-    """Return a kind of samples with a column for the board. `own` is that of the header."""
+    """Return a kind of samples with a column for the board. `own`: number in the header."""
 
     def pack(record: OwnRecord | OfBoardRecord) -> Sequence[Value]:
         if isinstance(record, OfBoardRecord):
@@ -262,17 +262,17 @@ FORMAT = RecordingFormat("trex", Header.from_values, _kinds, _type_of)
 
 
 Row = dict[str, float | int | str | None]
-"""Newest measurements by the names of their columns, which have the units."""
+"""Newest measurements by column name. The names include the units."""
 
 
 class MeasurementTable:
-    """Rows of measurements: one for each new pair of motor currents."""
+    """Rows of measurements, one row for each new pair of motor currents."""
 
     def __init__(self, mode: Mode, unit: float) -> None:
         self.mode = mode
         kinds = sample_kinds(mode.source, unit)
         self._kinds: dict[type[Any], SampleKind] = {kind.type: kind for kind in kinds}
-        # Polled values; the mode is none, since only the power changes it.
+        # Polled values except the mode, which only changes with a power cycle.
         measured = [kind for kind in kinds if kind.held and kind.type is not ModeSample]
         self._missing = {kind.type for kind in measured} - {Currents}
         columns = [name for kind in measured for name in kind.exported]
@@ -283,7 +283,7 @@ class MeasurementTable:
         self.row |= dict.fromkeys(self._kinds[LatchedStatus].exported, 0)
 
     def add(self, sample: Sample) -> bool:
-        """Take a sample. Return whether it completes a row."""
+        """Add a sample. Return whether it completes a row."""
         self._missing.discard(type(sample))
         cells = self._kinds[type(sample)].cells(sample)
         if isinstance(sample, LatchedStatus):
@@ -293,7 +293,7 @@ class MeasurementTable:
         return isinstance(sample, Currents) and not self._missing
 
     def finish(self, time: float) -> Row:
-        """Return the row as of now. Status bits are written once."""
+        """Return the row at `time` (s). Each status bit is in one row only."""
         row = {**self.row, "time_s": round(time, 4)}
         self._clear_status()
         return row

@@ -1,4 +1,4 @@
-"""A saved transcript against the simulated board, in virtual time."""
+"""Replay of a saved transcript on the simulated board, in virtual time."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
@@ -47,19 +47,19 @@ _MEASURED = (
     GetStatus,
     GetUartErrors,
 )
-"""Queries whose replies depend on sticks, motors and line: only their size is compared."""
+"""Queries whose replies depend on sticks, motors and line, so only their size is compared."""
 
 _WAIT = 0.3  # virtual seconds for a reply: the longest write takes 32 ms
-_LONGEST_GAP = 2.0  # virtual seconds between two rows; a longer pause is cut
+_LONGEST_GAP = 2.0  # virtual seconds between two rows; longer pauses are shortened
 
-_SAMPLE = 50  # rows that show which CRC is used
+_SAMPLE = 50  # rows examined to find the CRC in use
 
 _JUMPERS = {Mode.RC: "rc", Mode.ANALOG: "analog"}
 
 
 @dataclass(slots=True)
 class RecordedTraffic:
-    """A transcript, and what its replies show of the board at the beginning."""
+    """Transcript, and the initial state of the board according to its replies."""
 
     rows: Sequence[TranscriptRow]
     settings: ConnectionSettings = field(default_factory=lambda: ConnectionSettings(""))
@@ -72,10 +72,10 @@ class RecordedTraffic:
 
     @classmethod
     def load(cls, path: Path) -> "RecordedTraffic":
-        """Read a file without the probes of searches.
+        """Read a transcript file, without the probes of searches.
 
         Raises:
-            SettingsError: it is no traffic log, or nothing in it can be compared.
+            SettingsError: the file is not a traffic log, or has nothing to compare.
         """
         text = load(path, tr("traffic logs"), LARGEST).decode("utf-8", "replace")
         read = read_transcript(text, str(path), TrexDecoder())
@@ -100,7 +100,7 @@ class RecordedTraffic:
         return found
 
     def _learn(self, row: TranscriptRow, written: set[object]) -> None:
-        """Take what a value was before anything in the file has changed it."""
+        """Record values that the file has not changed before this row."""
         packet, reply = last_exchange(self._transaction(row))
         if isinstance(packet, Packet) and isinstance(reply, Reply) and reply.raw:
             self._learn_number(packet.device_number, written)
@@ -121,7 +121,7 @@ class RecordedTraffic:
                     self.calibrations.setdefault((self.mode.source, channel), one)
 
     def _learn_number(self, device_number: int | None, written: set[object]) -> None:
-        """Take the number by which a board was addressed that has replied."""
+        """Record the device number of a board that has replied."""
         parameter = parameter_number(ParameterKey.DEVICE_NUMBER)
         if device_number is not None and parameter not in written:
             self.parameters.setdefault(parameter, device_number)
@@ -201,12 +201,12 @@ class RecordedTraffic:
 
 
 def _polynomial(rows: Sequence[TranscriptRow]) -> int | None:
-    """Return the CRC polynomial with which most packets can be read. `None` if none is needed."""
+    """Return the CRC polynomial that makes most packets readable. `None`: no CRC."""
     every: tuple[int | None, ...] = (None, DEFAULT_POLYNOMIAL, *range(0x80, 0x100))
     return min(every, key=lambda polynomial: _damaged(rows[:_SAMPLE], polynomial))
 
 
 def _damaged(rows: Iterable[TranscriptRow], polynomial: int | None) -> int:
-    """Return how many sent packets cannot be read on a line with this CRC, or without one."""
+    """Count the sent packets that are malformed with this CRC. `None`: no CRC."""
     packets = (one for row in rows for one in packets_of(row.sent, polynomial))
     return sum(isinstance(one.packet, Malformed) for one in packets)

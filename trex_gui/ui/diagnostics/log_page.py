@@ -21,7 +21,7 @@ class LogPage(View):
     def __init__(
         self, log: Log, key: str, message_help: MessageHelp, parent: QWidget | None = None
     ) -> None:
-        """`key` begins the object names."""
+        """Create the page. `key` is the prefix of the object names."""
         super().__init__(parent)
         self._message_help = message_help
         self.setObjectName(f"{key}LogPage")

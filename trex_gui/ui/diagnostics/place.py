@@ -25,7 +25,7 @@ ViewT = TypeVar("ViewT", bound=View)
 
 
 class Diagnostics(Place):
-    """Problems, log and traffic, with one search, one copy and one save."""
+    """Problems, log and traffic, with common search, copy and save."""
 
     def __init__(self, workspace: Workspace, name: str, show_help: Callable[[str], object]) -> None:
         """`name` begins the object names. `show_help` opens a topic of the help."""
@@ -65,7 +65,7 @@ class Diagnostics(Place):
     def pages(
         self, problems: "Callable[[QWidget], ProblemsPage]", traffic: Callable[[QWidget], View]
     ) -> tuple[PageInfo, ...]:
-        """Return the three pages. The arguments make the first and the last."""
+        """Return the three pages. The arguments create the first and the last page."""
         owner = self._workspace
 
         def create_problems(parent: QWidget) -> QWidget:
@@ -103,7 +103,7 @@ class Diagnostics(Place):
 
     @Slot()
     def _on_page_changed(self) -> None:
-        """Show what was searched on this page."""
+        """Show the search text of this page."""
         if self._view is not None:
             with QSignalBlocker(self._search):
                 self._search.setText(self._view.searched)

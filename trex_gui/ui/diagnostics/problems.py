@@ -21,24 +21,24 @@ from trex_gui.ui.widgets.labels import LiveLabel, Muted, Sign
 from trex_gui.ui.widgets.painted import Painted, Painter
 from trex_gui.ui.widgets.view import View
 
-_MINUTE, _SLOT = 60.0, 0.5  # seconds that are drawn, and those of one point
-_LATEST = 5.0  # seconds after which a row is in the log, and its reply has come
+_MINUTE, _SLOT = 60.0, 0.5  # seconds: drawn span, and span of one point
+_LATEST = 5.0  # seconds until a row and its reply are surely in the log
 
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """A kind of problem that occurred. Texts are for the user."""
+    """Kind of problem that occurred. The texts are for the user."""
 
-    key: str  # names it, also in the object names of its card
-    title: str  # with its state: "Motor 1 fault, active now"
+    key: str  # identifier, also in the object names of its card
+    title: str  # includes the state: "Motor 1 fault, active now"
     text: str  # the meaning, and what to do
-    times: str  # count, and when last
+    times: str  # count, and time of the last occurrence
     is_active: bool = False
-    is_cleared: bool = False  # since it was last reported
+    is_cleared: bool = False  # since the last report
     page: str = ""  # key of the page with more about it, if there is one
-    topic: str = ""  # of the help, if there is one
-    name: str = ""  # as the traffic spells it
-    seen_at: float = 0.0  # when last, in seconds of the program's monotonic clock
+    topic: str = ""  # topic of the help, if there is one
+    name: str = ""  # spelling in the traffic log
+    seen_at: float = 0.0  # last time, in seconds of the program's monotonic clock
 
     @property
     def line(self) -> str:
@@ -108,12 +108,12 @@ class ProblemCard(ui.Card):
         self._hold_height()
 
     def _hold_height(self) -> None:
-        """Keep the height that the text needs: a page without room scrolls and cuts no text."""
+        """Keep the height that the text needs: a small page scrolls and cuts no text."""
         self.setMinimumHeight(self.heightForWidth(self.width()))
 
 
 class ConnectionCard(ui.Card):
-    """Readings of the connection side by side, large, and the round trips of the last minute."""
+    """Large readings of the connection, above the round trips of the last minute."""
 
     def __init__(self, name: str, traffic: TrafficModel, parent: QWidget) -> None:
         super().__init__(tr("Connection"), parent)
@@ -147,13 +147,13 @@ class ConnectionCard(ui.Card):
 
 
 class RoundTrips(Painted):
-    """The slowest poll of each half second as a line, from what the traffic log has had."""
+    """Line of the slowest poll in each half second, from the traffic log."""
 
     def __init__(self, traffic: TrafficModel, parent: QWidget) -> None:
         super().__init__(parent)
         self._traffic = traffic
-        self._seconds = dict[int, float]()  # by the number of the slot
-        self._oldest = 0  # slot that is drawn
+        self._seconds = dict[int, float]()  # longest round trip by slot number
+        self._oldest = 0  # first slot that is drawn
         self._refreshed = -math.inf
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Expanding)
 
@@ -168,7 +168,7 @@ class RoundTrips(Painted):
         return QSize(0, 3 * self.fontMetrics().height())
 
     def refresh(self) -> None:
-        """Add what came since the last time, with what has been answered meanwhile."""
+        """Add new rows, and earlier rows whose replies have arrived since."""
         since, self._refreshed = self._refreshed - _LATEST, now()
         self._oldest = int(self._refreshed / _SLOT) - round(_MINUTE / _SLOT) + 1
         self._seconds = {slot: s for slot, s in self._seconds.items() if slot >= self._oldest}
@@ -195,11 +195,11 @@ class RoundTrips(Painted):
 
 
 class ProblemsPage(View):
-    """Problems, the newest first, and below them the connection."""
+    """Problems, active problems first, and below them the connection."""
 
-    page_wanted = Signal(object)  # the `Problem` about which it says more
-    help_wanted = Signal(str)  # its topic
-    counted = Signal(int)  # problems that are not cleared, whenever problems were shown
+    page_wanted = Signal(object)  # the `Problem` that the page explains
+    help_wanted = Signal(str)  # topic of the help
+    counted = Signal(int)  # number of uncleared problems, whenever problems were shown
 
     def __init__(
         self,
@@ -208,14 +208,14 @@ class ProblemsPage(View):
         parent: QWidget,
         kinds: Sequence[tuple[str, str]] = (),
     ) -> None:
-        """`name` begins the object names.
+        """Create the page. `name` is the prefix of the object names.
 
-        `kinds`: name and meaning of everything that the device can report.
+        `kinds`: name and meaning of each problem that the device can report.
         """
         super().__init__(parent)
         self.setObjectName(f"{name}Page")
         self._kinds = len(kinds)
-        self._shown: list[Problem] = []  # in their order, also those that the search hides
+        self._shown: list[Problem] = []  # in display order, including hidden problems
         self._cards = dict[str, ProblemCard]()
         self._column = ui.column(margins=0, spacing=12)
         self._note = ui.named(Muted("", self), f"{name}Note")
@@ -232,7 +232,7 @@ class ProblemsPage(View):
         )
         set_look(self._more, "link")
         self._more.setVisible(bool(kinds))
-        self._more.setChecked(bool(kinds))  # while the page has nothing else
+        self._more.setChecked(bool(kinds))  # while the page shows nothing else
         listed.setVisible(bool(kinds))
         self.note_row = ui.row((self._note, 1), self._more)
         self._connection = ConnectionCard(name, traffic, self)
@@ -244,19 +244,19 @@ class ProblemsPage(View):
         raise NotImplementedError
 
     def since(self) -> datetime | None:
-        """Return when the device was first watched, in local time, `None` if it is not."""
+        """Return the local time when watching the device started, `None` if it has not."""
         raise NotImplementedError
 
     def readings(self) -> Sequence[Reading]:
         raise NotImplementedError
 
     def clear(self, key: str) -> None:
-        """Take a problem as known until it is reported again."""
+        """Treat a problem as known until it is reported again."""
         raise NotImplementedError
 
     @Slot()
     def show_problems(self) -> None:
-        """Show the problems, active ones first. Among the others a card keeps its place."""
+        """Show the problems, active problems first. Otherwise the cards keep their order."""
         newest = {problem.key: problem for problem in self.problems()}
         before = [problem.key for problem in self._shown if problem.key in newest]
         order = [*(key for key in newest if key not in before), *before]

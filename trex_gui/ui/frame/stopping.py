@@ -12,7 +12,7 @@ from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.messages import InlinePrompt
 
 _LOG_OUT_S = 60.0
-"""Seconds after the start of a log-out in which closing the window belongs to the log-out."""
+"""Seconds after the start of a log-out during which the log-out may close the window."""
 
 
 def stop_or_close_dialog(device_manager: DeviceManager) -> None:
@@ -26,7 +26,7 @@ def stop_or_close_dialog(device_manager: DeviceManager) -> None:
 
 
 class EscapeWatch(QObject):
-    """Event filter that stops on Esc before any widget gets the key.
+    """Event filter that stops the motors on Esc before any widget gets the key.
 
     Modal dialogs block a shortcut, and editors in a table consume the key. The filter is on the
     native windows, so only their events pass through Python.

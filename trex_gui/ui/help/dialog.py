@@ -1,4 +1,4 @@
-"""Help beside the window, so that it can be tried while it is read."""
+"""Help in a window of its own, so that users can try what they read."""
 
 import re
 from html import escape, unescape
@@ -36,7 +36,7 @@ _HEADING = re.compile(r"(<h[1-6][^>]*>)(.*?)(</h[1-6]>)", re.DOTALL)  # in HTML 
 _PICTURE = re.compile(r'<img src="([^"]*)"[^>]*>')
 
 _SHOWN = {".md", ".png", ".py"}
-"""Files that the help shows itself: a desktop may run a program instead."""
+"""Types of files that the help shows itself. A desktop may run a program instead."""
 
 
 def page_url(topic: str) -> QUrl:
@@ -47,14 +47,14 @@ def page_url(topic: str) -> QUrl:
 
 
 class HelpDialog(ReusedDialog):
-    """The pages at the left, at the right the text of one.
+    """List of pages on the left, text of the selected page on the right.
 
-    It has no parent, since Windows keeps a window above the one of its parent.
+    It has no parent, since Windows keeps a window above its parent.
     """
 
     def __init__(self) -> None:
         super().__init__()
-        self.setWindowFlags(Qt.WindowType.Window)  # it may be maximised
+        self.setWindowFlags(Qt.WindowType.Window)  # can be maximised
         self.setWindowIcon(application_icon())
         self.setObjectName("helpDialog")
         self.setWindowTitle(f"{tr('Help')} – {tr('TReX Studio')} {__version__}")
@@ -95,19 +95,19 @@ class HelpDialog(ReusedDialog):
 
     @Slot(QUrl)
     def _select(self, shown: QUrl) -> None:
-        """Select the page that is shown, wherever it was opened from."""
-        name = shown.fileName()  # `source` is the one before, until the signal is handled
+        """Select the visible page in the list, however it was opened."""
+        name = shown.fileName()  # `source` is the previous page until the signal is handled
         with QSignalBlocker(self._list):
             self._list.setCurrentRow(self._names.index(name) if name in self._names else -1)
 
 
 class _Browser(QTextBrowser):
-    """Shows a page, a picture of it as it is, or a program. Leaves the rest to the desktop."""
+    """Shows a page, a picture in full size, or a program. The desktop opens other files."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         ui.named(self, "helpText", accessible=tr("Help"))
-        # Always: pictures get the width that is left.
+        # Always on, since pictures are fitted to the remaining width.
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOn)
         self._resized = new_timer(self, _RESIZED_MS, self.reload, single_shot=True)
         follow_theme(self, "help", self.reload)
@@ -136,7 +136,7 @@ class _Browser(QTextBrowser):
         return super().loadResource(kind, name)
 
     def _html(self, shown: QUrl) -> str:
-        """Convert a file. Headings of a page become anchors, and its pictures links to them."""
+        """Convert a file to HTML. Headings get anchors, and pictures link to their full size."""
         path = Path(shown.toLocalFile())
         if path.suffix == ".png":
             return f'<img src="{path.name}#{_WHOLE}">'
@@ -153,11 +153,11 @@ class _Browser(QTextBrowser):
         return _HEADING.sub(_with_anchor, html)
 
     def _picture(self, url: QUrl) -> QImage:
-        """Return a picture in the colours of the theme, as wide as the text at most, or whole."""
+        """Return a picture in the theme's colours, at most as wide as the text, or in full size."""
         dark = theme().color("window").lightness() < 128
         path = url.toLocalFile()
         image = QImage(path.replace("-light.", "-dark.") if dark else path)
-        if image.isNull():  # Qt asks for it below other addresses, too
+        if image.isNull():  # Qt also requests it at other addresses
             return image
         image = image.convertToFormat(QImage.Format.Format_RGB32)
         width = self.viewport().width() - 2 * round(self.document().documentMargin())
@@ -167,7 +167,7 @@ class _Browser(QTextBrowser):
                 round(width * ratio), Qt.TransformationMode.SmoothTransformation
             )
             image.setDevicePixelRatio(ratio)
-        with QPainter(image) as painter:  # a frame, or it looks like controls that work
+        with QPainter(image) as painter:  # without a frame, it would look like real controls
             painter.setPen(QPen(theme().color("muted"), 3))
             painter.drawRect(QRectF(QPointF(), image.deviceIndependentSize()))
         return image

@@ -1,4 +1,4 @@
-"""Finding the section of the help on a message that has a code, or on what has the focus."""
+"""Sections of the help on messages that have a code, and on the widget with the focus."""
 
 import re
 from collections.abc import Iterable, Mapping
@@ -14,9 +14,9 @@ _FIELD = re.compile(r"\{\w*(?::[^}]*)?\}")
 
 
 def heading_of(text: str) -> str:
-    """Return the heading of the section on a message: its first clause, with … for each field.
+    """Return the heading of the section on a message.
 
-    It is empty if the message has no words of its own.
+    It is the first clause, with … for each field. Empty if the message has no words of its own.
     """
     whole = re.sub(r"^(…: |… (?=[A-Z]))", "", _FIELD.sub("…", text))
     clause = re.split(r"[.:;](?:\s|$)", whole)[0].strip()
@@ -24,15 +24,15 @@ def heading_of(text: str) -> str:
 
 
 def message_topic(text: str) -> str:
-    """Return the topic of the section on a message, given in English."""
+    """Return the help topic on a message, which is given in English."""
     return f"{MESSAGES}#{anchor_of(heading_of(text))}"
 
 
 class MessageHelp:
-    """Finds the help of the messages of a device, in the language of the window."""
+    """Finds the help on messages of a device, in the language of the window."""
 
     def __init__(self, texts: Iterable[str]) -> None:
-        """`texts`: in English with a place for each field."""
+        """`texts`: messages in English, with a placeholder for each field."""
         self._texts = tuple(texts)
 
     def headings(self) -> dict[str, str]:
@@ -41,9 +41,9 @@ class MessageHelp:
         return {f"{MESSAGES}#{anchor_of(own)}": shown for own, shown in found if own}
 
     def topic(self, message: str) -> str:
-        """Return the topic of the coded text in a message or a line of the log, empty if none.
+        """Return the topic on a message or a line of the log. Empty if no text matches.
 
-        Of several texts in it the longest counts: it contains the others.
+        Of several matching texts the longest counts, since it contains the other texts.
         """
         return max(self._matches(message), default=(0, ""))[1]
 
@@ -57,19 +57,19 @@ class MessageHelp:
 
 @cache
 def _pattern(text: str) -> tuple[int, re.Pattern[str]]:
-    """Return how long a text is without its fields, and what finds it in a message."""
+    """Return the length of a text without its fields, and a pattern that finds the text."""
     parts = _FIELD.split(" ".join(text.split()).rstrip(". "))
     pattern = ".+?".join(map(re.escape, parts)).removeprefix(".+?").removesuffix(".+?")
     return sum(map(len, parts)), re.compile(pattern)
 
 
 def texts_of(codes: Iterable[Enum]) -> list[str]:
-    """Return the texts of codes whose values they are."""
+    """Return the texts of codes, which are the values of the codes."""
     return [str(code.value) for code in codes]
 
 
 def topic_in_front(topics: Mapping[str, str], page: QWidget | None) -> str:
-    """Return the topic of what has the focus, or of a page. `topics` are by object name."""
+    """Return the topic of the focused widget, else of a page. `topics`: object name → topic."""
     widget = QApplication.focusWidget() or QApplication.activeWindow()
     while widget is not None:
         if widget.objectName() in topics:

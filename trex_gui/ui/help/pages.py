@@ -9,7 +9,7 @@ from trex_gui.core.resource_files import resource
 from trex_gui.core.translation import tr
 from trex_gui.ui.help.search import Findable, Kind
 
-INDEX = "README.md"  # the page that lists the others in their order
+INDEX = "README.md"  # page that lists the other pages in order
 MESSAGES = "messages.md"
 
 _HEADING = re.compile(r"#{1,6} +(?P<title>.+)")
@@ -19,7 +19,7 @@ _PAGE_LINK = re.compile(r"\((?P<name>\w+\.md)\)")
 
 @dataclass(frozen=True, slots=True)
 class Section:
-    """A heading with the text below it, without marks of Markdown."""
+    """Heading with the text below it, without Markdown syntax."""
 
     page: str
     title: str
@@ -28,13 +28,13 @@ class Section:
 
     @property
     def topic(self) -> str:
-        """Its place, as links to it spell it: `page.md#anchor`."""
+        """Address in links: `page.md#anchor`."""
         return f"{self.page}#{self.anchor}"
 
 
 @dataclass(frozen=True, slots=True)
 class HelpPage:
-    name: str  # of its file
+    name: str  # file name
     text: str  # Markdown
     sections: tuple[Section, ...]
 
@@ -81,9 +81,9 @@ def pages() -> Sequence[HelpPage]:
 def help_findables(
     headings: Mapping[str, str], show: Callable[[str], object]
 ) -> Iterator[Findable]:
-    """Yield what the search finds in the help. `show` shows a topic.
+    """Yield the search entries of the help. `show` opens a topic.
 
-    `headings` are those of messages in the language of the window, by topic.
+    `headings`: topic → heading of a message in the language of the window.
     """
     for page in pages():
         for section in page.sections:

@@ -1,4 +1,4 @@
-"""Ranked search over short texts: BM25 by beginnings of words, in the languages of the window."""
+"""Ranked search in short texts: BM25 on word beginnings, in the languages of the window."""
 
 import re
 import unicodedata
@@ -14,11 +14,11 @@ from trex_gui.core.resource_files import resource
 
 Kind = Literal["page", "parameter", "action", "message", "help"]
 
-_KINDS = {"help": 0.8, "message": 0.6}  # weights; that of the others is 1
-_TEXT = 0.65  # weight of a word of the text, where one of the title has up to 1
-_SYNONYM, _MISSPELT = 0.8, 0.5  # weights of words that mean the same, or look alike
-_WHOLE = 2  # weight of a title of which each word was typed
-_SHORTEST = 4  # letters of a word that is found inside of another one
+_KINDS = {"help": 0.8, "message": 0.6}  # weights; 1 for other kinds
+_TEXT = 0.65  # weight of a word in the text; a word in the title has up to 1
+_SYNONYM, _MISSPELT = 0.8, 0.5  # weights of synonyms, and of words that look alike
+_WHOLE = 2  # factor for a title whose words were all typed
+_SHORTEST = 4  # letters of a word that may match inside another word
 _MOST = 20  # hits
 
 _ENDING = re.compile(
@@ -28,10 +28,10 @@ _ENDING = re.compile(
 
 @dataclass(frozen=True, slots=True)
 class Findable:
-    """Something to search for, and what shows it to the user."""
+    """Searchable item, with a function that shows it to the user."""
 
     kind: Kind
-    key: str  # names it among those of its kind
+    key: str  # unique within its kind
     title: str
     place: str = ""
     text: str = ""
@@ -48,7 +48,7 @@ def _words(text: str) -> Sequence[str]:
 
 @cache
 def _synonyms() -> Mapping[str, set[str]]:
-    """Return the words that mean the same as a word, those that say nothing for an empty one."""
+    """Return the synonyms of each word. The empty word has the words to ignore."""
     found: dict[str, set[str]] = defaultdict(set)
     for line in resource("search_words.txt").read_text(encoding="utf-8").splitlines():
         for word in _words(line) if line[:1] != "-" else [""]:
@@ -57,7 +57,7 @@ def _synonyms() -> Mapping[str, set[str]]:
 
 
 def _likeness(typed: str, word: str) -> float:
-    """Return how well a word answers the typed one, from 0 to 1."""
+    """Return how well a word matches the typed word, from 0 to 1."""
     if word.startswith(typed):
         return sqrt(len(typed) / len(word))
     if len(word) >= _SHORTEST and typed.startswith(word):
@@ -68,9 +68,9 @@ def _likeness(typed: str, word: str) -> float:
 class SearchIndex:
     def __init__(self, findables: Iterable[Findable]) -> None:
         self._all = list(findables)
-        # How much each findable has of a word, by its number.
+        # word → number of a findable → weight of the word in it
         self._weights: dict[str, dict[int, float]] = defaultdict(lambda: defaultdict(float))
-        self._match = cache(self._new_match)  # while the next word is typed
+        self._match = cache(self._new_match)  # reused while the next word is typed
         texts = [_words(f"{each.place} {each.key} {each.text}") for each in self._all]
         mean = sum(map(len, texts)) / max(1, len(texts))
         for number, (each, text) in enumerate(zip(self._all, texts, strict=True)):
@@ -81,9 +81,9 @@ class SearchIndex:
                 self._weights[word][number] += 1 / sqrt(1 + len(title) / 4)
 
     def find(self, query: str) -> list[Findable]:
-        """Return what answers a query, the best first, or the pages without a query."""
+        """Return the matches of a query, best first. An empty query matches all pages."""
         typed: list[str] = []
-        for word in _words(query):  # several words that mean the same are one
+        for word in _words(query):  # synonyms count as one word
             alike = {word, *_synonyms().get(word, ())}
             if word not in _synonyms()[""] and alike.isdisjoint(typed):
                 typed.append(word)
@@ -102,7 +102,7 @@ class SearchIndex:
         return [self._all[number] for number in best[:_MOST]]
 
     def _new_match(self, typed: str) -> tuple[Mapping[int, float], Mapping[int, float]]:
-        """Return how much each findable has of a word, and how like the word is what it has."""
+        """Return the score of a word and the likeness of its best match, by findable."""
         same, words = _synonyms().get(typed, {typed}), self._weights
         alike = {word: max(_likeness(each, word) for each in same) * _SYNONYM for word in words}
         alike = {word: max(found, _likeness(typed, word)) for word, found in alike.items()}

@@ -1,4 +1,4 @@
-"""The newest transactions of a line, for a page and for a file."""
+"""Newest transactions of a line, for a page and for files."""
 
 import itertools
 import time
@@ -19,16 +19,16 @@ from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.workers.file_worker import ProgressCallback
 from trex_gui.ui.workers.session_thread import SessionThread
 
-MOST_KEPT = 20_000  # rows of each buffer; at full telemetry all transactions of less than a minute
-_REPORTED = 2000  # of each kind, in a report for support
+MOST_KEPT = 20_000  # rows of each buffer: less than a minute of full telemetry
+_REPORTED = 2000  # rows of each buffer in a report for support
 
-_CHUNK = 100  # rows of a file from one progress report to the next
+_CHUNK = 100  # rows of a file between two progress reports
 _TRIMMED = MOST_KEPT * 9 // 10
-_SHOWN_MS, _UNSEEN_MS = 100, 1000  # from one reading of the log to the next
+_SHOWN_MS, _UNSEEN_MS = 100, 1000  # interval of reading the log: visible, hidden
 
 
 class RowBuffer:
-    """The newest rows of one kind, oldest first, and the number of rows dropped before them."""
+    """Newest rows of one kind, oldest first, and the number of rows dropped before them."""
 
     def __init__(self) -> None:
         self.rows: list[Transaction] = []
@@ -43,7 +43,7 @@ class RowBuffer:
         return self.rows[max(count - self._dropped, 0) :]
 
     def add(self, transaction: Transaction) -> None:
-        """Add a row. Drop the oldest ones, many at a time."""
+        """Add a row. Drops the oldest rows, many at a time."""
         self.rows.append(transaction)
         if len(self.rows) > MOST_KEPT:
             self._dropped += len(self.rows) - _TRIMMED
@@ -57,27 +57,27 @@ class RowBuffer:
 class TrafficModel(QObject):
     """Reads the traffic log of a session thread while a session or a search runs.
 
-    It does so ten times a second for a page that is seen, else once a second without `changed`.
-    Rows other than successful polls have a buffer of their own, so that telemetry does not
-    displace a write of ten minutes ago.
+    Reads ten times a second while a page is visible, else once a second without `changed`.
+    Rows other than successful polls have their own buffer, so that telemetry does not displace a
+    write of ten minutes ago.
     """
 
-    changed = Signal()  # there are more rows, or the last one has more bytes
+    changed = Signal()  # there are new rows, or the last row has more bytes
     cleared = Signal()
 
     def __init__(self, line: SessionThread, decoder: Decoder) -> None:
         super().__init__(line)
         self.everything = RowBuffer()  # the newest transactions
-        self.without_polling = RowBuffer()  # the newest ones other than successful polls
+        self.without_polling = RowBuffer()  # newest transactions without successful polls
         self.faults = 0  # number of faulty rows since the last `clear`
         self.log = line.log
         self.decoder = decoder
         numbers = itertools.count(1)
         self._assembler = TransactionAssembler(decoder, numbers=numbers)
-        self.search_log = TrafficLog()  # traffic of searches for devices, beside that of the line
+        self.search_log = TrafficLog()  # traffic of searches for devices; `log` has the line's
         self._search = TransactionAssembler(decoder, numbers=numbers, is_search=True)
         self._is_searching = self._is_open = False
-        self._typed: list[bytes] = []  # requests of the user that were not seen yet
+        self._typed: list[bytes] = []  # requests of the user that have no row yet
         self._newest = 0
         self._epoch = time.time() - now()
         self._is_seen = False
@@ -90,7 +90,7 @@ class TrafficModel(QObject):
         self._assembler.settings, self._assembler.echo = settings, echo
 
     def expect_typed(self, data: bytes) -> None:
-        """Show the next request with these bytes: the user sends it, even if it is a poll, too."""
+        """Show the next request with these bytes, although polls with the same bytes are hidden."""
         self._typed.append(data)
 
     def decode_again(self) -> None:
@@ -103,11 +103,11 @@ class TrafficModel(QObject):
         return self._epoch + transaction.time
 
     def line_of(self, row: Transaction) -> str:
-        """Return a row as a line of tab-separated text, without its end."""
+        """Return a row as tab-separated text, without a line end."""
         return transcript.line_of(row, self.decoder, self._epoch)
 
     def newest(self) -> Callable[[], str]:
-        """Return what writes the newest rows of both kinds as text, from any thread."""
+        """Return a function that formats the newest rows as text, in any thread."""
         self.pull()
         rows = {
             row.number: row
@@ -124,7 +124,7 @@ class TrafficModel(QObject):
     def write(
         self, file: TextIO, progress: ProgressCallback, *, rows: Sequence[Transaction]
     ) -> int:
-        """Write rows as tab-separated text, from any thread, and return their number."""
+        """Write rows as tab-separated text, in any thread. Return their number."""
         file.write(transcript.head())
         for done, row in enumerate(rows):
             if done % _CHUNK == 0:
@@ -149,7 +149,7 @@ class TrafficModel(QObject):
             self.changed.emit()
 
     def set_seen(self, seen: bool) -> None:
-        """Set whether a page shows the rows. Bring one that does up to date."""
+        """Set whether a page shows the rows, which are then updated."""
         self._is_seen = seen
         self._timer.setInterval(_SHOWN_MS if seen else _UNSEEN_MS)
         if seen:
@@ -186,13 +186,13 @@ class TrafficModel(QObject):
         self._watch()
 
     def set_searching(self, searching: bool) -> None:
-        """Set whether a search is going on, which fills `search_log`."""
+        """Set whether a search is running, which fills `search_log`."""
         if searching != self._is_searching:
             self._is_searching = searching
             self._watch()
 
     def _watch(self) -> None:
-        """Read the logs while anything fills them."""
+        """Read the logs while a session or a search fills them."""
         if self._is_open or self._is_searching:
             self._timer.start()
         else:

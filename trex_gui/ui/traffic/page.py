@@ -26,11 +26,11 @@ from trex_gui.ui.widgets.view import View, copy_lines
 
 _TYPING_MS = 200
 
-_MOST_CODE_ROWS = 1000  # copied as code at once: compilers take long for more
+_MOST_CODE_ROWS = 1000  # limit of rows copied as code: compilers take long for more
 
 
 class TrafficPage(View):
-    """The table of transactions with its filters, and details of the selected row."""
+    """Table of transactions with its filters, and details of the selected row."""
 
     def __init__(
         self,
@@ -42,9 +42,9 @@ class TrafficPage(View):
         *,
         sender: PacketSender | None = None,
     ) -> None:
-        """Show traffic. `key` names the page and its settings, `device` is in the texts.
+        """Create the page. `key`: prefix of object names and settings. `device`: name in texts.
 
-        With a `sender` bytes can be typed and sent.
+        With a `sender`, the user can type and send bytes.
         """
         super().__init__(parent)
         self.setObjectName(f"{key}Page")
@@ -139,7 +139,7 @@ class TrafficPage(View):
 
     @Slot(bool)
     def set_window_seen(self, seen: bool) -> None:
-        """Show nothing while the window of the page is minimised."""
+        """Update rows less often while the window of the page is minimised."""
         self._traffic.set_seen(seen and self.isVisible())
 
     @Slot()
@@ -167,12 +167,12 @@ class TrafficPage(View):
         self._summarize()
 
     def show_moment(self, time: float, text: str) -> None:
-        """Select the row of the line's `time` that says `text`, else the one nearest to it."""
+        """Select the row with `text` at the line's `time`, else the nearest row."""
         row = self._table.row_near(time, text)
         self._view.selectRow(row)
         self._view.scrollTo(self._table.index(row, 0), TrafficView.ScrollHint.PositionAtCenter)
         self._view.setFocus()
-        self._paused.setChecked(self._polling.isChecked())  # else it would scroll away at once
+        self._paused.setChecked(self._polling.isChecked())  # else the row would scroll away at once
 
     def _summarize(self) -> None:
         traffic, count = self._traffic, QLocale().toString
@@ -217,7 +217,7 @@ class TrafficPage(View):
         return list(map(self._traffic.line_of, self._chosen_rows()))
 
     def _chosen_rows(self) -> Sequence[Transaction]:
-        """Return the selected rows, or all that are shown."""
+        """Return the selected rows, or all shown rows if none is selected."""
         selected = sorted(index.row() for index in self._view.selectionModel().selectedRows())
         rows = self._table.rows
         return [rows[row] for row in selected] if selected else rows

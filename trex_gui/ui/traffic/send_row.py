@@ -1,4 +1,4 @@
-"""Sending bytes that the user types, with their meaning shown before they go."""
+"""Sending bytes that the user types, with a preview of their meaning."""
 
 from dataclasses import dataclass
 from typing import Protocol
@@ -13,10 +13,10 @@ from trex_gui.ui.widgets.labels import Note, Sign
 
 @dataclass(frozen=True, slots=True)
 class SendPreview:
-    text: str = ""  # for the user; empty if nothing was typed, or no bytes
-    blocker: str = ""  # why they cannot be sent now, for the user; empty if they can
-    is_risky: bool = False  # whether they move something or change what is stored
-    details: str = ""  # the same, for a tool tip, where `text` is shortened
+    text: str = ""  # for the user; empty if no bytes were typed
+    blocker: str = ""  # reason why the bytes cannot be sent now, for the user; or empty
+    is_risky: bool = False  # whether the bytes may move something or change stored values
+    details: str = ""  # full text for a tool tip, if `text` is shortened
 
 
 class PacketSender(Protocol):
@@ -24,21 +24,21 @@ class PacketSender(Protocol):
 
     @property
     def changed(self) -> SignalInstance:
-        """Emitted when a preview may be different now."""
+        """Emitted when previews may have changed."""
         ...
 
     @property
     def hint(self) -> str:
-        """An example of what can be typed."""
+        """Example of an input."""
         ...
 
     def preview(self, text: str) -> SendPreview: ...
     def send(self, text: str) -> None:
-        """Send what has a preview without a blocker. The result goes to the notifier."""
+        """Send bytes whose preview has no blocker. The result goes to the notifier."""
 
 
 class SendRow(QWidget):
-    """A field for bytes, what they mean, and a button that sends them."""
+    """Field for bytes, their meaning, and a button that sends them."""
 
     def __init__(self, sender: PacketSender, key: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -1,4 +1,4 @@
-"""Table of the traffic: its model with the filter, its view, and the selected row in full."""
+"""Table of the traffic: model with filter, view, and details of the selected row."""
 
 from bisect import bisect_right
 from collections.abc import Sequence
@@ -29,9 +29,9 @@ _SAMPLES = (
     ("00:00:00.000", "80 07 2F 7E 00 55 2A", "54 52 65 58 31 2E 32 00 00 00", "1000.0"),
     ("00:00:00.000", "80 07 2F", "54 52 65 58", "1000.0"),
 )
-"""Texts that set the column widths, and those where the meaning would have little room.
+"""Texts that set the column widths, then texts for narrow windows.
 
-Longer bytes are elided, and complete below the table.
+Longer bytes are elided. They are complete below the table.
 """
 
 _HORIZONTAL = Qt.Orientation.Horizontal
@@ -67,12 +67,12 @@ class TrafficTable(QAbstractTableModel):
 
     @property
     def _source(self) -> RowBuffer:
-        # Polls soon displace a fault among everything.
+        # Among all rows, polls would soon displace a fault.
         all_are_wanted = self._polling and not self._faults
         return self._traffic.everything if all_are_wanted else self._traffic.without_polling
 
     def set_filter(self, *, polling: bool, faults: bool, text: str) -> None:
-        """List polls, too, or only faults, or only rows that contain `text`."""
+        """Filter the rows: also polls, only faults, only rows that contain `text`."""
         self._polling, self._faults, self._text = polling, faults, text.strip().casefold()
         self.rebuild()
 
@@ -114,7 +114,7 @@ class TrafficTable(QAbstractTableModel):
             self.endRemoveRows()
 
     def _update(self, row: Transaction) -> None:
-        """Update a row. With more bytes it may match the filter or match it no longer."""
+        """Update a row. More bytes may add it to the filtered rows or remove it."""
         listed = bool(self.rows) and self.rows[-1] is row
         matches = self._matches(row)
         last = len(self.rows) - 1
@@ -139,9 +139,9 @@ class TrafficTable(QAbstractTableModel):
         return any(self._text in text.casefold() for text in texts)
 
     def row_near(self, time: float, text: str) -> int:
-        """Return the row nearest to a time, of those within a second one that says `text`.
+        """Return the row nearest to a time. Prefer rows within a second that contain `text`.
 
-        It is -1 without rows.
+        Returns -1 if there are no rows.
         """
 
         def rank(number: int) -> tuple[bool, float]:
@@ -258,7 +258,7 @@ class TrafficView(QTableView):
             ]
             if sum(widths) + _MIN_MEANING * unit <= self.viewport().width():
                 break
-        if widths == self._widths:  # else what the user made of them would be lost
+        if widths == self._widths:  # keeps widths that the user has set
             return
         self._widths = widths
         header = self.horizontalHeader()
@@ -271,12 +271,12 @@ class TrafficView(QTableView):
         follows = self.is_at_bottom
         super().resizeEvent(event)
         self._update_space()
-        if follows:  # else a banner above would end it
+        if follows:  # a banner above must not end this
             self.scrollToBottom()
 
     @property
     def is_at_bottom(self) -> bool:
-        """Return whether the newest row is visible, so that the next one should be, too."""
+        """True if the newest row is visible, so that the view follows new rows."""
         bar = self.verticalScrollBar()
         return bar.value() >= bar.maximum() - self.verticalHeader().defaultSectionSize()
 
@@ -314,7 +314,7 @@ class RowDetails(QPlainTextEdit):
 
     def show_row(self, row: Transaction | None) -> None:
         text = "" if row is None else "\n".join(self._lines(row))
-        if text != self.toPlainText():  # keeps a selection in it
+        if text != self.toPlainText():  # equal text keeps its selection
             self.setPlainText(text)
 
     def _lines(self, row: Transaction) -> list[str]:

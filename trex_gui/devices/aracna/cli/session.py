@@ -1,4 +1,4 @@
-"""Sessions driven from a command, and what list and find report of an Aracna."""
+"""Sessions driven from a command, and the reports of list and find on an Aracna."""
 
 import itertools
 from collections.abc import Iterator, Mapping, Sequence
@@ -83,10 +83,10 @@ class CommandSession:
         self._is_moving = False
         self.halted = False
         self.moved: Moved | None = None
-        self.faults: list[str] = []  # what went wrong, as sentences
+        self.faults: list[str] = []  # problems, as sentences
 
     def __enter__(self) -> Self:
-        """Connect. CommandFailed if that fails or was interrupted."""
+        """Connect. CommandFailed if this fails or is interrupted."""
         self._join = self._host.start_thread(self._session.run)
         try:
             for report in self._received():
@@ -106,7 +106,7 @@ class CommandSession:
         self._join()
 
     def set_speeds(self, speeds: Sequence[int]) -> tuple[int, ...]:
-        """Set every servo's speed, and return what the servos hold then."""
+        """Set every servo's speed. Return the speeds that the servos then hold."""
         reply = self._result(SetSpeeds(next(self._ids), tuple(speeds)))
         assert isinstance(reply, SpeedsHeld)  # noqa: S101 - for the type checker
         if (error := rejected_speeds(reply.requested, reply.held)) is not None:
@@ -114,7 +114,7 @@ class CommandSession:
         return reply.held
 
     def set_led(self, *, on: bool) -> bool:
-        """Switch the debug LED. Return whether it is on then."""
+        """Switch the debug LED. Return whether it is on afterwards."""
         return bool(self._result(SetLed(next(self._ids), on)))
 
     def report_faults(self) -> None:
@@ -148,7 +148,7 @@ class CommandSession:
             yield report
 
     def move(self, goals: Sequence[int], speeds: Sequence[int]) -> tuple[int, ...]:
-        """Move every motor at a speed that every servo has confirmed. Return where they stop."""
+        """Move every motor at a speed that every servo has confirmed. Return the end positions."""
         moved = self._result(Move(next(self._ids), tuple(goals), tuple(speeds)))
         assert isinstance(moved, Moved)  # noqa: S101 - for the type checker
         return moved.present
@@ -175,7 +175,7 @@ class CommandSession:
         match report:
             case Moving(expected=expected):
                 self._reported, self._is_moving, self._expected = 0, True, expected
-                if self.halted:  # it had been sent already
+                if self.halted:  # the motion had been sent before the halt
                     say(NO_STOP.format(expected))
             case Passed(present=present) if self._motors:
                 self._report_motors(present)

@@ -1,4 +1,4 @@
-"""The eight joints: places on the robot, limits, and the units of their servos.
+"""Eight joints: their places on the robot, limits, and units of their servos.
 
 Ref: CreativeMachinesLab/aracna `RobotPi/RobotPi.py` (even motors are inner joints),
 `RobotPi/PiConstants.py` (limits tuned on the robot), `RobotPi/SineModel.py` (which leg is where,
@@ -20,14 +20,14 @@ DEGREES_PER_UNIT = 300 / 1023
 UNITS_PER_SECOND = 2.28  # position units per second for each unit of speed (0.1114 rpm)
 DEGREES_PER_SECOND = 0.669  # degrees per second for each unit of speed
 CEILING = 870
-"""The speed above which a setting has no further effect: 97 rpm, no load, AX-18A at 12 V.
+"""Speed setting above which a servo gets no faster: 97 rpm, no load, AX-18A at 12 V.
 
 The published CAD of the robot uses AX-18A. An AX-12A ends at 59 rpm, a setting of about 530.
 """
 
 
 LEGS = tr_noop("Front left"), tr_noop("Front right"), tr_noop("Back right"), tr_noop("Back left")
-"""The leg of each two motors, an inner and an outer joint, seen from above with the front up.
+"""Leg of each pair of motors (inner and outer joint), seen from above with the front up.
 
 Assumed: motors 0-3 are in front and 4-7 at the back, 2-5 right and 6, 7, 0, 1 left.
 """
@@ -35,7 +35,7 @@ Assumed: motors 0-3 are in front and 4-7 at the back, 2-5 right and 6, 7, 0, 1 l
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """Lowest and highest position of a joint, 0-1023. BadRequest if they are not in order."""
+    """Lowest and highest position of a joint, 0-1023. BadRequest if out of order."""
 
     low: int = 0
     high: int = HIGHEST
@@ -56,11 +56,11 @@ class Limits:
 
 
 FACTORY_LIMITS = (Limits(50, 600), Limits(0, 550))
-"""Of an inner and an outer joint. They keep it from hitting body and screws; legs can collide."""
+"""Limits of an inner and an outer joint. They protect body and screws; legs can still collide."""
 
 
 def factory_limits(motors: int = MOTORS) -> tuple[Limits, ...]:
-    """Return the limits tuned on the robot, one for each motor."""
+    """Return the limits tuned on the robot, for each motor."""
     return tuple(FACTORY_LIMITS[motor % 2] for motor in range(motors))
 
 
@@ -84,7 +84,7 @@ def position(angle: float) -> int:
 
 
 def degrees_per_second(speed: int) -> float | None:
-    """Convert a speed setting. `None` for 0, which means unlimited."""
+    """Convert a speed setting to degrees per second. `None` for 0 (unlimited)."""
     return speed * DEGREES_PER_SECOND if speed else None
 
 
@@ -94,7 +94,7 @@ def travel_seconds(distance: int, speed: int, ceiling: int = CEILING) -> float:
 
 
 def speed_for(distance: int, seconds: float) -> int:
-    """Return the lowest speed (1-1023) that covers a distance in time, else the highest."""
+    """Return the lowest speed (1-1023) that covers a distance in `seconds`, else the highest."""
     if seconds <= 0:
         return HIGHEST if distance else 1
     needed = math.ceil(abs(distance) / (UNITS_PER_SECOND * seconds) - 1e-9)

@@ -1,4 +1,4 @@
-"""Replies of the robot: whole lines, and the reply to `.c` motor by motor as it arrives."""
+"""Replies of the robot: whole lines, and a reply to `.c` that is still arriving."""
 
 import re
 from dataclasses import dataclass
@@ -7,9 +7,9 @@ from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS
 
 UNREADABLE = -1  # reported for a servo that does not answer
 MOST_MOTORS = 11
-"""The firmware's line buffer of 59 characters has no room for more values of four digits."""
+"""The firmware's line buffer of 59 characters has no space for more values of four digits."""
 
-_MOTORS_BY_VERSION = {0: 2}  # motors of firmware that does not report their number, by version
+_MOTORS_BY_VERSION = {0: 2}  # version → motors, for firmware that does not report their number
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,7 +26,7 @@ class Version:
 
     @property
     def motor_count(self) -> int:
-        """The reported number of motors, else the one known for this version."""
+        """Reported number of motors, else the known number of this version."""
         return self.motors or _MOTORS_BY_VERSION.get(self.version, MOTORS)
 
 
@@ -53,16 +53,16 @@ class Led:
 
 @dataclass(frozen=True, slots=True)
 class Unrecognized:
-    """A line that is none of these: truncated, corrupted, or from another device."""
+    """A line that is no known reply: truncated, corrupted, or from another device."""
 
     line: bytes
 
 
 Reply = Hello | Version | Speeds | Positions | Led | Unrecognized
 ANSWERS: dict[str, type[Reply]] = {"q": Version, "v": Speeds, "c": Positions, "l": Led}
-"""The kind of reply to a command, by its letter."""
+"""Kind of reply, by the letter of the command."""
 
-_LONGEST = 200  # bytes kept without a line end; the longest reply of eight motors has 43
+_LONGEST = 200  # most bytes without a line end; the longest reply of eight motors has 43
 _NUMBER = rb"-1|0|[1-9]\d{0,4}"  # as `%d` prints it: no padding, and no sign except in -1
 _QUERY = re.compile(rb"\.q(0|[1-9]\d{0,4})(?:,([1-9]\d{0,2}))?")
 _VALUES = re.compile(rb"\.([vc])((?:%b)(?:,(?:%b))*)" % (_NUMBER, _NUMBER))
@@ -90,7 +90,7 @@ def read_line(line: bytes) -> Reply:
 
 
 def read_lines(line: bytes) -> list[Reply]:
-    """Parse a line that may end in the `.h` of a restart. An empty line has no reply."""
+    """Parse a line that may end in the `.h` of a restart. An empty line gives no reply."""
     if not line:
         return []
     reply = read_line(line)
@@ -100,7 +100,7 @@ def read_lines(line: bytes) -> list[Reply]:
 
 
 def _chunks(line: bytes) -> list[bytes]:
-    """Split an endless line at fixed places. The last chunk is the rest."""
+    """Split a line into chunks of `_LONGEST` bytes. The last may be shorter."""
     return [line[at : at + _LONGEST] for at in range(0, max(len(line), 1), _LONGEST)]
 
 
@@ -116,7 +116,7 @@ class Reader:
 
     @property
     def arrived(self) -> tuple[int, ...] | None:
-        """The positions in an unfinished `.c` reply so far. `None` if none is arriving.
+        """Positions so far in an unfinished `.c` reply. `None` if no such reply is arriving.
 
         A number counts once its comma has arrived: the firmware then waits for the next motor.
         """

@@ -9,7 +9,7 @@ from trex_gui.devices.aracna.protocol.joints import HIGHEST, Limits, crop, speed
 from trex_gui.devices.aracna.session.errors import missed_goals
 
 ASSUMED_SPEED = 100
-"""Speed assumed while it is unknown: slow, so that no reply is considered late too early."""
+"""Speed assumed while a servo's speed is unknown. It is low: a timeout must not expire early."""
 
 SET_SPEEDS_TIME = 0.055
 """Longest time of a `.v` in seconds: a pause of 25 ms, and reading back each servo's register."""

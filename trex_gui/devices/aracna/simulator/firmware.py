@@ -189,8 +189,8 @@ def _values(line: bytes, motors: int) -> list[int]:
     Characters after the last motor's value are ignored. The servos ignore invalid values.
 
     Raises:
-        Restart: a value is missing, or a field has eleven characters or more. With ten, the
-            authors' binary replies in half of the cases, the simulator always.
+        Restart: a value is missing, or a field has eleven characters or more. With ten,
+            the original firmware replies half of the time, the simulator always.
     """
     fields: list[bytes] = []
     begin = 2

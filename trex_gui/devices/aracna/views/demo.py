@@ -21,7 +21,7 @@ from trex_gui.ui.widgets.sliders import StickSlider
 RobotRows = Rows[RobotSnapshot]
 
 _STEP, _PAGE = 5, 20  # per cent of the speed
-_SLIDER_WIDTH = 44  # pixels of a slider
+_SLIDER_WIDTH = 44  # pixels
 
 _HEIGHT, _MIN_WIDTH = 14, 26
 
@@ -197,7 +197,7 @@ def _cable_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRow
         faults=(
             (tr("Reply byte"), "drop 1"),
             (tr("Command byte"), "drop 1 sent"),
-            (tr("Reply: end"), "cut 6"),  # behind `.c`, a position and its comma
+            (tr("Reply: end"), "cut 6"),  # after `.c`, a position and its comma
         ),
         choice=("aracnaDemoLoss", tr("What is lost once"), loss_tip),
         once=("aracnaDemoLose", tr("Lose it"), tr("It is lost in the next transfer")),
@@ -208,7 +208,7 @@ def _cable_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRow
 
 
 class ServoGauge(Painted):
-    """A servo on its way to a goal. Without torque only its position."""
+    """Position of a servo, and its goal while it has torque."""
 
     spoken_role = QAccessible.Role.ProgressBar
 
@@ -244,14 +244,14 @@ def state_text(snapshot: RobotSnapshot) -> str:
         FirmwareState.OFF: tr("The power is off: no reply, and no servo holds."),
         FirmwareState.BOOTING: tr("Booting: blinks for a second and reads nothing."),
         FirmwareState.IDLE: tr("Idle: waiting for commands."),
-        FirmwareState.ANSWERING: tr("Idle: waiting for commands."),  # too short to show
+        FirmwareState.ANSWERING: tr("Idle: waiting for commands."),  # too brief to show
         FirmwareState.SPEEDS: tr("Setting speeds: reading them back from the servos."),
         FirmwareState.MOVING: tr("Moving: reads nothing until every servo has arrived."),
     }[snapshot.state]
 
 
 def power_text(snapshot: RobotSnapshot) -> tuple[str, bool]:
-    """Return what servo power does, and whether that is urgent: a servo moves."""
+    """Return the effect of servo power, and whether it is urgent: it is off, or a servo moves."""
     if not snapshot.power:
         return tr("The robot's switch is off: board and servos have no power."), False
     if not snapshot.servo_power:

@@ -1,4 +1,4 @@
-"""The stop button and the row below the pages: what the robot is doing, and for how long."""
+"""Stop button, and row below the pages with the robot's activity and its duration."""
 
 from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QWidget
@@ -18,7 +18,7 @@ _REFRESH_MS = 100
 
 
 class StopSequenceButton(RedButton):
-    """Halts the robot, as Esc does. Also in windows that may cover the pages."""
+    """Halts the robot, as Esc does. Also used in windows that may cover the pages."""
 
     def __init__(self, robot: Robot, name: str, parent: QWidget | None = None) -> None:
         super().__init__(name, title_of(tr("&Stop sequence")), robot.halt, parent)
@@ -36,7 +36,7 @@ class StopSequenceButton(RedButton):
 
 
 class MotionBar(ActionBar):
-    """Says what the button can do: end what is sent, not what moves."""
+    """Explains the button, which ends what is being sent but not a running motion."""
 
     def __init__(self, robot: Robot, recording: QWidget, parent: QWidget) -> None:
         """`recording` is shown beside the texts."""
@@ -78,7 +78,7 @@ class MotionBar(ActionBar):
             self._timer.start() if is_counting else self._timer.stop()
 
     def _activity_text(self, left: float) -> tuple[str, bool]:
-        """Return what the robot is known to do, and if that alarms. `left` is in seconds."""
+        """Return the known activity, and whether it is alarming. `left` is in seconds."""
         if self._robot.link not in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}:
             ending = ending_text(left) if left > 0 else ""
             return f"{tr('No robot is connected.')} {ending}".rstrip(), left > 0

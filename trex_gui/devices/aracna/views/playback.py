@@ -31,7 +31,7 @@ _NONE = "–"
 
 
 class RobotPlaybackWindow(RecordingWindow):
-    """One recording of a robot. The stop button is that of the connected robot."""
+    """One recording of a robot. The stop button acts on the connected robot."""
 
     def __init__(self, playback: RobotPlayback, robot: Robot) -> None:
         plot_name = tr("Plot of the motors' positions against time")
@@ -76,7 +76,7 @@ class RobotPlaybackWindow(RecordingWindow):
     @Slot()
     def _show_moment(self) -> None:
         state = self.playback.state()
-        goals = state.goals  # before the first one the positions
+        goals = state.goals  # the positions before the first goals
         if goals is None:
             goals = tuple(CENTRE if place is None else place for place in state.present)
         self._drawing.show_robot(state, goals)
@@ -91,7 +91,7 @@ class RobotPlaybackWindow(RecordingWindow):
 
 
 class JointValues(QTableWidget):
-    """A row for each motor. A dash where nothing was known. Its check box draws its curve."""
+    """One row per motor, with a check box for its curve. A dash is an unknown value."""
 
     toggled = Signal(int, bool)  # a motor, and whether its curve is drawn
 

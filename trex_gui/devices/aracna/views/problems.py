@@ -1,4 +1,4 @@
-"""Page of the problems of a robot, and of its line."""
+"""Page of the problems of a robot and its line."""
 
 from collections.abc import Sequence
 from datetime import datetime
@@ -17,13 +17,13 @@ from trex_gui.ui.log import Log, LogEntry
 
 
 class RobotProblemsPage(ProblemsPage):
-    """The problems in the log, each text once: this robot has no error bits."""
+    """Page of the problems in the log, each text once. The robot has no error bits."""
 
     def __init__(self, robot: Robot, log: Log, message_help: MessageHelp, parent: QWidget) -> None:
         super().__init__("aracnaErrors", robot.traffic, parent)
         self._robot, self._log, self._message_help = robot, log, message_help
-        self._cleared = dict[str, datetime]()  # the newest entry that is taken as known, by text
-        self._stats: LineStats | None = None  # as shown
+        self._cleared = dict[str, datetime]()  # time of the newest cleared entry, by text
+        self._stats: LineStats | None = None  # line statistics shown
         log.added.connect(self.show_problems)
         robot.link_changed.connect(self.refresh)
         robot.changed.connect(self._on_changed)

@@ -7,12 +7,12 @@ from trex_gui.devices.aracna.model.controller import AracnaController
 from trex_gui.devices.aracna.session.messages import Play, Step
 from trex_gui.ui.tour import Do, Tour
 
-_STEP_S = 2.5  # long enough that every picture shows it moving
+_STEP_S = 2.5  # so long that every picture shows a motion
 _DEAD_SERVO = 3
 
 
 def tour_steps(tour: Tour, controller: AracnaController) -> Iterator[Do]:
-    """Look at the pages. The panel of the simulated robot shows what the robot does not report."""
+    """Visit the pages. The simulator panel shows states that the robot does not report."""
     robot, demo = controller.robot, controller.demo_robot
     pairs = robot.state.motors // 2
     steps = tuple(
@@ -24,7 +24,7 @@ def tour_steps(tour: Tour, controller: AracnaController) -> Iterator[Do]:
     def is_stuck() -> bool:
         """Let a servo die while it moves. Return whether the robot waits for it.
 
-        On a busy computer it may miss a byte, which aborts the sequence: then it is played again.
+        On a busy computer the robot may miss a byte, which aborts the sequence. Then play it again.
         """
         if robot.state.stuck is None and robot.state.play is None:
             demo.set_dead(_DEAD_SERVO, False)

@@ -64,7 +64,7 @@ class AracnaRecordings(RecordingManager["RobotPlaybackWindow"]):
         self._robot = robot
 
     def create_window(self, recording: Recording[RobotHeader, Record]) -> "RobotPlaybackWindow":
-        # The plotting library takes as long to load as all of Qt: not before it is needed.
+        # Imported when needed: the plotting library takes as long to load as all of Qt.
         from trex_gui.devices.aracna.views.playback import RobotPlaybackWindow  # noqa: PLC0415
 
         return RobotPlaybackWindow(RobotPlayback(recording), self._robot)
@@ -99,7 +99,7 @@ class AracnaWorkspace(Workspace):
                 *diagnostics.pages(lambda _parent: problems, lambda _parent: traffic),
             )
         )
-        self.create_pages()  # those that are there already would cover the first
+        self.create_pages()  # else existing pages would cover the first page
         self.recordings = AracnaRecordings(robot, self)
         self.recordings.accept_drops(frame, self)
         frame.seen_changed.connect(traffic.set_window_seen)
@@ -281,7 +281,7 @@ class AracnaWorkspace(Workspace):
         return self._poses.files.may_close(leave)
 
     def prepare_to_close(self) -> None:
-        QObject.disconnect(self._undo_watch)  # the stack emits at its end, too
+        QObject.disconnect(self._undo_watch)  # the undo stack also emits at its end
         self._demo.leave()
 
     def finish(self) -> None:

@@ -130,7 +130,7 @@ class SafeStart:
 
 
 def _commands(state: DeviceState, newest: Newest, *, joint: bool) -> tuple[int, ...]:
-    """Return the commands of the driving channels. Empty if no channel drives, or unknown."""
+    """Return the commands of the driving channels. Empty if none drives or all are unknown."""
     sample = newest.get(Remapped)
     if state.mode.is_serial or sample is None:
         return ()
@@ -154,23 +154,23 @@ class BoardMirror:
         self.adapter = ""  # key of the adapter of the line; to be set before a board is read
         self.is_responding = False
         self.is_joint = False  # both drivers work as one motor now, whatever is stored
-        self.echo = False  # whether everything sent comes back: the RS-232 side of the board
-        self.connected_at: float | None = None  # when the line was opened, as `now` in `take`
-        self.connected_utc: datetime | None = None  # the same, as `utc`
-        self.restarts = 0  # how often the board was seen to have restarted since then
-        self.returns = 0  # how often it responded again after it was silent
-        self.lease: LeaseChanged | None = None  # of a board that is served to several
-        self.other_speeds = SetpointsChanged().speeds  # that another driver has set
+        self.echo = False  # whether sent bytes come back, as on the board's RS-232 side
+        self.connected_at: float | None = None  # when the line was opened, as `now` in `handle`
+        self.connected_utc: datetime | None = None  # this time as `utc`
+        self.restarts = 0  # detected restarts of the board since then
+        self.returns = 0  # times that it responded again after a silence
+        self.lease: LeaseChanged | None = None  # of a board served to several users
+        self.other_speeds = SetpointsChanged().speeds  # speeds that another driver has set
         self.is_network_silent = False  # the server of the board does not respond
         self.network_delay: float | None = None  # seconds to its server and back
-        self.last: DeviceState | None = None  # what was read last, also after the line was closed
+        self.last: DeviceState | None = None  # state read last, also after the line was closed
         self._safe_start = SafeStart()
         self._events = StatusEvents()
         self._currents = SpikeFilter()
-        self._joint: dict[str, bool] = {}  # of boards on the line that are not selected
+        self._joint: dict[str, bool] = {}  # `is_joint` of boards on the line that are not selected
         self._was_read = False  # since the line was opened
 
-    # --- What is known ------------------------------------------------------------------
+    # --- State --------------------------------------------------------------------------
 
     @property
     def state(self) -> DeviceState | None:

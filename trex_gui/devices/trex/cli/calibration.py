@@ -74,8 +74,8 @@ def get_command(as_json: bool, **options: Any) -> None:
 def set_command(channel: int, **options: Any) -> None:
     """Store the calibration of a channel and read it back.
 
-    Values are counts (3750), or have a unit: 1500us for RC pulses, 2.5V for voltages. Saves a
-    snapshot of what the board stores first. Writes nothing if the board has this calibration.
+    Values are counts (3750), or have a unit: 1500us for RC pulses, 2.5V for voltages. First
+    saves a snapshot of the stored settings. Writes nothing if the board has this calibration.
     """
     given = {name: _parse(name, options.pop(name)) for name in CALIBRATION_FIELDS}
     link = link_settings(options)

@@ -1,4 +1,4 @@
-"""Steps of every command before and after it changes stored settings."""
+"""Common steps before and after a command changes stored settings."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -48,7 +48,7 @@ def say_changes(result: Comparison) -> None:
 def require_consent(
     file: str, state: DeviceState, wanted: Mapping[str, int], *, force: bool
 ) -> None:
-    """Raise SettingsError for values beyond inferred limits, unless the board is to decide.
+    """Raise SettingsError for values beyond inferred limits, unless `force` is on.
 
     Values that boards with this model and firmware have stored before need no consent.
     """
@@ -88,9 +88,9 @@ def change_one(
     what: str,
     command: str,
 ) -> None:
-    """Store one setting, if it differs from what the board stores.
+    """Store one setting if it differs from the stored value.
 
-    `after` is what the board is to store. Nothing was written after Rejected (the board is not in
+    `after` has the settings to store. Nothing was written after Rejected (the board is not in
     serial mode) or SettingsError (the snapshot could not be saved).
 
     `what` names the setting for the user; `command` is the snapshot's reason.
@@ -116,7 +116,7 @@ def write_one(
     parameters: Sequence[tuple[str, int]],
     calibrations: Sequence[tuple[CalibrationKey, Calibration]] = (),
 ) -> None:
-    """Store one setting, if the board still stores what was read. Raise what prevents it."""
+    """Store one setting if the stored values are still as read. Raise the error if this fails."""
     with Interruption():
         (stored,) = keeper_of(client, state).write(client, state, command, parameters, calibrations)
     if stored.error is not None:
@@ -124,13 +124,13 @@ def write_one(
 
 
 def board_settings(state: DeviceState) -> Settings:
-    """Return what a board stores, with the notes that are kept here."""
+    """Return the stored settings of a board, with the notes saved on this computer."""
     stored = settings_of(state)
     return replace(stored, notes=remembered(stored).settings.notes)
 
 
 def remember_notes(client: TrexClient, state: DeviceState, notes: Mapping[str, str]) -> None:
-    """Keep these notes, besides others on settings of the board."""
+    """Save these notes in addition to existing notes on the board's settings."""
     if not notes:
         return
     memory = keeper_of(client, state).memory
@@ -141,7 +141,7 @@ def remember_notes(client: TrexClient, state: DeviceState, notes: Mapping[str, s
 
 
 def remembered(stored: Settings) -> BoardRecord:
-    """Return what this computer keeps of a board. Empty, with a warning, if it is damaged."""
+    """Return this computer's record of a board. Empty, with a warning, if it is damaged."""
     board = BoardIdentity.of(stored)
     return read_record(board, say_warning) or BoardRecord(Settings(board.product, board.firmware))
 
@@ -149,9 +149,9 @@ def remembered(stored: Settings) -> BoardRecord:
 def say_what_follows(
     client: TrexClient, link: ConnectionSettings, state: DeviceState, stored: dict[str, int]
 ) -> None:
-    """Report what needs a power cycle and how to reach the board now and after it.
+    """Report settings that need a power cycle, and how to reach the board before and after.
 
-    `link` and `state` are as before the writing; `stored` are the parameters that were written.
+    `link` and `state` are from before the write. `stored` are the parameters that were written.
     """
     specs = state.specs
     if waiting := sorted(specs[key].name for key in stored if specs[key].needs_power_cycle):
@@ -162,9 +162,9 @@ def say_what_follows(
 
 
 def say_how_to_reach(used: ConnectionSettings, stored: dict[str, int], firmware: str) -> None:
-    """Report the options that reach the board from its next start on, if they will change.
+    """Report the options to reach the board after its next start, if they will change.
 
-    `used`: how it is reached now; `stored`: every parameter that it stores, wire values by key.
+    `used`: the present connection. `stored`: wire values of all stored parameters, by key.
     """
     coming = after_power_cycle(used, stored, firmware)
     if coming is None:

@@ -22,10 +22,10 @@ from trex_gui.devices.trex.settings.writer import write_settings
 
 @dataclass(slots=True)
 class _Checked:
-    """A settings file, and what was found and done, in the order in which it is reported."""
+    """Settings file with its repairs and findings, in the order of the report."""
 
     data: bytes
-    text: str | bytes = b""  # with repaired values, but not yet with `settings`
+    text: str | bytes = b""  # with repaired values, but without the changes in `settings`
     settings: Settings | None = None
     repairs: tuple[str, ...] = ()
     findings: tuple[Finding, ...] = ()
@@ -70,10 +70,10 @@ class _Checked:
         }
 
     def written(self, settings: Settings, *, keep_all: bool) -> str:
-        """Return the text with the settings. A last line without an end gets one.
+        """Return the text with the settings. Adds a missing newline at the end.
 
         Raises:
-            SettingsError: with `keep_all`, comments or order could not be kept.
+            SettingsError: `keep_all` is on, and comments or order would be lost.
         """
         before = self.text if isinstance(self.text, str) else self.text.decode("utf-8")
         try:
@@ -91,7 +91,7 @@ class _Checked:
 def _board(
     _context: click.Context, _parameter: click.Parameter, given: str | None
 ) -> tuple[Model, str | None] | None:
-    """Read `trexjr` or `trexjr-1.0`."""
+    """Parse `trexjr` or `trexjr-1.0`."""
     if given is None:
         return None
     key, _, firmware = given.partition("-")

@@ -1,4 +1,4 @@
-"""Options, the open line, and the reports of list and find, which several commands share."""
+"""Parts that several commands share: options, the open line, reports of list and find."""
 
 import contextlib
 import difflib
@@ -123,7 +123,7 @@ link_options = all_options(
 
 
 def link_settings(options: Mapping[str, Any], url: str | None = None) -> ConnectionSettings:
-    """Make settings of the common options. UsageError if they contradict each other."""
+    """Create settings from the common options. UsageError if they contradict each other."""
     url = url or required_port(options["port"])
     if options["crc"] and options["parity"] != "none":
         raise click.UsageError("A TReX has either CRC or parity, not both.")
@@ -162,7 +162,7 @@ def grouped(settings: ConnectionSettings, boards: str) -> ConnectionSettings:
 
 
 def as_options(settings: ConnectionSettings) -> str:
-    """Return link settings as options of this program, to paste behind a command."""
+    """Return link settings as options of this program, to paste after a command."""
     line = settings.line
     words = ["--port", settings.url, "--baud", str(line.baud)]
     if line.has_crc:
@@ -186,7 +186,7 @@ PHYSICAL_KEYS = {InputSource.RC: "pulse_us", InputSource.ANALOG: "voltage_V"}
 
 
 def rounded(source: InputSource, count: int | None) -> float | None:
-    """Return a raw count in µs or V, without the noise of floating point."""
+    """Return a raw count in µs or V, rounded to 4 decimals."""
     return None if count is None else round(source.physical(count), 4)
 
 
@@ -197,9 +197,9 @@ def open_port(
     settings: ConnectionSettings,
     logged: Callable[[OpenTransport], OpenTransport] = lambda plain: plain,
 ) -> tuple[Transport, ConnectionSettings]:
-    """Open a port, or connect to a server. Also return how the board is addressed there.
+    """Open a port, or connect to a server. Also return the settings that address the board.
 
-    `logged` changes what opens it, beside the option for traffic.
+    `logged` wraps the function that opens the port, in addition to the traffic option.
     """
     present = host()
     if not is_served(settings.url):
@@ -225,7 +225,7 @@ def open_line_to_change(
     """Open the line. Also yield the baud rates that the port supports, `None` if unknown."""
     with refusals():
         transport, settings = open_port(settings)
-        rates = transport.rates(baud_rates())  # nothing may have been sent yet
+        rates = transport.rates(baud_rates())  # allowed only before anything is sent
         with _begun(transport, settings) as client:
             yield client, rates
 
@@ -242,17 +242,17 @@ def _begun(transport: Transport, settings: ConnectionSettings) -> Iterator[TrexC
 
 
 def identify(client: TrexClient, *, quick: bool = False) -> Signature:
-    """Return which board replies.
+    """Return the signature of the board that replies.
 
     Raises:
-        NoReply, BadReply: none does, or one at other settings; they say what to check, or which
-            options reach it. See `diagnose` for `quick`.
+        NoReply, BadReply: no board replies, or a board at other settings. The error says what
+            to check, or which options reach the board. See `diagnose` for `quick`.
     """
     try:
         try:
             return _only_board(client)
         except BadReply:
-            # A line that was just opened may have swallowed the echo that was waited for.
+            # A line that was just opened may have lost the expected echo.
             client.detect_echo()
             return _only_board(client)
     except (NoReply, BadReply) as error:
@@ -286,7 +286,7 @@ def _only_board(client: TrexClient) -> Signature:
 
 
 def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
-    """Look at the line settings of the options only. `trexcmd find` tries the others."""
+    """Identify a board at the line settings of the options. `trexcmd find` tries others, too."""
     settings = link_settings(options, url)
     client = TrexClient(*open_port(settings))
     try:
@@ -309,7 +309,7 @@ def _describe(found: FoundBoard) -> str:
 
 
 def _line_choices(settings: ConnectionSettings) -> str:
-    """Say how to store line settings that many users want, unless the board has them."""
+    """Return commands that store common line settings which the board does not use."""
     factory = LineSettings()
     fast = replace(factory, baud=115200)
     commands = [
@@ -334,7 +334,7 @@ PORT_REPORTS = PortReports(_identify, _describe, row_of)
 
 
 def specs_of(name: str) -> list[ParameterSpec]:
-    """Return a parameter as each model and firmware has it. UsageError if none does."""
+    """Return a parameter's specs by model and firmware. UsageError if there are none."""
     specs = []
     for model in device_table().models:
         for firmware in model.firmware:

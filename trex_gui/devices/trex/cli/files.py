@@ -1,4 +1,4 @@
-"""Settings files of the command line. Get-settings, diff and export, which change no board."""
+"""Settings files of the command line, and commands that use them but change no board."""
 
 import sys
 from collections.abc import Iterable
@@ -64,7 +64,7 @@ def save_file(file: str, text: str) -> None:
 
 
 def visible(wanted: Settings, state: DeviceState) -> Settings:
-    """Leave out the calibrations of the other input source, which the board does not show."""
+    """Remove the calibrations of the other input source, which the board does not show."""
     given = wanted.calibrations
     kept = {key: found for key, found in given.items() if key.source is state.source}
     if len(kept) < len(given):
@@ -82,9 +82,9 @@ def print_comparison(result: Comparison) -> None:
 
 
 class ComparisonCommand(click.Command):
-    """A command whose function returns whether all is equal: exit code 0, else 1.
+    """Command whose function returns whether all settings are equal.
 
-    It is 2 if that is not known, as with diff(1).
+    Exit codes as in diff(1): 0 equal, 1 different, 2 failure.
     """
 
     def invoke(self, ctx: click.Context) -> Any:
@@ -95,7 +95,7 @@ class ComparisonCommand(click.Command):
 def _print_differences(
     before: Settings, after: Settings, names: tuple[str, str], *, as_json: bool
 ) -> bool:
-    """Report how settings differ. Return whether they are equal."""
+    """Print the differences of settings. Return whether they are equal."""
     if before.product != after.product:
         say(
             f"Warning: these settings are for different models: {names[0]} "

@@ -1,4 +1,4 @@
-"""history: the snapshots of settings, listed, shown, compared."""
+"""history: list, show, compare, name and keep snapshots of settings."""
 
 from dataclasses import asdict
 from pathlib import Path
@@ -77,7 +77,7 @@ def _list(words: str, *, as_json: bool) -> None:
         return
     titles = ("", "Time", "Board", "No.", "Adapter", "Before", "Name", "Note")
     cells = [titles, *(_cells(number, snapshot) for number, snapshot in found)]
-    while not any(row[-1] for row in cells[1:]):  # names and notes that nobody gave
+    while not any(row[-1] for row in cells[1:]):  # drop empty columns
         cells = [row[:-1] for row in cells]
     widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
     for first, *rest in cells:
@@ -184,7 +184,7 @@ def _count(word: str) -> int | None:
 
 
 def _path_of(word: str) -> Path:
-    """Return the file of a snapshot by its number or its name, or a file by its path."""
+    """Return the file of a snapshot by number or name. Any other word is a path."""
     is_number = word.isdecimal() and len(word) <= 9
     if not is_number and all(one.name != word for one in SettingsHistory().snapshots()):
         return Path(word)

@@ -1,4 +1,4 @@
-"""The commands motor and stop."""
+"""motor, stop: run motors and stop them."""
 
 import math
 import time
@@ -72,7 +72,7 @@ from trex_gui.devices.trex.session.messages import (
 from trex_gui.devices.trex.settings.board_records import BoardRecord, utc_now
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 
-_SLICE = 0.02  # longest wait in seconds without a look at signals
+_SLICE = 0.02  # longest wait in seconds between two checks for signals
 
 
 @click.command(context_settings={"ignore_unknown_options": True})
@@ -108,14 +108,14 @@ def run_motors(
     """Arm the motors, send the orders, and stop after `seconds` or Ctrl-C. Print replies.
 
     Raises:
-        CommandFailed: it ended otherwise than intended; the motors were stopped if possible.
+        CommandFailed: the run did not end as intended. The motors were stopped if possible.
     """
     clock, open_port = host().clock, host().open_transport
     wait: Callable[[float], None] = time.sleep
     if is_served(settings.url) and host().logged:
         raise click.UsageError("--traffic shows the line where it is: give it to trexcmd serve.")
     if not is_served(settings.url):
-        with refusals():  # Ctrl-C ends what may take long, as with a port of another computer
+        with refusals():  # Ctrl-C may end a slow opening, as on another computer
             transport = host().open_transport(settings)
         clock, wait, open_port = transport.clock, transport.wait, lambda _settings: transport
     with Interruption(precious=True) as interrupted:
@@ -127,7 +127,7 @@ def run_motors(
     run.conclude()
 
 
-STOP_ID = -1  # number of the stop at the end; orders have others
+STOP_ID = -1  # number of the final stop; orders have other numbers
 
 _CAUSES = {
     TimeoutStop.OFF: "Serial Timeout is off",
@@ -187,7 +187,7 @@ def _stop_at(settings: ConnectionSettings) -> None:
             for one in clients
         ]
         stop_together(runs)
-        # The worst first: a board that has not confirmed the stop
+        # Boards that have not confirmed the stop come first
         results = sorted(zip(runs, clients, strict=True), key=lambda one: one[0].is_confirmed)
         failed = {client: _why_not_stopped(client, run) for run, client in results}
         texts = [
@@ -200,7 +200,7 @@ def _stop_at(settings: ConnectionSettings) -> None:
 
 
 def _why_not_stopped(client: TrexClient, run: StopRun) -> str:
-    """Return why motors may turn after a stop. Empty if they do not."""
+    """Return the reason why motors may turn after a stop, or an empty text."""
     if not run.is_confirmed:
         try:
             identify(client, quick=True)  # says why there is no reply
@@ -233,7 +233,7 @@ def _setpoint(which: str, speed: int, *, accelerate: bool, brake: bool) -> Setpo
 
 
 class _Reader(Keeper):
-    """Reads what is kept of a board: a run changes no setting, so it saves nothing."""
+    """Reads the records of a board, and saves nothing, as a run changes no setting."""
 
     def save(self, board: BoardIdentity, record: BoardRecord | None) -> None:
         pass
@@ -243,8 +243,8 @@ class _Reader(Keeper):
 class _Run:
     """Drives motors through a session on the same thread, as its inbox and its listener.
 
-    They are armed when the first round of polling is over: by then it is known who controls
-    the motors, and old error bits are read.
+    The motors are armed after the first round of polling. By then it is known who controls them,
+    and old error bits are read.
     """
 
     _orders: Sequence[Setpoint | SendPacket]
@@ -252,7 +252,7 @@ class _Run:
     _interrupted: Interruption
     _clock: Callable[[], float]
     _wait: Callable[[float], None]
-    _numbers: Sequence[int | None]  # of a group; `None` for one board alone
+    _numbers: Sequence[int | None]  # device numbers of a group; `None` for a single board
     _requests: deque[Request] = field(default_factory=deque)
     _keepers: dict[int | None, Keeper] = field(init=False)
     boards: dict[int | None, BoardMirror] = field(init=False)
@@ -262,7 +262,7 @@ class _Run:
     _is_running: bool = False
     _is_ending: bool = False
     _is_guarded: bool = False
-    # By board: replies in a row that say that serial commands do not reach the motors
+    # By board: consecutive replies that serial commands do not reach the motors
     _lost_control: dict[int | None, int] = field(default_factory=dict)
     _reason: str | None = None
     _stop_error: StudioError | None = None
@@ -296,7 +296,7 @@ class _Run:
         say("Running; Ctrl-C stops." if endless else f"Running {self._seconds:g} s.")
 
     def _addressed(self, orders: Sequence[Setpoint | SendPacket]) -> list[Request]:
-        """Return these orders for each of the boards."""
+        """Return these orders for each board."""
         return [
             order if number is None else ToBoard(number, order)
             for number in self._numbers
@@ -304,7 +304,7 @@ class _Run:
         ]
 
     def _finish(self, reason: str | None = None) -> None:
-        """Stop if the motor was armed, and close the line behind that."""
+        """Stop the motors if they were armed, then close the line."""
         if not self._is_ending:
             self._is_ending = True
             self._reason = reason
@@ -316,7 +316,7 @@ class _Run:
         number, inner = self._numbers[0], report
         if isinstance(report, OfBoard):
             number, inner = report.number, report.report
-        if number in self.boards:  # a server may have more
+        if number in self.boards:  # a server may have more boards
             self._handle(number, inner)
 
     def _handle(self, number: int | None, report: Report) -> None:
@@ -355,7 +355,7 @@ class _Run:
         elif isinstance(outcome.value, bytes) and outcome.value:
             try:
                 click.echo(hex_text(outcome.value))
-            except (click.ClickException, OSError) as error:  # it must not end the session
+            except (click.ClickException, OSError) as error:  # must not end the session
                 self._finish(str(error))
 
     def _connected(self, number: int | None, state: DeviceState) -> None:
@@ -391,7 +391,7 @@ class _Run:
             self._finish(f"The board reports: {names}.")
         elif not self._is_ending:
             say(f"The board reports: {names}.")
-            if latched.uart:  # the board may have stopped the motors for it
+            if latched.uart:  # such an error may have made the board stop the motors
                 again = [one for one in self._orders if not isinstance(one, SendPacket)]
                 self._requests += self._addressed(again)
 
@@ -408,7 +408,7 @@ class _Run:
     # --- The end ------------------------------------------------------------------------
 
     def conclude(self) -> None:
-        """Report how it ended. CommandFailed if not as intended."""
+        """Report the end of the run. CommandFailed if it was not intended."""
         error = self._line_error or self._stop_error
         if error is not None:
             text = str(error)

@@ -52,8 +52,8 @@ def set_command(name: str, value: str, force: bool, **options: Any) -> None:
 
     VALUE without a unit is a wire value, a whole number as in settings files: 15 is 1.5 s for
     serial_timeout. Any other value has its unit or is a word ("1.5 s", "off"). The decimal
-    separator is a point or a comma; thousands have none. Saves a snapshot of what the board
-    stores first. Writes nothing if the board has this value already.
+    separator is a point or a comma; thousands are not separated. First saves a snapshot of the
+    stored settings. Writes nothing if the board has this value already.
 
     With --force, limits that no source confirms do not count: the board may reject the value or
     store another one. What it stores is remembered as accepted by its firmware.
@@ -66,7 +66,7 @@ def set_command(name: str, value: str, force: bool, **options: Any) -> None:
         wire = _wire(spec, value)
         try:
             require_consent(spec.name, state, {spec.key: wire}, force=force)
-        except SettingsError as error:  # of a value that was typed, not of a file
+        except SettingsError as error:  # the value was typed, so this is wrong usage
             raise click.UsageError(str(error)) from error
         stored = settings_of(state)
         change_one(
@@ -90,7 +90,7 @@ def _wire(spec: ParameterSpec, value: str) -> int:
 
 
 def _check_value(name: str, value: str) -> None:
-    """Raise a UsageError for a value that no board takes."""
+    """Raise a UsageError for a value that no board accepts."""
     specs = specs_of(name)
     if not specs[0].readable:
         raise click.UsageError(
@@ -114,9 +114,9 @@ def _check_value(name: str, value: str) -> None:
 def restore_defaults(yes: bool, **options: Any) -> None:
     """Reset every parameter to its factory default.
 
-    Shows what will change and asks. The board does it when it is switched off and on. Channel
-    calibrations do not change (inferred). Saves a snapshot of what the board stores first. Does
-    nothing if another board on the line has the device number that this one would get.
+    Shows what will change and asks. The board resets when it is switched off and on. Channel
+    calibrations do not change (inferred). First saves a snapshot of the stored settings. Does
+    nothing if another board on the line has the device number that this board would get.
     """
     link = link_settings(options)
     with open_line(link) as client:

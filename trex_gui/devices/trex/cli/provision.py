@@ -1,4 +1,4 @@
-"""provision: one cable, many boards in turn."""
+"""provision: set up many boards in turn on one cable."""
 
 import sys
 from collections.abc import Callable
@@ -32,9 +32,9 @@ from trex_gui.devices.trex.settings.provision_record import (
     result_text,
 )
 
-_LOOK_S = 0.5  # seconds between two looks for a board
+_LOOK_S = 0.5  # seconds between two attempts to reach a board
 _PULSE = 30  # speed of 127
-_FIRST_S, _NEXT_S = 0.8, 0.25  # seconds after which a key is released: it repeats late at first
+_FIRST_S, _NEXT_S = 0.8, 0.25  # seconds until a key counts as released; its first repeat is late
 _ENTER = {"\r", "\n"}
 _END = {"q", "\x04", ""}  # Ctrl-D in a terminal, the end of a pipe
 
@@ -98,12 +98,12 @@ def provision(
 class _Shop:
     link: ConnectionSettings
     profile: str
-    wanted: Settings  # in it
+    wanted: Settings  # content of the profile
     record: ProvisionRecord
     pulses: bool
 
     def take_board(self, *, is_last: bool) -> bool:
-        """Wait for a board and set it up. Return whether the user wants more."""
+        """Wait for a board and set it up. Return whether the user wants more boards."""
         say(f"Waiting for a board on {self.link.url} ...")
         wants_more = True
         try:
@@ -150,7 +150,7 @@ class _Shop:
     def _set_up(self, trex: Trex) -> bool:
         try:
             rows = self._differing(trex)
-        except BadRequest as error:  # of another model: the next board may fit
+        except BadRequest as error:  # another model; the next board may fit
             say(str(error))
             return True
         stored = settings_of(trex.state)
@@ -164,9 +164,9 @@ class _Shop:
         click.echo(err=True)
         if key in _END:
             return False
-        trex.wait(0.05)  # NoReply if it was unplugged meanwhile
+        trex.wait(0.05)  # NoReply if the board was unplugged meanwhile
         if key in _ENTER:
-            self._note(board)  # with its number, before the board may have that
+            self._note(board)  # record the number before the board may get it
             result = self._write(trex, board.number, rows)
             if trex.is_responding:
                 board = replace(board, calibrations=fingerprint(settings_of(trex.state)))
@@ -193,7 +193,7 @@ class _Shop:
         return differing(Comparison(trex.compare_settings(self.profile)))
 
     def _write(self, trex: Trex, number: int, rows: tuple[ComparisonRow, ...]) -> str:
-        """Return how it ended, for the record."""
+        """Write the settings and return the result for the record."""
         try:
             trex.apply_settings(rows)
             trex.set_parameters(device_number=number)
@@ -211,10 +211,10 @@ class _Shop:
 def pulse(trex: Trex, motor: int, typed: Callable[[], str]) -> bool:
     """Turn a motor slowly while Space is held. Return whether Enter ended it, not q or Esc.
 
-    `typed` returns the keys since its last call.
+    `typed` returns the keys typed since its last call.
     """
     say(f"Hold Space to turn motor {motor}; Enter: go on; q: end.")
-    clock, pressed, presses = host().clock, 0.0, 0  # since the motor turns
+    clock, pressed, presses = host().clock, 0.0, 0  # presses since the motor turns
     typed()
     while True:
         keys = typed()
@@ -227,7 +227,7 @@ def pulse(trex: Trex, motor: int, typed: Callable[[], str]) -> bool:
         elif presses and clock() - pressed > (_FIRST_S if presses == 1 else _NEXT_S):
             presses = 0
             trex.stop()
-            typed()  # what was typed while the stop was confirmed
+            typed()  # drop keys typed during the stop
         trex.wait(0.05)
 
 
@@ -237,6 +237,6 @@ def read_key() -> str:
 
 
 def _say_notes(error: BaseException) -> None:
-    """Say what happened at the end of the block of a `Trex`: a stop that is not confirmed."""
+    """Print the notes of an error, such as a stop that `Trex` could not confirm."""
     for note in getattr(error, "__notes__", ()):
         say(note)

@@ -1,6 +1,6 @@
-"""A served board as a line of its own, for commands that speak to it packet by packet.
+"""Transport to a served board, for commands that work packet by packet.
 
-What they write crosses the network as `SendPacket`, between what the server does by itself.
+Their packets cross the network as `SendPacket`, between the server's own transactions.
 """
 
 import time
@@ -24,16 +24,16 @@ from trex_gui.devices.trex.session.messages import (
     SetWatched,
 )
 
-_OPENING = 20.0  # seconds within which the server has read the board
-_TRANSACTION = 10.0  # seconds for one packet, behind what other clients requested
+_OPENING = 20.0  # seconds for the server to read the board
+_TRANSACTION = 10.0  # seconds for one packet, after the requests of other clients
 
 
 class RemoteTransport:
-    """Has the methods of a `Transport`.
+    """`Transport` through a server.
 
     Raises:
         PortUnavailable: the server cannot be reached, or has no board.
-        NoReply: the board does not respond to it.
+        NoReply: the board does not respond to the server.
     """
 
     latency = 0.0  # a reply is complete when it arrives

@@ -1,4 +1,4 @@
-"""report: a zip for support, with what the board, the ports and the program are."""
+"""report: a zip for support, with the state of the board, the ports and the program."""
 
 import json
 import time
@@ -53,7 +53,7 @@ def report(file: str, **options: Any) -> None:
 
 
 def _parts(options: dict[str, Any]) -> dict[str, Callable[[], str]]:
-    """Read the board now. A part says why if that fails."""
+    """Read the board for the report. `status.txt` gives the reason if that fails."""
     if not options["port"]:
         return {}
     settings, present = link_settings(options), host()

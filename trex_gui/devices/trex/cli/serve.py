@@ -1,4 +1,4 @@
-"""serve and robots: boards that other computers use over the network."""
+"""Commands serve and robots, for boards that other computers use over the network."""
 
 import ipaddress
 import socket

@@ -1,4 +1,4 @@
-"""set-settings: write a settings file to a board, or to several on one line."""
+"""Command set-settings: write a settings file to one or several boards on one line."""
 
 from collections.abc import Collection
 from dataclasses import replace
@@ -147,7 +147,7 @@ def _review(
     force: bool,
     kept: Collection[str],
 ) -> tuple[DeviceState, list[ComparisonRow]]:
-    """Report what the settings change of the board. Return what it stores, and what to write."""
+    """Report the changes to the board. Return the state of the board, and the rows to write."""
     state = read_board(client)
     if convert:
         conversion = convert_settings(wanted, state.signature.model, state.signature.firmware)
@@ -177,7 +177,7 @@ def _review(
 
 
 def _fitted(file: str, wanted: Settings, state: DeviceState) -> Settings:
-    """Return the settings of a file that fit this board. SettingsError if none can."""
+    """Return the settings of a file for this board. SettingsError if they do not fit."""
     board = state.signature
     if wanted.product != board.model:
         message = (
@@ -225,7 +225,7 @@ def _write(
 
 
 def _say_failures(failed: list[WriteResult], names: dict[str, str]) -> None:
-    """Name failed writes. Settings not tried after a fatal error are only listed."""
+    """Report failed writes. Settings not tried after a fatal error are only listed."""
     said: set[int] = set()
     untried: list[str] = []
     for result in failed:

@@ -1,4 +1,4 @@
-"""status and get: read the board without changing it."""
+"""Commands status and get, which read the board without changing it."""
 
 import json
 from typing import Any
@@ -51,7 +51,7 @@ from trex_gui.devices.trex.session.messages import Batch, Connected, ReadReason
 from trex_gui.devices.trex.settings.board_records import utc_now
 
 _LATCHES_AGAIN = 0.05
-"""Seconds after which an error that lasts is latched again; shorter than any serial timeout.
+"""Seconds after which a lasting error is latched again. Shorter than any serial timeout.
 
 Inferred: faults and limits are checked with the ramps, at 100 Hz.
 """
@@ -156,7 +156,7 @@ def get_command(name: str, as_json: bool, **options: Any) -> None:
 
 def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
     reader = StatusReader(client.transport.clock)
-    earlier = reader.read(client.request)  # since they were last read, perhaps long ago
+    earlier = reader.read(client.request)  # errors since the last read, perhaps long ago
     raw = query(client.request, GetRawChannels())
     remapped = query(client.request, GetRemappedChannels())
     currents = query(client.request, GetCurrents())
@@ -228,10 +228,10 @@ def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
 
 
 def _errors(before: LatchedStatus, active: LatchedStatus) -> list[dict[str, str | bool]]:
-    """Return a row for each bit. Line errors that are over may be of a search for the board."""
+    """Return a row per bit. Line errors that are over may come from a search for the board."""
     status, uart = before.status | active.status, before.uart | active.uart
     earlier = before.uart & ~active.uart & ~UartError.TIMEOUT
-    is_announced = bool(earlier) and earlier == uart  # by the bit in the status
+    is_announced = bool(earlier) and earlier == uart  # the status bit is of earlier errors only
     rows: list[tuple[str, Status | UartError, bool]] = [
         *(("status", bit, bit is Status.UART_ERROR and is_announced) for bit in status),
         *(("uart", bit, bool(bit & earlier)) for bit in uart),

@@ -1,4 +1,4 @@
-"""The command stream: measurements line by line, as fast as the board renews them."""
+"""The command stream: measurements line by line, as fast as the board updates them."""
 
 import contextlib
 import csv
@@ -26,11 +26,11 @@ from trex_gui.devices.trex.session.polling import Schedule, rates
 
 _FLUSH = 0.25  # seconds after which other programs can read what was written
 _SLICE = 0.02
-_FAILURES = 10  # in a row, after which the board counts as gone
+_FAILURES = 10  # consecutive failures after which the board counts as gone
 
 
 def _read_separator(_context: click.Context, _option: click.Parameter, text: str) -> str:
-    """Read one character: quotes, line ends and what numbers consist of separate nothing."""
+    """Read the separator. Quotes, line ends and characters of numbers are rejected."""
     character = {"tab": "\t", r"\t": "\t"}.get(text.lower(), text)
     if len(character) != 1 or character.isalnum() or character in '"\r\n.-+_':
         raise click.BadParameter(f'{text!r} is not a character such as ";", or "tab".')
@@ -94,7 +94,7 @@ def stream(
         unit = identify(client).model.current_unit
         mode = agreed(client.request, GetMode(), has_crc=client.has_crc)
         table = MeasurementTable(mode, unit)
-        with _target(file) as target:  # which stays as it is until a board answers
+        with _target(file) as target:  # opened last: without a board the file is unchanged
             rows = csv.DictWriter(target, list(table.row), lineterminator="\n", delimiter=separator)
             if not as_json:
                 rows.writeheader()
@@ -145,7 +145,7 @@ def _rows(
     interrupted: Interruption,
     interval: float,
 ) -> Iterator[Row]:
-    """Poll by the schedule and yield each complete row, one in `interval` seconds at most."""
+    """Poll by the schedule. Yield complete rows, at most one in `interval` seconds."""
     clock = client.transport.clock
     reader = StatusReader(clock)
     schedule = Schedule()

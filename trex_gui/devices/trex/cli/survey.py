@@ -1,4 +1,4 @@
-"""survey: facts of a board's firmware, for the tables of this program."""
+"""The command survey: facts about a board's firmware, for the tables of this program."""
 
 import json
 from collections.abc import Callable, Iterable, Sequence
@@ -29,10 +29,10 @@ from trex_gui.devices.trex.settings.document import settings_of
 from trex_gui.version import __version__
 
 _ALL = range(HIGHEST_WIRE + 1)
-_SAMPLES = {0, 1, 2, 4, 8, 16, 32, 64, 127}  # tried of each range, to see bits that are not stored
+_SAMPLES = {0, 1, 2, 4, 8, 16, 32, 64, 127}  # tried in each range to find bits that are not stored
 _SILENT = "no reply"
 _Store = Callable[[ParameterSpec, int], int]
-"""Writes a value and returns the stored one."""
+"""Writes a value and returns the stored value."""
 
 
 @click.command()
@@ -81,24 +81,24 @@ def survey(file: str, *, limits: bool, as_new: bool, **options: Any) -> None:
                     line(done, len(specs), spec.name)
                     found.find_range(spec, state.parameters[spec.key], store, interrupted)
         text = found.text(state.signature, as_new=as_new)
-        click.echo(text, nl=False)  # not lost, should the file fail
+        click.echo(text, nl=False)  # first, so that nothing is lost if the file cannot be written
         save(Path(file), text)
 
 
 class _AnyByte(c.GetParameter):
-    """Reads a number that may be no parameter: its reply may be any byte."""
+    """Query of a number that may be no parameter. Its reply may be any byte."""
 
     def parse(self, reply: bytes) -> int:
         return reply[0]
 
 
 class _Survey:
-    """Facts of a board, found out one by one: rows by the name of their table."""
+    """Facts about a board, as rows by table name."""
 
     def __init__(self, client: TrexClient) -> None:
         self._client, self._request, self._has_crc = client, client.request, client.has_crc
-        self._unknown: dict[str, list[int]] = {}  # numbers by the reply to reading them
-        self.stored: dict[int, int] = {}  # values of the parameters that the board knows
+        self._unknown: dict[str, list[int]] = {}  # parameter numbers by their reply
+        self.stored: dict[int, int] = {}  # values of known parameters, by number
         self._tables: dict[str, dict[str, Any]] = {"errors": {}, "ranges": {}, "altered": {}}
 
     def read(self, number: int) -> None:
@@ -106,7 +106,7 @@ class _Survey:
         try:
             value = agreed(self._request, command, has_crc=self._has_crc)
         except NoReply:
-            query(self._request, c.GetMode())  # otherwise the board is gone
+            query(self._request, c.GetMode())  # raises an error if the board is gone
         else:
             if value <= HIGHEST_WIRE and "FORMAT" not in self._errors_of(command):
                 self.stored[number] = value
@@ -119,7 +119,7 @@ class _Survey:
     def find_range(
         self, spec: ParameterSpec, stored: int, store: _Store, interrupted: Interruption
     ) -> None:
-        """Try values until the ends of the range are known, and restore what was stored."""
+        """Find the ends of the range by trial, and restore the stored value."""
         tried: dict[int, int | None] = {stored: stored}
         values = [wire for wire in _ALL if wire in spec.valid or spec.is_open(wire)]
 
@@ -137,7 +137,7 @@ class _Survey:
                 good, bad = (middle, bad) if takes(middle) else (good, middle)
         taken = list(filter(takes, sorted({*tried, *_SAMPLES} & {*values})))
         whole: Sequence[int] = range(taken[0], taken[-1] + 1)
-        if not all(map(takes, tried.keys() & whole)):  # it has gaps
+        if not all(map(takes, tried.keys() & whole)):  # the range has gaps
             whole = values
         altered = [f"{w} as {s}" for w, s in sorted(tried.items()) if s not in {None, w}]
         number = f"0x{spec.number:02X}"
@@ -146,7 +146,7 @@ class _Survey:
         self._try(store, spec, stored)
 
     def _try(self, store: _Store, spec: ParameterSpec, wire: int) -> int | None:
-        """Write a value and return the stored one, `None` if the board rejects it."""
+        """Write a value. Return the stored value, `None` if the board rejects it."""
         try:
             return store(spec, wire)
         except Rejected:
@@ -157,8 +157,8 @@ class _Survey:
             return agreed(self._request, c.GetParameter(spec.number), has_crc=self._has_crc)
 
     def _errors_of(self, command: c.Command[Any]) -> list[str]:
-        """Return the errors that a command causes each time. Noise causes others."""
-        always = ~UartError.TIMEOUT  # which waiting for a reply may cause
+        """Return the errors that a command causes every time, without errors from noise."""
+        always = ~UartError.TIMEOUT  # waiting for a reply may cause a timeout
         for _ in range(ATTEMPTS):
             query(self._request, c.GetUartErrors())
             with suppress(NoReply, BadReply):
@@ -168,11 +168,11 @@ class _Survey:
 
     def _reply(self, command: c.Command[Any]) -> str:
         packet = self._client.settings.framing.encode(command)
-        raw = self._client.send_packet(Malformed(packet, "")).raw  # which checks no reply
+        raw = self._client.send_packet(Malformed(packet, "")).raw  # the reply is not checked
         return hex_text(raw[len(packet) * self._client.echo :]) or _SILENT
 
     def text(self, board: c.Signature, *, as_new: bool) -> str:
-        """Return the survey as TOML: values in decimal, numbers of parameters in hexadecimal."""
+        """Return the survey as TOML. Values are decimal, parameter numbers hexadecimal."""
         head = {"model": board.model.key, "firmware": board.firmware, "stores_defaults": as_new}
         unknown = {f'"{reply}"': _spans(of, "02X") for reply, of in self._unknown.items()}
         queries = {

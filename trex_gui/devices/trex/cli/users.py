@@ -1,4 +1,4 @@
-"""Users of a served board: a text file with a line `NAME ROLE SECRET` for each."""
+"""Users of a served board: a text file with a line `NAME ROLE SECRET` per user."""
 
 import secrets
 import stat
@@ -17,8 +17,8 @@ def read_users(path: Path) -> tuple[User, ...]:
     """Return the users in a file.
 
     Raises:
-        BadRequest: a line is none of a user, or other users of this computer can read the file.
-        StudioError: it cannot be read.
+        BadRequest: a line is invalid, or other users of this computer can read the file.
+        StudioError: the file cannot be read.
     """
     text = load(path).decode("utf-8", "replace")
     if sys.platform != "win32" and path.stat().st_mode & (stat.S_IRWXG | stat.S_IRWXO):
@@ -40,10 +40,10 @@ def read_users(path: Path) -> tuple[User, ...]:
 
 
 def add_user(path: Path, name: str, role: str) -> str:
-    """Add a user to a file, which is made if need be, and return the new secret.
+    """Add a user to a file, and return the new secret. A missing file is created.
 
     Raises:
-        StudioError: the name cannot be used, or the file not be written.
+        StudioError: the name cannot be used, or the file cannot be written.
     """
     if not _is_user(name):
         raise BadRequest(f"A user has a name of letters and digits, not {name!r}.")

@@ -179,7 +179,7 @@ def is_several(client: TrexClient, stored_number: int) -> bool:
 def require_free_number(
     client: TrexClient, number: int, before: Callable[[], object] = lambda: None
 ) -> None:
-    """Check that no board has a device number. `before` is called before each query.
+    """Check that no board uses this device number. `before` is called before each query.
 
     Raises:
         BadRequest: a board has the number, or no attempt got a readable reply (several boards).

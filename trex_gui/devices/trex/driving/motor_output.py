@@ -67,7 +67,7 @@ class OutputEvent(Enum):
 
 class Action(Enum):
     START_WATCHDOG = auto()
-    DROP_SETPOINTS = auto()  # drop those that are queued, unconfirmed or refreshed
+    DROP_SETPOINTS = auto()  # drop queued, unconfirmed and refreshed setpoints
     FAIL_NOISY_STOPS = auto()  # report the stops that wait for a quiet line as unconfirmed
     CONFIRM_NOISY_STOPS = auto()
 
@@ -96,7 +96,7 @@ _ARMING: Mapping[tuple[Arming, OutputEvent], tuple[Arming, tuple[Action, ...]]] 
 _MOTION: Mapping[tuple[Motion, OutputEvent], tuple[Motion, tuple[Action, ...]]] = {
     (Motion.STOPPED, OutputEvent.SETPOINT_SENT): (Motion.DRIVEN, ()),
     (Motion.STOPPED, OutputEvent.DIRECT_COMMAND_SENT): (Motion.DRIVEN, ()),
-    # If the board received it, a packet may have become another one.
+    # On a noisy line, a packet may have reached the board as another command.
     (Motion.STOPPED, OutputEvent.STOP_CLEAN_BUT_NOISY): (Motion.STOP_UNCONFIRMED, ()),
     (Motion.DRIVEN, OutputEvent.STOP_CONFIRMED): (Motion.STOPPED, _CONFIRM),
     (Motion.DRIVEN, OutputEvent.STOP_CLEAN_BUT_NOISY): (Motion.STOP_UNCONFIRMED, ()),
@@ -120,7 +120,7 @@ class MotorOutput:
         *,
         may_move: bool = False,
     ) -> None:
-        """`report` receives the outcome of every stop, and every automatic stop."""
+        """`report` receives the outcomes of stops, automatic stops and repeated commands."""
         self.arming = Arming.INITIAL
         self.motion = Motion.DRIVEN if may_move else Motion.STOPPED
         self.stops: list[Stop] = []  # requested stops that were not sent yet
@@ -185,14 +185,14 @@ class MotorOutput:
     def _heartbeat_received(self, at: float) -> None:
         """Record a heartbeat, unless it arrives after the timeout.
 
-        If the computer was suspended, the first heartbeat after it must not hide the timeout.
+        If the computer was suspended, its first heartbeat afterwards must not hide the timeout.
         """
         if at - self._heartbeat_at <= self._timeouts.heartbeat:
             self._heartbeat_at = max(self._heartbeat_at, at)
 
-    # --- What comes next ----------------------------------------------------------------
+    # --- Next actions -------------------------------------------------------------------
 
-    # All return seconds from now, infinite if nothing is due.
+    # `seconds_to_…` return seconds from now, infinite if nothing is due.
 
     def seconds_to_heartbeat_timeout(self, now: float) -> float:
         return self._heartbeat_at + self._timeouts.heartbeat - now if self.is_armed else math.inf
@@ -226,7 +226,7 @@ class MotorOutput:
             self.report(CommandsRepeated())
 
     def pop_setpoints(self, now: float) -> list[Setpoint]:
-        """Return the setpoints to send now: queued ones, or retries. Record them as sent."""
+        """Return the setpoints to send now: queued setpoints, or retries. Record them as sent."""
         self._sent_at = now
         if setpoints := self.setpoints.pop():
             self.retry.start(setpoints, now)
@@ -263,7 +263,7 @@ class MotorOutput:
         """Record the result of an attempt to stop. All setpoints are idle from now on.
 
         `statuses` were latched meanwhile. `confirmed`: clean statuses followed the stop. `final`:
-        they are sufficient even on a line that damages bytes.
+        these are sufficient even on a line that damages bytes.
         """
         self._sent_at = self._stopped_at = now
         was_driven = self.may_move

@@ -28,9 +28,9 @@ restarts the sequence at once.
 LONGEST_REPEATING = 5.0  # seconds after which retries end, confirmed or not
 
 _CLEAN_STATUSES = 2
-"""Alternating packets and clean statuses that confirm a setpoint; see `motor_driver`.
+"""Number of clean statuses, each after a packet, that confirm a setpoint. See `motor_driver`.
 
-A single status is enough where a retry could do harm: setting a speed at once bypasses the
+One status is enough where a retry could do harm: a speed that is set at once bypasses the
 current limiter.
 """
 
@@ -130,26 +130,26 @@ class SetpointRetry:
 QUIET = 300
 """Undamaged replies in a row after which a line counts as quiet.
 
-If each byte is damaged with probability p, in any of its bits, the last packet of a brake drives
-that motor with 2p/9 (two of the eight data bits and the stop bit), undetected. Each reply needs at
-least one undamaged byte of ours, so the probability that such a line counts as quiet is less than
-2p/9 * (1 - p)**300: at most 2.7e-4 (where p is 1/300), 1.1e-4 at 1 %, 1.0e-5 at 2 %, 2e-9 at 5 %.
-The speed of the auxiliary motor has seven such bits: 3.5 times that. CRC-7 detects every single
-bit. At 19200 baud and above 300 replies take 1.6 s.
+Let each byte be damaged with probability p, in any one of its nine bits (eight data bits and the
+stop bit). Two of them make the last packet of a brake drive the motor, undetected: probability
+2p/9. Each reply needs an undamaged sent byte, so the probability that such a line counts as quiet
+is below 2p/9 * (1 - p)**300: at most 2.7e-4 (p = 1/300), 1.1e-4 at 1 %, 1.0e-5 at 2 %, 2e-9 at 5 %.
+The auxiliary speed has seven such bits, so its probability is 3.5 times as high. CRC-7 detects
+every single-bit error. At 19200 baud and above, 300 replies take 1.6 s.
 """
 
 
 class LineQuality:
     """Quality of a line, which decides whether a clean status can be trusted.
 
-    A clean status says that the board latched no error, not that it received the packet as sent.
+    A clean status means that the board latched no error, not that it received the packet as sent.
     Without a CRC, one flipped bit turns C0 7F (brake) into C2 7F (full speed forward), or 86 1F
-    (a query) into C6 1F (a quarter forward). Such a line also damages bytes that are checked.
+    (a query) into C6 1F (a quarter forward). But such a line also damages bytes that are checked.
     """
 
     def __init__(self) -> None:
         self.answers = 0  # complete replies since the line was opened
-        # True while another process also uses the line. Its failures are no damage
+        # True while another process also uses the line. Failures are no damage then
         self.is_shared = False
         self._has_crc = False
         self._is_observed = False
@@ -280,7 +280,7 @@ class SetpointRefresh:
         self._answers_since = None
 
     def _watch_auxiliary(self) -> None:
-        """Clear the risk once the line has been quiet since that packet."""
+        """Clear the risk once the line has been quiet since the packet that caused it."""
         if self._answers_since is None:
             self._answers_since = self._quality.answers
         if self._quality.answers - self._answers_since >= QUIET:

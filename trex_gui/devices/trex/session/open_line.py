@@ -37,7 +37,7 @@ class SampleBatcher:
         self._report = report
         self._samples: list[Sample] = []
         self._last_flush = 0.0
-        self.interval = FRAME  # least seconds between two batches
+        self.interval = FRAME  # shortest time in seconds between two batches
         self.add = self._samples.append
         self.extend = self._samples.extend
 
@@ -54,7 +54,7 @@ class SampleBatcher:
 
 @dataclass(slots=True, eq=False)
 class OpenLine:
-    """The line from the view of one board, and the priority of what uses it."""
+    """The line as one board sees it, and the priorities of its use."""
 
     client: TrexClient
     transport: GuardedTransport
@@ -86,7 +86,7 @@ class OpenLine:
         self.serve_motors()
         return self.client.request(command)
 
-    # --- What is more urgent ------------------------------------------------------------
+    # --- Urgent work --------------------------------------------------------------------
 
     def collect(self, seconds: float = 0.0) -> None:
         """Handle new requests, waiting for the first. Raise `Closing` after `Close`."""
@@ -116,7 +116,7 @@ class OpenLine:
         return run.is_confirmed
 
     def _stop(self, runs: dict["OpenLine", StopRun]) -> None:
-        """Stop these boards, and others whose stops become due meanwhile."""
+        """Stop these boards, and other boards whose stops become due meanwhile."""
 
         def due() -> list[StopRun]:
             self.requests.collect()
@@ -134,7 +134,7 @@ class OpenLine:
             run.most_unanswered = _MOST_UNANSWERED
         stop_together(list(runs.values()), due)
         for board, run in runs.items():
-            for error in run.unanswered:  # nothing may drive the others before it responds again
+            for error in run.unanswered:  # the others may not be driven before it responds again
                 board.record_failure(error)
 
     def due_stops(self) -> list[StopRun]:

@@ -22,7 +22,7 @@ _STEPS = {  # between two labels of an axis, in µs and V
 def input_axis(
     source: InputSource, calibration: Calibration | None, count: int | None = None
 ) -> tuple[int, int]:
-    """Return the ends of an axis for these marks and this count."""
+    """Return the ends of an axis that includes the calibration and the count."""
     counts = [] if count is None else [count]
     if calibration is not None:
         counts += [calibration.minimum, calibration.maximum]
@@ -41,7 +41,7 @@ def widened(axis: tuple[int, int], counts: Iterable[int]) -> tuple[int, int]:
 
 
 def input_labels(source: InputSource, axis: tuple[int, int], most: int) -> Labels:
-    """Return at most that many labels, in counts. The last has the unit."""
+    """Return at most `most` labels, at positions in counts. The last label has the unit."""
     low, high = (source.physical(count) for count in axis)
     for step in _STEPS[source]:
         values = ticks(low, high, step)
@@ -58,7 +58,7 @@ def paint_input(
     count: int | None,
     calibration: Calibration | None,
 ) -> None:
-    """Paint a raw count and the marks of its calibration. `None`: no signal, not known."""
+    """Paint a raw count (`None`: no signal) and its calibration (`None`: unknown)."""
     marks: tuple[int, ...] = ()
     fill = "bar"
     if calibration is not None:

@@ -1,4 +1,4 @@
-"""The boards on a line beside the pages, and the dialog that gives one another number."""
+"""Panel of the boards on a line, and dialog that changes a device number."""
 
 from functools import partial
 
@@ -30,7 +30,7 @@ _WIDEST = "00 · TReX Jr 1.2  "
 
 
 class BoardPanel(QWidget):
-    """The boards on the line, of which one is shown on every page. Hidden while it is one."""
+    """Selects the board that the pages show. Visible for several boards, or during a scan."""
 
     file_requested = Signal()
 
@@ -126,7 +126,7 @@ class BoardPanel(QWidget):
     @Slot(QListWidgetItem)
     def _on_chosen(self, item: QListWidgetItem) -> None:
         self._boards.select(item.data(_NUMBER))
-        self._update()  # the current item stays the selected board until the other one is read
+        self._update()  # the current item changes only once the other board is read
 
     @Slot()
     def _update(self) -> None:
@@ -154,7 +154,7 @@ class BoardPanel(QWidget):
         self._alone.setEnabled(device.is_writable and is_stopped)
 
     def _show_boards(self) -> None:
-        """Show each board in its place. The list keeps focus and scroll position."""
+        """Update the items in place, so that the list keeps focus and scroll position."""
         shown = self._boards.boards
         tips = {
             Presence.SILENT: tr("It replied before. Check its power and its wires."),
@@ -208,7 +208,7 @@ class BoardPanel(QWidget):
 
 
 class NumberDialog(QObject):
-    """Gives the selected board another device number. What happens is said in the window."""
+    """Gives the selected board another device number. The window reports the result."""
 
     def __init__(self, boards: BoardList, device: Device, parent: QWidget) -> None:
         super().__init__(parent)
@@ -231,7 +231,7 @@ class NumberDialog(QObject):
         self._number.valueChanged.connect(self._dialog.refresh)
 
     def ask(self) -> None:
-        """Propose the first number above the present one that no known board has."""
+        """Propose the next higher device number that no known board has."""
         present = self._boards.selected or 0
         taken = {one.number for one in self._boards.boards} | {present}
         numbers = [(present + step) % NUMBERS for step in range(1, NUMBERS)]

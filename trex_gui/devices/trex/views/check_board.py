@@ -1,4 +1,4 @@
-"""Dialog for a board that does not respond: what its LEDs mean, and its serial settings."""
+"""Dialog for a board that does not respond: meaning of its LEDs, and serial settings."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -89,7 +89,7 @@ class SightsPage(Page):
             leds, shown = Leds(self), ui.label(self, text=words, wrap=True)
             leds.show_patterns(patterns, meaning=words)
             title = ui.label(self, text=meaning, bold=True, wrap=True)
-            # Without an alignment: with one, text that wraps would not get its height.
+            # No alignment, since it would keep wrapped text from getting its height.
             about = ui.column(title, Muted(to_do, self), 1, margins=0, spacing=0)
             rows.addLayout(ui.column(leds, shown, 1, margins=0, spacing=0), number, 0)
             rows.addLayout(about, number, 1)
@@ -101,11 +101,11 @@ class SightsPage(Page):
 
 @dataclass(frozen=True, slots=True)
 class _Step:
-    """One step: what to do, where the jumpers are then, what LEDs show and what arrives."""
+    """One step: instruction, then jumpers, LEDs and received bytes after it."""
 
     title: str
     to_do: str
-    jumpers: tuple[bool, bool, *tuple[str, ...]]  # mix, SO–G on, and those to move now
+    jumpers: tuple[bool, bool, *tuple[str, ...]]  # mix on, SO–G on, and the jumpers to move now
     leds: tuple[str, str]
     shown: str
     received: str
@@ -165,7 +165,7 @@ _STEPS = (
 
 
 class HandShakePage(Page):
-    """Draws jumpers and LEDs of a step, and says what the board sends then."""
+    """Shows the jumpers and LEDs of a step, and describes what the board sends."""
 
     def __init__(self) -> None:
         super().__init__("handShakePage", tr("Jumpers and LEDs"))

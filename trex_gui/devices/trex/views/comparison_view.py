@@ -1,4 +1,4 @@
-"""Settings side by side: what would change, what matches, and which changes to make."""
+"""Settings side by side: differences, matches, and check boxes for the changes."""
 
 from collections.abc import Mapping
 from types import MappingProxyType
@@ -27,12 +27,12 @@ from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.builders import check_box, column, flat_table, label, row
 
 _ROW_MARGIN = 16
-_LEAST = 3  # rows that can be seen at once in the lowest window
+_LEAST = 3  # visible rows in the lowest window
 _WITH_SIGN = {ComparisonColumn.SETTING, ComparisonColumn.AFTER, ComparisonColumn.OUTCOME}
 
 
 class _Delegate(QStyledItemDelegate):
-    """Leaves room around a row, and draws a line below it."""
+    """Adds space around a row, and draws a line below it."""
 
     def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
         size = super().sizeHint(option, index)
@@ -40,7 +40,7 @@ class _Delegate(QStyledItemDelegate):
 
     def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
         super().initStyleOption(option, index)
-        if option.state & QStyle.StateFlag.State_Selected:  # keeps the colours of its cells
+        if option.state & QStyle.StateFlag.State_Selected:  # keep the colours of its cells
             option.state &= ~QStyle.StateFlag.State_Selected
             option.backgroundBrush = QBrush(theme().color("selected"))
 
@@ -71,14 +71,14 @@ class _Table(QTableView):
 
 
 class ComparisonView(QWidget):
-    """Table, counts and settings left out. No text is cut: it decides what is written."""
+    """Table, counts and settings left out. Texts are never cut, since users decide by them."""
 
     ticked_changed = Signal(int)  # the number of ticked changes
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.table = ComparisonTable(self)
-        self._shown: object = None  # what the table is about; `None` for nothing
+        self._shown: object = None  # arguments of the shown comparison; `None`: nothing is shown
 
         self._all = check_box(self, "tickAllBox", tr("Select &all"), on_click=self._on_all_clicked)
         self._summary = label(self, "comparisonSummary", wrap=True, expand=True, size="caption")
@@ -118,8 +118,8 @@ class ComparisonView(QWidget):
     ) -> None:
         """Show or update a comparison. `summary` replaces the counts.
 
-        `before` and `after` head the two sides. Check boxes stay while these, `with_ticks` and
-        `outcomes` stay; changes that are new get `tick_new`.
+        `before` and `after` are the titles of the sides. Check boxes keep their state unless the
+        titles, `with_ticks` or `outcomes` change. New changes are checked if `tick_new`.
         """
         shown = (before, after, with_ticks, dict(outcomes))
         if shown == self._shown:
@@ -138,7 +138,7 @@ class ComparisonView(QWidget):
         self._update()
 
     def show_nothing(self, reason: str = "") -> None:
-        """Show no table, and why. The next comparison has every change ticked."""
+        """Hide the table and show the reason. The next comparison has every change checked."""
         self.show_comparison(Comparison(()), "", "", summary=reason or " ")
         self._shown = None
 
@@ -188,7 +188,7 @@ class ComparisonView(QWidget):
         self._update()
 
     def _least_width(self, column: int) -> int:
-        """Return the width of the longest word, which cannot be wrapped, and its box or sign."""
+        """Return the width of the longest word with its check box or sign. Words do not wrap."""
         font = self._view.font()
         font.setBold(True)
         metrics, table = QFontMetrics(font), self.table

@@ -1,4 +1,4 @@
-"""Spin boxes that show and take their number in several units, and a delegate for tables."""
+"""Spin boxes that show and accept numbers in several units, and a delegate for tables."""
 
 import math
 import re
@@ -28,23 +28,23 @@ BARE = re.compile(rf"\s*{DECIMAL}\s*")  # a number without a unit
 class UnitSpinBox(QSpinBox):
     """Base of spin boxes whose input `parse` converts.
 
-    A number without a unit is in the unit that is shown; a change of units first takes what was
-    typed. Input that was reported as no value is marked by a red frame and an icon.
+    A number without a unit is in the displayed unit. A change of units first accepts the typed
+    text. Input that was reported as invalid is marked by a red frame and an icon.
     """
 
-    rejected = Signal(str)  # why the input is not a value, for the user
+    rejected = Signal(str)  # reason why the input is invalid, for the user
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         never_mirror(self)
-        self.own_first = units().own_first  # as the text says, which follows a change of units
+        self.own_first = units().own_first  # as displayed; a change of units updates both
         self.setKeyboardTracking(False)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccelerated(True)
         self._problem = QAction(tr("Not a value"), self)
         set_icon(self._problem, "warning", "danger")
         self.lineEdit().addAction(self._problem, QLineEdit.ActionPosition.LeadingPosition)
-        self._problem.setVisible(False)  # only now: Qt shows what was hidden when it was added
+        self._problem.setVisible(False)  # not earlier: Qt shows an action that is added hidden
         self.lineEdit().setTextMargins(4, 0, 0, 0)
         self._typed = ""
         self.lineEdit().textChanged.connect(self._on_text_changed)
@@ -53,7 +53,7 @@ class UnitSpinBox(QSpinBox):
 
     @property
     def problem(self) -> str:
-        """Reason why the input is marked. Empty if it is not."""
+        """Reason why the input is marked, else empty."""
         return self._problem.toolTip() if self._problem.isVisible() else ""
 
     def _mark(self, problem: str) -> None:
@@ -68,7 +68,7 @@ class UnitSpinBox(QSpinBox):
 
     @property
     def rounding(self) -> str:
-        """Sentence with the stored value if it differs from the typed one, else empty."""
+        """Sentence with the stored value if it differs from the typed value, else empty."""
         stored = self.textFromValue(self.value())
         number, unit, *_ = f"{stored} ".split(" ")
         with suppress(BadRequest):
@@ -84,8 +84,8 @@ class UnitSpinBox(QSpinBox):
         if is_typed:
             self.interpretText()
         self.own_first = units().own_first
-        self.setSuffix("")  # makes the text and the size again
-        self.lineEdit().setModified(is_typed)  # so that a delegate keeps it
+        self.setSuffix("")  # updates the text and the size
+        self.lineEdit().setModified(is_typed)  # so that a delegate commits the value
         self._mark("")
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -148,17 +148,17 @@ class UnitDelegate(QStyledItemDelegate):
 
 
 class CountEditor(UnitSpinBox):
-    """A raw count, shown in µs or V, or as it is. Takes `2.1 ms`, `1500 µs` or `3750 counts`."""
+    """Editor of a raw count, in µs, V or counts. Accepts `2.1 ms`, `1500 µs` or `3750 counts`."""
 
     def __init__(self, source: InputSource, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._source = source
-        self.stepping = False  # a key, the wheel or a button changes the value; it is not typed
+        self.stepping = False  # True while a key, the wheel or a button changes the value
         self.setRange(0, HIGHEST_CODED)
         self.setToolTip(plain(self._expected()))
 
     def set_source(self, source: InputSource) -> None:
-        """Change to the units of another input source. The count stays."""
+        """Change to the units of another input source. The count is unchanged."""
         if source is not self._source:
             self._source = source
             self.setToolTip(plain(self._expected()))

@@ -43,11 +43,11 @@ BoardRows = Rows[DemoSnapshot]
 OnClick = Callable[[], object]
 PartT = TypeVar("PartT", bound=BoardPart)
 
-_TRAVEL = 1200  # positions of a stick: microseconds of its pulses
-_STALL, _AMPERE = 30, 10  # A of the simulated model, positions
-_LOWEST, _HIGHEST, _VOLT = 4, 16, 10  # V, V, positions; below about 6 V a TReX resets
+_TRAVEL = 1200  # positions of a stick, in microseconds of its pulses
+_STALL, _AMPERE = 30, 10  # A of the simulated model, positions per A
+_LOWEST, _HIGHEST, _VOLT = 4, 16, 10  # V, V, positions per V; a TReX resets below about 6 V
 _MODES = ("serial", "rc", "analog")
-_MIXED = tr_noop("&Turn"), tr_noop("&Forward")  # what inputs 1 and 2 do with the mix jumper
+_MIXED = tr_noop("&Turn"), tr_noop("&Forward")  # roles of inputs 1 and 2 with the mix jumper
 _FLASHES = {  # while the board learns or is in the boot loader
     "blink": tr_noop("blink {0}/s"),
     "alternate": tr_noop("alternate {0}/s"),
@@ -67,7 +67,7 @@ def led_patterns(snapshot: DemoSnapshot) -> tuple[str, str]:
 
 
 def led_words(pattern: str) -> str:
-    """Return the words of the Status page, of which only the first has room here."""
+    """Return the words of the Board page for an LED, shortened to fit here."""
     if pattern == PACKETS:
         return tr("flickers")
     kind, _, rate = pattern.rpartition(" ")
@@ -100,7 +100,7 @@ def _safe_start_text(snapshot: DemoSnapshot) -> str:
 
 
 def jumper_hint(snapshot: DemoSnapshot) -> str:
-    """Return what a power cycle would change. Empty if nothing."""
+    """Return the effect of the jumpers, now or after a power cycle. Empty if there is none."""
     jumpers = snapshot.jumpers
     if snapshot.boot_mode is not None:
         return ""
@@ -118,7 +118,7 @@ def jumper_hint(snapshot: DemoSnapshot) -> str:
 
 
 def motor_text(motor: DemoMotor) -> str:
-    """Return what a motor does: `forward 64`."""
+    """Return the state of a motor, such as `forward 64`."""
     if motor.direction == "brake":
         return f"{tr('brake')} {motor.speed}" if motor.speed else tr("coast")
     return direction_text(motor.speed if motor.direction == "forward" else -motor.speed)
@@ -143,7 +143,7 @@ class DemoBoardView(DemoPanelBody[DemoSnapshot]):
 
 
 def _other_rows(board: DemoBoard, parent: QWidget) -> BoardRows:
-    """Return what no drawing can be."""
+    """Return rows for the controls that the drawing does not show."""
     rows = BoardRows("", Columns(value="30.0\u00a0V"), parent)
     text, tip = tr("Power on", "state"), tr("The board's power switch")
     power = rows.check_box("demoPower", text, tip, board.set_power, lambda seen: seen.power)
@@ -207,7 +207,7 @@ def _other_rows(board: DemoBoard, parent: QWidget) -> BoardRows:
 
 
 class Drawing(BoardRows):
-    """The simulated board with what is plugged into it, where it can be moved and pressed."""
+    """The simulated board and its plugged-in parts, which can be moved and pressed."""
 
     def __init__(self, board: DemoBoard, learning: Learning, parent: QWidget) -> None:
         super().__init__("", Columns(), parent)
@@ -267,7 +267,7 @@ class Drawing(BoardRows):
         tip = tr("Input {0}: {1}. A double click centres it, Delete unplugs it.")
         tip = tip.format(channel, tr(CHANNEL_ROLES[channel]))
         ui.named(slider, f"demoInput{channel}", accessible=spoken, tip=tip)
-        slider.positions_per_unit = _TRAVEL / 100  # a screen reader hears per cent, and the value
+        slider.positions_per_unit = _TRAVEL / 100  # a screen reader says per cent and the value
         slider.setSingleStep(10)
         slider.setPageStep(_TRAVEL // 10)
         slider.value_label = value
@@ -427,7 +427,7 @@ class Drawing(BoardRows):
         label = ui.label(self, text=tr("Load"), buddy=slider)
         return ui.row(label, (slider, 1), value, margins=0, spacing=3)
 
-    # --- What changes -------------------------------------------------------------------
+    # --- Updates ------------------------------------------------------------------------
 
     def show_leds(self, snapshot: DemoSnapshot | None) -> None:
         if snapshot is None:

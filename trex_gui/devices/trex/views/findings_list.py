@@ -23,17 +23,17 @@ _SIGNS = {Severity.ERROR: ("error", "danger"), Severity.WARNING: ("warning", "wa
 
 
 class FindingsList(QWidget):
-    """Every finding, with a button for its proposal. Hidden without any."""
+    """Findings, each with a button for its proposal. Hidden while empty."""
 
-    accepted = Signal(object)  # a `LintFinding`; its change is to become an edit
-    line_chosen = Signal(int)  # a line, from 1, is to be shown
+    accepted = Signal(object)  # a `LintFinding`, whose change becomes an edit
+    line_chosen = Signal(int)  # line to show, from 1
 
     def __init__(
         self, where: str, after: QWidget, parent: QWidget | None = None, *, is_wide: bool = False
     ) -> None:
         """Create the list. `where` begins the object names: `parameter`, `review`.
 
-        Tab comes to it from `after`. `is_wide`: the whole proposal fits on a button.
+        Tab moves from `after` to the list. `is_wide`: the whole proposal fits on a button.
         """
         super().__init__(parent)
         self._after = after
@@ -51,7 +51,7 @@ class FindingsList(QWidget):
     def follow(
         self, linter: SettingsLinter, concerns: Callable[[LintFinding], bool] = bool
     ) -> None:
-        """Show the findings that concern the user here."""
+        """Show the findings of a linter for which `concerns` is true."""
         self._linter, self._concerns = linter, concerns
         linter.changed.connect(self.refresh)
         self.accepted.connect(linter.accept)
@@ -77,7 +77,7 @@ class FindingsList(QWidget):
         for line in self._lines:
             self._layout.removeWidget(line)
             line.setParent(None)
-            line.deleteLater()  # later: this may handle a click on one of its buttons
+            line.deleteLater()  # later: one of its buttons may have called this
         shown, more = self._findings[:_MOST], len(self._findings) - _MOST
         if more > 0:
             shown += (tr("and %n more", "", more),)
@@ -105,7 +105,7 @@ class FindingsList(QWidget):
             actions.append(accept)
         elif isinstance(finding, Finding):
             sign, at = _SIGNS[finding.severity], finding.line
-            text = str(replace(finding, severity=Severity.ERROR))  # the sign says that
+            text = str(replace(finding, severity=Severity.ERROR))  # the sign shows the severity
         if at is not None and self._with_lines:
             choose = partial(self.line_chosen.emit, at)
             title = tr("Show line {0}").format(at)

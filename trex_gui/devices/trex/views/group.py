@@ -1,4 +1,4 @@
-"""Boards that are driven together: the dialog that joins them, and what each of them does."""
+"""Boards that are driven together: dialog that joins them, and a card for each board."""
 
 from dataclasses import replace
 
@@ -32,7 +32,7 @@ _GAP = 40  # pixels between two boards, at least
 
 
 class GroupDialog(ReusedDialog):
-    """Asks where each motor of the boards on the line is, and which way it turns."""
+    """Asks for the place and the direction of each motor on the line."""
 
     def __init__(
         self, device: Device, boards: BoardList, group: BoardGroup, parent: QWidget
@@ -109,7 +109,7 @@ class GroupDialog(ReusedDialog):
 
     @property
     def wheels(self) -> tuple[Wheel, ...]:
-        """The wheels as they are chosen."""
+        """Wheels as selected in the dialog."""
         shown = {one.number for one in self._boards.boards}
         return tuple(
             Wheel(board, motor, side.currentData(), turns.isChecked())
@@ -133,12 +133,12 @@ class GroupDialog(ReusedDialog):
     @Slot()
     def _on_join(self) -> None:
         self.close()
-        if len({one.board for one in self.wheels}) > 1:  # boards may have gone meanwhile
+        if len({one.board for one in self.wheels}) > 1:  # boards may be gone by now
             self._group.join(self.wheels)
 
 
 class SideBySide(QWidget):
-    """Shows one widget for each board, side by side where there is room, else in a column."""
+    """Shows one widget for each board, side by side if they fit, else in a column."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -158,7 +158,7 @@ class SideBySide(QWidget):
         self._place()
 
     def minimumSizeHint(self) -> QSize:
-        """Return the size of the column: it is made where a row does not fit."""
+        """Return the size of the column, which is used if a row does not fit."""
         widths = [one.minimumSizeHint().width() for one in self._widgets]
         return QSize(max(widths, default=0), self._box.minimumSize().height())
 
@@ -175,7 +175,7 @@ class SideBySide(QWidget):
 
 
 class GroupCards(QWidget):
-    """Shows currents and problems of each board of a group side by side. Hidden without one."""
+    """Shows currents and problems of each board of a group side by side. Hidden without a group."""
 
     def __init__(self, group: BoardGroup, parent: QWidget) -> None:
         super().__init__(parent)

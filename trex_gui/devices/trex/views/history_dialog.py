@@ -33,7 +33,7 @@ _WIDEST = 34  # the initial width of a column, in characters
 class HistoryDialog(ReusedDialog):
     """Snapshots compared with the board or each other. Restored values become pending edits."""
 
-    restore_requested = Signal()  # settings of a snapshot are edits now; they are to be reviewed
+    restore_requested = Signal()  # settings of a snapshot are edits now, to be reviewed
 
     def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -43,11 +43,11 @@ class HistoryDialog(ReusedDialog):
         self.setWindowFlags(Qt.WindowType.Window)
         self._history = device.writer.history
         self._table = SnapshotTable(device.writer.history, self)
-        self._place: tuple[int, Path | None] = 0, None  # of the newest selected snapshot
+        self._place: tuple[int, Path | None] = 0, None  # row, path of the newest selected snapshot
         self._is_fitted = False
         self._bound_problem = ""
         self._later = new_timer(self, 0, self._renew, single_shot=True)
-        # The thread that reads slows this one down: not before the window was drawn.
+        # Starts after the window is drawn, since the reading thread slows this one down.
         self._reading = new_timer(self, 0, self.refresh, single_shot=True)
 
         notifier = Notifier(self)
@@ -59,7 +59,7 @@ class HistoryDialog(ReusedDialog):
         self._view = self._list_view()
         self._none = ui.label(self, "snapshotNoMatch", tr("No snapshot matches the search."))
         self._none.hide()
-        button = partial(ui.button, self, default=False)  # Enter means something else
+        button = partial(ui.button, self, default=False)  # Enter has another use
         tip = tr("One with a name is kept, however many follow it; a double click, too")
         self._name = button("nameSnapshotButton", tr("&Name…"), icon="edited", tip=tip)
         tip = tr("Save a copy as a settings file")
@@ -127,7 +127,7 @@ class HistoryDialog(ReusedDialog):
         view.setEditTriggers(triggers.DoubleClicked | triggers.EditKeyPressed)
         header = view.horizontalHeader()
         header.setStretchLastSection(True)
-        header.setResizeContentsPrecision(50)  # rows that are measured for a width
+        header.setResizeContentsPrecision(50)  # rows to measure for a width
         view.resizeColumnsToContents()
         keys, context = QKeySequence.StandardKey.Delete, Qt.ShortcutContext.WidgetShortcut
         QShortcut(keys, view, self._on_delete_clicked, context=context)
@@ -182,7 +182,7 @@ class HistoryDialog(ReusedDialog):
         self._renew()
 
     def _fit_columns(self) -> None:
-        """Fit the columns to the first snapshots that are listed."""
+        """Fit the columns once, to the first listed snapshots."""
         if self._is_fitted or not self._table.snapshots:
             return
         self._is_fitted = True
@@ -192,7 +192,7 @@ class HistoryDialog(ReusedDialog):
             size = self._view.columnWidth(section) + 2 * character
             title = self._view.horizontalHeader().sectionSizeHint(section)
             self._view.setColumnWidth(section, max(min(size, _WIDEST * character), title))
-        last = self._view.horizontalHeader().minimumSectionSize()  # it takes what is left
+        last = self._view.horizontalHeader().minimumSectionSize()  # it takes the remaining width
         self._view.setColumnWidth(SnapshotColumn.ADAPTER, last)
 
     # --- The selected snapshots ---------------------------------------------------------
@@ -217,7 +217,7 @@ class HistoryDialog(ReusedDialog):
         self._later.stop()
         chosen, listing = self._chosen, self._table.listing
         self._pages.setCurrentIndex(int(listing is not None and not listing.snapshots))
-        if self.focusWidget() is self._pages.currentWidget():  # from the list that was left
+        if self.focusWidget() is self._pages.currentWidget():  # moved here from the hidden list
             self._close.setFocus()
         self._folder.setEnabled(listing is not None and listing.has_folder)
         self._pane.show_chosen(chosen)
@@ -296,9 +296,9 @@ class HistoryDialog(ReusedDialog):
 
 
 class _BoundField(QWidget):
-    """`Keep 500 snapshots`. The Set button makes it the bound, 0 keeps all."""
+    """`Keep 500 snapshots`. The Set button saves the bound, and 0 keeps all."""
 
-    changed = Signal()  # the bound was set; snapshots may be gone
+    changed = Signal()  # the bound was set, and snapshots may be removed
 
     def __init__(
         self, history: SettingsHistory, question: InlinePrompt, notifier: Notifier, parent: QWidget
@@ -322,7 +322,7 @@ class _BoundField(QWidget):
         self._on_edited()
 
     def show_bound(self, listing: Listing) -> None:
-        """Show the bound that was read. An edit in progress stays."""
+        """Show the stored bound. An edit in progress stays."""
         if self._wanted == self._stored:
             self._count.setValue(listing.bound.kept or 0)
         self._listing = listing

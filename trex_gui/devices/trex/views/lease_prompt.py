@@ -14,12 +14,12 @@ from trex_gui.ui.widgets.messages import InlinePrompt
 
 
 class LeasePrompt(QObject):
-    """Asks the driver to hand over, and an owner whether to take over."""
+    """Prompts the driver to hand over, and an owner to take over."""
 
     def __init__(self, device: Device, question: InlinePrompt, parent: QObject) -> None:
         super().__init__(parent)
         self._device, self._question = device, question
-        self._offered: tuple[str, ...] = ()  # users about whom the driver was asked
+        self._offered: tuple[str, ...] = ()  # waiting users at the last prompt
         self._waits = False  # this program has asked to drive
         device.lease_changed.connect(self._on_lease_changed)
         device.connection.motors_stopped.connect(self._on_motors_stopped)
@@ -52,7 +52,7 @@ class LeasePrompt(QObject):
 
     @Slot(object)
     def _on_motors_stopped(self, report: MotorsStopped) -> None:
-        """Offer an owner to take over, once arming was refused because somebody drives."""
+        """Offer an owner to take over if arming failed because another user drives."""
         if report.reason is not ErrorCode.OTHER_DRIVES:
             return
         self._waits = True

@@ -75,7 +75,7 @@ class LineSettingsDialog(ReusedDialog):
 
     @Slot(object)
     def show_settings(self, settings: ConnectionSettings) -> None:
-        """Show these settings instead of what was edited."""
+        """Show these settings and discard edits."""
         self._settings = settings
         self._line.set_settings(settings.line)
         self._polynomial.setValue(settings.polynomial)

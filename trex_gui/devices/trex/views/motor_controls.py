@@ -1,4 +1,4 @@
-"""Stop and *Arm motors*: the row below every page, and what asks before arming."""
+"""*Stop* and *Arm motors*: the row below every page, and the dialog before arming."""
 
 from collections.abc import Iterable
 
@@ -28,7 +28,7 @@ def arm(device: Device, window: QWidget) -> None:
     """Arm the motors. On a real board without a serial timeout that should stop them, ask first."""
     motors, warning = device.motors, timeout_warning(device)
     if device.board.other_driver:
-        motors.arm()  # only asks to drive
+        motors.arm()  # only requests to drive
         return
     is_real = device.settings is not None and not device.settings.name
     lacks_stop = device.board.timeout_stop.may_be_mended
@@ -40,10 +40,10 @@ def arm(device: Device, window: QWidget) -> None:
 
 
 class ArmDialog(QDialog):
-    """Arms the motors once a serial timeout is written, or without one, now and later."""
+    """Arms the motors after writing a serial timeout, or without a timeout, now and later."""
 
     def __init__(self, device: Device, text: str, seconds: float, parent: QWidget) -> None:
-        """Propose a timeout in `seconds`. `text` says what is wrong with the present one."""
+        """Propose a timeout in `seconds`. `text` describes the problem of the present timeout."""
         super().__init__(parent)
         self.setObjectName("armDialog")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -108,7 +108,7 @@ class TimeoutNotice(QWidget):
         super().__init__(parent)
         self.setObjectName("timeoutNotice")
         self._device = device
-        self._seconds: float | None = None  # of a better timeout
+        self._seconds: float | None = None  # a better timeout
         self._text = ui.named(Note(3, self), "timeoutLabel")
         self._button = ui.button(self, "timeoutButton", on_click=self._on_clicked)
         reserve_space(self._button)
@@ -129,7 +129,7 @@ class TimeoutNotice(QWidget):
         self._button.setVisible(can_write)
         text = self._device.board.silence_remedy if warning is None else warning.text
         self._text.show_note(text, alarming=warning is not None)
-        number = f"{Number(seconds or 0):g}"  # without any the button is hidden
+        number = f"{Number(seconds or 0):g}"  # without a proposal the button is hidden
         self._button.setText(tr("Write &{0} s").format(number))
         tip = tr(
             "Writes Serial Timeout and UART-Error Shutdown now: the board should stop its "
@@ -144,7 +144,7 @@ class TimeoutNotice(QWidget):
 
 
 class LostPanel(QFrame):
-    """Covers other parts of a page while motors may be turning that no stop can reach."""
+    """Covers parts of a page while no stop can reach motors that may be turning."""
 
     def __init__(self, device: Device, name: str, parent: QWidget) -> None:
         super().__init__(parent)
@@ -162,7 +162,7 @@ class LostPanel(QFrame):
         self.hide()
 
     def show_loss(self, text: str) -> bool:
-        """Show a text while motors are lost. Return whether they are."""
+        """Show a text while motors are lost. Return whether motors are lost."""
         device = self._device
         is_lost = device.may_stop_matter and not device.is_connected
         if is_lost:
@@ -179,7 +179,7 @@ class LostPanel(QFrame):
 
 
 class StopButton(RedButton):
-    """The same text, colour and effect everywhere. Esc does the same."""
+    """Stop button with the same text, colour and effect everywhere. Esc also stops."""
 
     def __init__(self, device: Device, name: str, parent: QWidget | None = None) -> None:
         super().__init__(name, title_of(tr("&Stop motors")), device.press_stop, parent)
@@ -189,7 +189,7 @@ class StopButton(RedButton):
         self._on_link_changed()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Keep the focus: in Qt arrow keys move it, and the next ones may drive a motor."""
+        """Keep the focus on arrow keys. Qt would move it, and the next keys may drive a motor."""
         if event.key() not in _ARROWS:
             super().keyPressEvent(event)
 
@@ -200,7 +200,7 @@ class StopButton(RedButton):
 
 
 def focus_stop(widget: QWidget) -> None:
-    """Focus the stop button of a window: arrow keys may change what comes next by itself."""
+    """Focus the stop button of a window. Otherwise arrow keys may change the next field."""
     window = widget.window()
     for stop in window.findChildren(StopButton):
         if stop.window() is window:
@@ -208,7 +208,7 @@ def focus_stop(widget: QWidget) -> None:
 
 
 class MotorBar(ActionBar):
-    """Stops the motors. It is amber and says so while they are armed."""
+    """Bar with the stop button. It is amber and says so while motors are armed."""
 
     def __init__(self, device: Device, stop_name: str, parent: QWidget) -> None:
         super().__init__(StopButton(device, stop_name), parent)
@@ -224,7 +224,7 @@ class MotorBar(ActionBar):
 
 
 class ArmButton(ConfirmButton):
-    """Arms the motors. While they are armed it stops and disarms them, without the lock of Stop."""
+    """Arms the motors, or stops and disarms armed motors, without the lock of Stop."""
 
     def __init__(self, device: Device, name: str, parent: QWidget) -> None:
         super().__init__("", parent)
@@ -240,7 +240,7 @@ class ArmButton(ConfirmButton):
         if self._motors.armed:
             self._motors.stop()
             focus_stop(self)
-        elif self.takes_clicks:  # neither the second press of a key that disarmed
+        elif self.takes_clicks:  # not the second press of a key that disarmed
             arm(self._device, self.window())
 
     @Slot()
@@ -251,7 +251,7 @@ class ArmButton(ConfirmButton):
         text = tr("Disa&rm") if armed else tr("A&rm motors")
         if text != self.text():
             self.setText(text)
-            self.setDown(False)  # what was pressed does something else now
+            self.setDown(False)  # the pressed button has another effect now
             self.hold_off()
         tip = tr("Stops the motors, and sends nothing until they are armed again")
         if not armed:
@@ -261,7 +261,7 @@ class ArmButton(ConfirmButton):
         self.setEnabled(armed or self._motors.can_arm)
 
 
-_MANY = 88  # changes, in a text that is as long as any
+_MANY = 88  # changes, for the longest text
 
 
 def apply_text(pending: int) -> str:
@@ -273,7 +273,7 @@ class ControlBar(MotorBar):
 
     apply_requested = Signal()
 
-    _is_said_above = True  # the first page is the board's
+    _is_said_above = True  # the first page is the board page
 
     def __init__(self, device: Device, recording: QWidget, parent: QWidget) -> None:
         super().__init__(device, "stopButton", parent)
@@ -286,7 +286,7 @@ class ControlBar(MotorBar):
         tip = tr("Write the changed parameters into the board (Ctrl+Enter)")
         self._apply = ui.button(self, "applyButton", apply_text(_MANY), tip=tip, default=False)
         ui.set_large(stop, run, self._apply)
-        self._apply.setMinimumWidth(self._apply.sizeHint().width())  # nothing moves as it changes
+        self._apply.setMinimumWidth(self._apply.sizeHint().width())  # fixed when the text changes
 
         self.fill(run, self.armed, (self._state, 1), recording, self._apply)
 
@@ -306,7 +306,7 @@ class ControlBar(MotorBar):
 
     @Slot(str)
     def set_page(self, key: str) -> None:
-        """Leave out what the head of this page says."""
+        """Hide the state if the head of this page shows it."""
         self._is_said_above = key in {"board", "motors"}
         self._on_changed()
 
@@ -322,7 +322,7 @@ class ControlBar(MotorBar):
             alarming=alarming,
             color="danger" if self._is_out_of_reach else "warning",
         )
-        # The heads are about the board at the line, not about one that was lost before.
+        # The heads describe the board on the line, not a board that was lost before.
         is_said = self._is_said_above and not self._device.driving.lost_board
         is_said = is_said or self._state.text() in self._device.notifier.shown
         self._state.setVisible(motors.armed or self._is_beyond_reach or not is_said)
@@ -332,19 +332,19 @@ class ControlBar(MotorBar):
 
     @property
     def _is_out_of_reach(self) -> bool:
-        """Motors may be turning, and no stop can be sent to them."""
+        """True if motors may be turning and no stop can be sent to them."""
         reached = {ConnectionState.CONNECTED, ConnectionState.DISCONNECTING}
         return self._device.may_stop_matter and self._device.link not in reached
 
     @property
     def _is_beyond_reach(self) -> bool:
-        """The user pressed Stop while channels control the motors."""
+        """True if the user pressed Stop while channels control the motors."""
         motors = self._device.motors
         is_locked_out = not motors.is_available and not self._device.driving.reaches_several
         return self._device.is_connected and is_locked_out and motors.locked_for > 0
 
     def _state_text(self, statuses: Iterable[DriveStatus]) -> str:
-        """Return what is sent, or the first reason why nothing is. Faults are in another text."""
+        """Return the driving state, or the first reason why nothing is sent, without faults."""
         device, motors = self._device, self._device.motors
         if motors.armed:
             return motors.text

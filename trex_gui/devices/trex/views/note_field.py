@@ -12,12 +12,12 @@ from trex_gui.ui.widgets.builders import named
 
 
 class NoteField(QPlainTextEdit):
-    """Shows and edits the note on one setting. All that is typed at once is one step to undo."""
+    """Shows and edits the note on one setting. Text typed in one go is one undo step."""
 
     def __init__(
         self, notes: Notes, name: str, parent: QWidget | None = None, *, lines: int = 3
     ) -> None:
-        """Create a field with room for some lines. `name` is its object name."""
+        """Create a field that is `lines` high. `name` is its object name."""
         super().__init__(parent)
         self._notes = notes
         self._lines = lines
@@ -44,7 +44,7 @@ class NoteField(QPlainTextEdit):
         self.setFixedHeight(self._lines * self.fontMetrics().lineSpacing() + frame)
 
     def show_note_on(self, key: str, name: str) -> None:
-        """Show the note on a setting. An empty key is none. `name` is for the user."""
+        """Show the note on a setting. An empty key shows no note. `name`: for the user."""
         if key != self._key:
             self._run = object()
         self._key, self._name = key, name
@@ -62,7 +62,7 @@ class NoteField(QPlainTextEdit):
     @Slot()
     def _on_typed(self) -> None:
         self._notes.edit(self._key, self.toPlainText(), name=self._name, run=self._run)
-        self._renew()  # a note that is too long is cut
+        self._renew()  # truncates a note that is too long
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)

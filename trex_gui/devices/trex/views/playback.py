@@ -24,7 +24,7 @@ _WIDEST = "0000.0 µs (0000), remapped −000 "
 
 
 class PlaybackWindow(RecordingWindow):
-    settings_wanted = Signal(object)  # a `SettingsDocument`, of the position, to be opened
+    settings_wanted = Signal(object)  # the `SettingsDocument` at the position, to be opened
 
     def __init__(self, playback: Playback, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(playback, "playback", parent=parent)
@@ -38,7 +38,7 @@ class PlaybackWindow(RecordingWindow):
         self._table = TraceTable(self.plot, self)
         table = TraceTableView(self._table, self)
         table.setColumnHidden(TraceColumn.NOW, True)  # there is no newest value
-        # The plot needs the room: a long table scrolls.
+        # A long table scrolls, as the plot needs the space.
         table.setMaximumHeight(max(table.minimumHeight(), 8 * self.fontMetrics().height()))
 
         bar, values = MotorBar(device, "playbackStopButton", self), ValuesPanel(playback, self)
@@ -69,7 +69,7 @@ class PlaybackWindow(RecordingWindow):
 
 
 class ValuesPanel(QWidget):
-    """Shows the values at the position. A dash where nothing was known yet."""
+    """Shows the values at the position, and a dash for unknown values."""
 
     def __init__(self, playback: Playback, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -1,4 +1,4 @@
-"""The steps of a power cycle: a panel of the review, and a dialog of its own."""
+"""Steps of a power cycle, as a panel of the review and as a separate dialog."""
 
 from collections.abc import Sequence
 
@@ -18,7 +18,7 @@ from trex_gui.ui.widgets.step_strip import StepStrip
 
 _STEPS_DONE = {Stage.ON_WANTED: 1, Stage.BACK: 3}
 
-_RESULTS = {  # by stage, and whether it takes long
+_RESULTS = {  # by stage, and whether the stage takes long
     (Stage.OFF_WANTED, False): tr_noop(
         "Switch the board off for at least one second. Waiting for the board to stop responding …"
     ),
@@ -44,7 +44,7 @@ _RESULTS = {  # by stage, and whether it takes long
 
 
 class PowerCyclePage(Page):
-    """Says what to do next, what was detected, and what is active afterwards."""
+    """Shows the next step, the detected state and the settings that are active afterwards."""
 
     def __init__(self, cycle: PowerCycle) -> None:
         super().__init__("powerCyclePage")
@@ -80,7 +80,7 @@ class PowerCyclePage(Page):
         return tr("The board has to be switched off and on.")
 
     def _result_text(self) -> tuple[str, bool]:
-        """Return what was detected, and whether it is alarming."""
+        """Return the detected state, and whether it is alarming."""
         cycle, waiting = self._cycle, ", ".join(self._cycle.still_waiting)
         stage, takes_long = cycle.stage, cycle.takes_long
         if stage is Stage.BACK and waiting:
@@ -94,13 +94,13 @@ class PowerCyclePage(Page):
 
 
 def _steps(cycle: PowerCycle) -> tuple[Sequence[str], int]:
-    """Return the titles of the steps, and how many are done."""
+    """Return the titles of the steps, and the number of completed steps."""
     titles = tr("Switch off"), tr("Switch on"), tr("Read again")
     return titles, _STEPS_DONE.get(cycle.stage, 0)
 
 
 class PowerCyclePanel(QFrame):
-    """Steps of a power cycle inside of another dialog."""
+    """Steps of a power cycle inside another dialog."""
 
     def __init__(self, cycle: PowerCycle, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -132,7 +132,7 @@ class PowerCycleFlow(Flow):
             self._cycle.end()
 
     def guide(self) -> None:
-        """Begin a power cycle and show its steps, if a board is connected."""
+        """Start a power cycle and show its steps, if a board is connected."""
         if self._device.is_connected:  # not while the window closes
             self._cycle.start()
             self.opened.emit(True)

@@ -28,12 +28,12 @@ class ClosePrompt(QObject):
         self._files = files
         self._review = review
         self._frame = frame
-        self._agreed: Settings | None = None  # settings shown that may be left as they are
+        self._agreed: Settings | None = None  # edited settings that the user agreed to leave
         self.keeps_edits = True  # whether edits are offered when the board is connected again
         device.draft.pending_changed.connect(self._keep_edits)
 
     def may_close(self, leave: Callable[[], object]) -> bool:
-        """Return whether the window may close now. `leave` closes it once that was agreed to."""
+        """Return whether the window may close now. `leave` closes it once the user agrees."""
         device, draft, question = self._device, self._device.draft, self._frame.question
         agreed, self._agreed = self._agreed, None
         may_leave = agreed is not None and agreed == draft.shown
@@ -76,11 +76,11 @@ class ClosePrompt(QObject):
 
     @Slot()
     def _keep_edits(self) -> None:
-        """Keep edits that are made after a question was answered and the window stayed open."""
+        """Keep edits that the user makes after an answer if the window stayed open."""
         self.keeps_edits = True
 
     def _leave(self, leave: Callable[[], object], agreed: Settings | None) -> None:
-        """Leave without a question about the edits, unless others are shown by now."""
+        """Leave without a question about the edits, unless they have changed meanwhile."""
         self._agreed = agreed
         leave()
 
@@ -106,7 +106,7 @@ class RestorePrompt(QObject):
             self._on_memory_changed()
             return
         if self._question.text:
-            return  # what another question keeps from being asked is offered at the next connection
+            return  # this offer waits until the next connection
         text = tr(
             "Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending "
             "edits?",
@@ -123,7 +123,7 @@ class RestorePrompt(QObject):
 
     @Slot()
     def _on_memory_changed(self) -> None:
-        """Ask about each difference from what was applied last, once for each connection."""
+        """Ask about new differences from the last applied settings, once per connection."""
         memory = self._device.board.memory
         differing, record = memory.differing, memory.expected
         self._question.reconsider()

@@ -1,4 +1,4 @@
-"""Dialog that sets up one board after the other on the same cable."""
+"""Dialog that sets up boards in turn on the same cable."""
 
 from collections.abc import Callable
 from functools import partial
@@ -52,7 +52,7 @@ _RESULTS = {"ok": tr_noop("written and verified"), "skipped": tr_noop("skipped")
 
 
 class ProfilePage(Page):
-    """Asks what each board gets, and where that is recorded."""
+    """Page for the profile, the record and the names of the boards."""
 
     def __init__(self, start: Callable[[], object]) -> None:
         super().__init__("provisionProfilePage", tr("What every board gets"))
@@ -130,7 +130,7 @@ class ProfilePage(Page):
 
 
 class BoardStep(Page):
-    """Settings for the next board, beside the finished boards."""
+    """Settings for the next board, beside the list of finished boards."""
 
     def __init__(self, work: Provision, device: Device) -> None:
         super().__init__("provisionBoardPage")

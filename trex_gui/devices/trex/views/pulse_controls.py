@@ -20,12 +20,12 @@ from trex_gui.ui.widgets.labels import Note
 
 
 class PulseControls(QWidget):
-    """Asks whether the wheels are free, arms, and has a button for each motor.
+    """Check box for free wheels, arm button, and a hold button for each motor.
 
-    `below` has a widget to show below the button of a motor. The owner starts the pulses.
+    `below`: widgets below the hold buttons, by motor. The owner starts the pulses.
     """
 
-    hold_started = Signal(int)  # the motor
+    hold_started = Signal(int)  # number of the motor
 
     def __init__(
         self,
@@ -39,7 +39,7 @@ class PulseControls(QWidget):
         self._device, self._pulses = device, pulses
         text = tr("The wheels are &off the ground")
         self._free = ui.check_box(self, f"{name}WheelsFree", text, on_click=pulses.confirm_wheels)
-        self._run_place = QWidget(self)  # disables the button, which enables itself
+        self._run_place = QWidget(self)  # disabled in place of the button, which enables itself
         run = ArmButton(device, f"{name}RunButton", self._run_place)
         run.setAutoDefault(False)
         self._run_place.setEnabled(False)
@@ -49,7 +49,7 @@ class PulseControls(QWidget):
         motors: list[QWidget] = []
         for motor, hold in self._holds.items():
             motors += [hold, below[motor]] if motor in below else [hold]
-        for each in motors:  # the focus goes through them in this order
+        for each in motors:  # sets the Tab order
             each.setParent(self)
         first = self._free, self._run_place, self._note
         ui.column(*first, *motors, into=self, margins=0, spacing=6)

@@ -1,4 +1,4 @@
-"""Recordings of a board: the user's, and those around faults and stops."""
+"""Recordings by the user, and automatic recordings around faults and stops."""
 
 from functools import partial
 from pathlib import Path
@@ -44,7 +44,7 @@ class Recordings(RecordingManager["PlaybackWindow"]):
         device.motors.arming_changed.connect(self._on_arming_changed)
 
     def create_window(self, recording: Recording[Header, Record]) -> "PlaybackWindow":
-        # The plotting library takes as long to load as all of Qt: not before it is needed.
+        # Imported late: the plotting library takes as long to load as all of Qt.
         from trex_gui.devices.trex.model.playback import Playback  # noqa: PLC0415
         from trex_gui.devices.trex.views.playback import PlaybackWindow  # noqa: PLC0415
 

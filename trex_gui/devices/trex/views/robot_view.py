@@ -13,11 +13,11 @@ from trex_gui.ui.widgets.builders import named
 from trex_gui.ui.widgets.circuit import paint_chassis, write
 from trex_gui.ui.widgets.painted import Animation, Painted, Painter, never_mirror
 
-_TREADS, _TREADS_A_SECOND = 7, 6.0  # on a wheel, at full speed: the board measures no speed
-_SIZE = 392.0, 300.0  # of the drawing, in the unit of the next
+_TREADS, _TREADS_A_SECOND = 7, 6.0  # on a wheel; at full speed, as no speed is measured
+_SIZE = 392.0, 300.0  # size of the drawing, in the unit of the rectangles
 _WHEEL, _CHASSIS = QRectF(0, 30, 60, 240), QRectF(86, 0, 220, 300)
 _PARTS = {True: QRectF(7, 50, 46, 86), False: QRectF(7, 164, 46, 86)}  # of the left wheel
-MOVEMENTS = {  # Tab goes across
+MOVEMENTS = {  # in tab order: across
     Movement.LEFT_FORWARD: tr_noop("Left wheel, forward"),
     Movement.RIGHT_FORWARD: tr_noop("Right wheel, forward"),
     Movement.LEFT_BACKWARD: tr_noop("Left wheel, backward"),
@@ -56,7 +56,7 @@ class WheelPart(QPushButton):
 
 
 class RobotView(Painted):
-    """Shows which wheels turn. With `asks` each has a button for forward and for backward."""
+    """Shows which wheels turn. With `asks`, each has buttons for forward and backward."""
 
     wheel_clicked = Signal(object)  # a `Movement`
 
@@ -74,13 +74,13 @@ class RobotView(Painted):
         follow_theme(self, "room", self.updateGeometry)
 
     def show_wheel(self, side: Side, amount: float, color: str = "outline") -> None:
-        """Show a wheel in the colour of its motor, turning by `amount`: -1 to 1, 0 is at rest."""
+        """Show a wheel in the colour of its motor. It turns at `amount`: -1 to 1, 0 is at rest."""
         if (amount, color) != (self._amounts[side], self._colors[side]):
             self._amounts[side], self._colors[side] = amount, color
             self.update()
 
     def select(self, movement: Movement | None) -> None:
-        """Fill the half of a wheel that moved, or none."""
+        """Fill the half wheel of a movement. `None` clears all halves."""
         for each, part in self._parts.items():
             part.setChecked(each is movement)
         self.update()
@@ -102,7 +102,7 @@ class RobotView(Painted):
         return self.sizeHint() / 2
 
     def robot_place(self) -> QRectF:
-        """Return where the robot is drawn."""
+        """Return the rectangle in which the robot is drawn."""
         scale = min(self.width() / _SIZE[0], self.height() / _SIZE[1])
         place = QRectF(0, 0, _SIZE[0] * scale, _SIZE[1] * scale).adjusted(2, 2, -2, -2)
         place.moveCenter(QRectF(self.rect()).center())
@@ -124,7 +124,7 @@ class RobotView(Painted):
             write(painter, word, tr("front"), "muted", align=Qt.AlignmentFlag.AlignHCenter)
 
     def paint_robot(self, painter: QPainter, place: QRectF) -> None:
-        """Paint chassis and wheels, and the next frame while a wheel turns."""
+        """Paint chassis and wheels. Animate the drawing while a wheel turns."""
         paint_chassis(painter, _placed(_CHASSIS, place))
         for side in self._amounts:
             self._paint_wheel(painter, side, _placed(_WHEEL, place, side))
@@ -158,7 +158,7 @@ class RobotView(Painted):
 
 
 def _placed(part: QRectF, place: QRectF, side: Side | None = Side.LEFT) -> QRectF:
-    """Return a part of the drawing in a place, mirrored for the right side."""
+    """Scale a part of the drawing to a place. Mirror it for the right side."""
     unit = place.height() / _SIZE[1]
     left = _SIZE[0] - part.right() if side is Side.RIGHT else part.left()
     corner = QPointF(place.center().x() + (left - _SIZE[0] / 2) * unit, place.top())
@@ -166,7 +166,7 @@ def _placed(part: QRectF, place: QRectF, side: Side | None = Side.LEFT) -> QRect
 
 
 def _paint_arrow(painter: QPainter, box: QRectF, amount: float, color: str) -> None:
-    """Paint an arrow up (or down, if `amount` is negative), as long as the amount says."""
+    """Paint an arrow up, or down if `amount` is negative. Its length follows the amount."""
     up = 1 if amount > 0 else -1
     head = min(box.width() * 0.3, box.height() * 0.2)
     length = max(box.height() * 0.85 * min(abs(amount), 1), 2 * head) / 2

@@ -1,4 +1,4 @@
-"""Window with the boards that are served on the network: who drives each, and a stop for all."""
+"""Dialog with the boards served on the network, the driver of each, and a stop for all."""
 
 from collections.abc import Callable
 from functools import partial
@@ -22,7 +22,7 @@ from trex_gui.ui.widgets.placement import resize_with_font
 
 
 class RobotsDialog(ReusedDialog):
-    """Lists the boards that this computer and those on the local network serve."""
+    """Lists the boards that this and other computers on the local network serve."""
 
     stays_on_stop = True
 
@@ -33,11 +33,11 @@ class RobotsDialog(ReusedDialog):
         found: Callable[[dict[str, str]], object],
         parent: QWidget,
     ) -> None:
-        """`connect` gets the URL of a board, `found` the label of each by its URL."""
+        """Create the dialog. `connect` gets the URL of a board, `found` all labels by URL."""
         super().__init__(parent)
         self._device, self._connect, self._found = device, connect, found
         self._rows: list[dict[str, Any]] = []
-        self._robots = Robots()  # its connections are kept: a stop does not wait for new ones
+        self._robots = Robots()  # keeps its connections, so that a stop is sent without a wait
         self.setObjectName("robotsDialog")
         self.setWindowTitle(title_of(tr("Robots on the net&work…")))
         resize_with_font(self, 820, 420)
@@ -116,7 +116,7 @@ class RobotsDialog(ReusedDialog):
 
     @Slot()
     def _on_stop_all(self) -> None:
-        self._device.press_stop()  # of this window, at once
+        self._device.press_stop()  # stops the board of this window at once
         urls = [row["url"] for row in self._rows]
         self._note.show_note(tr("Stopping …"))
         in_background(self, partial(self._robots.stop, urls), self._on_stopped, self._on_not_found)

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 class SettingsCommands(QObject):
-    parameter_wanted = Signal(str)  # the key of a parameter to show, whose edit is reviewed
+    parameter_wanted = Signal(str)  # key of the parameter to show during its review
 
     def __init__(
         self, device: Device, linter: BoardLinter, boards: BoardList, frame: MainWindow
@@ -56,7 +56,7 @@ class SettingsCommands(QObject):
 
     @Slot()
     def review(self) -> None:
-        """Let the user review what is written, or show the progress of writing it."""
+        """Let the user review the changes to write, or show the progress of writing."""
         self._review.review()
 
     def review_defaults(self, *, serial_only: bool) -> None:
@@ -64,14 +64,14 @@ class SettingsCommands(QObject):
 
     @Slot()
     def close_if_verified(self) -> None:
-        """Close the review if its result asks for nothing more."""
+        """Close the review if its result requires no action."""
         self._review.close_if_verified()
 
     def create_learning(self, parent: QObject) -> "Learning":
         from trex_gui.devices.trex.model.learning.learning import Learning  # noqa: PLC0415 - later
 
         made = Learning(self._device, parent)
-        # The test of the sticks follows, once the review has its result.
+        # Queued, so that the review has its result. The test of the sticks follows.
         made.stored.connect(self.close_if_verified, Qt.ConnectionType.QueuedConnection)
         return made
 
@@ -97,7 +97,7 @@ class SettingsCommands(QObject):
 
     @Slot()
     def reload(self) -> None:
-        """Read the settings from the board, after a question if there are edits."""
+        """Read the settings from the board. Prompts first if there are edits."""
         device = self._device
 
         def discard_and_reload() -> None:
@@ -122,7 +122,7 @@ class SettingsCommands(QObject):
         )
 
     def _propose(self, change: Callable[[int], LineSettings], name: str) -> None:
-        """Edit the line settings that the board stores, and let the user review that."""
+        """Edit the stored line settings, and let the user review the edit."""
         key, parameters = ParameterKey.UART_SETTINGS, self._device.parameters
         if parameters.values.stored.get(key) != parameters.values.active_of(key):
             self.guide()
@@ -131,7 +131,7 @@ class SettingsCommands(QObject):
         wire = parameters.values.value_of(key)
         if wire is None:
             return
-        with suppress(BadRequest):  # a value that names no baud rate has to be edited first
+        with suppress(BadRequest):  # a value without a valid baud rate has to be edited first
             parameters.edit(key, change(wire).to_wire())
             text = tr(
                 "{0} is now one of the pending changes. It takes effect after the board is "

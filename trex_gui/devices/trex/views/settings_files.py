@@ -1,4 +1,4 @@
-"""Settings files: opened, loaded into the board, edited in windows of their own."""
+"""Commands that open settings files, load them into the board, or edit them in windows."""
 
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -29,7 +29,7 @@ from trex_gui.ui.widgets.placement import fit_on_screen, resize_with_font
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 
-SAMPLES = {  # the first comment of each sample says what it is for
+SAMPLES = {  # the first comment of each sample states its purpose
     "autonomous_robot": tr_noop(
         "A robot without a driver: a computer on board drives it, and no one can catch it"
     ),
@@ -50,17 +50,17 @@ class SettingsFiles(QObject):
         self._notifier = device.notifier
         self._window = window
         self._loading: ChangesDialog | None = None
-        self.editors: list[SettingsEditor] = []  # the open windows, each with one file
+        self.editors: list[SettingsEditor] = []  # open windows with one file each
         self.shown = ShownSettings(device, window)
         self.shown.saved.connect(self._record_used)
-        self._discarded: dict[SettingsEditor, str] = {}  # texts that need not be saved
+        self._discarded: dict[SettingsEditor, str] = {}  # texts that the user discarded
 
     def prompt_and_open(self) -> None:
-        """Let the user choose a file and show what it would change of the board."""
+        """Let the user select a file, and show the changes that it would make."""
         self._prompt_and(self.open_file)
 
     def prompt_for_document(self, use: Callable[[SettingsDocument], object]) -> None:
-        """Let the user choose a file. `use` gets it, also one with errors."""
+        """Let the user select a file. `use` gets it, even if it has errors."""
         self._prompt_and(lambda path: self._open(path, use))
 
     def _prompt_and(self, use: Callable[[Path], object]) -> None:
@@ -69,7 +69,7 @@ class SettingsFiles(QObject):
             use(path)
 
     def prompt_and_begin(self) -> None:
-        """Let the user choose what a new file begins with, and open a window for it."""
+        """Let the user select the initial content of a new file, and open its window."""
         makers = dict(self._beginnings())
         dialog = QInputDialog(self._window)
         dialog.setObjectName("newSettingsDialog")
@@ -90,7 +90,7 @@ class SettingsFiles(QObject):
         dialog.show()
 
     def _beginnings(self) -> Iterator[tuple[str, Callable[[], SettingsDocument]]]:
-        """Yield what a new file can begin with, by title."""
+        """Yield each initial content of a new file, as a title and its maker."""
         shown = self._device.draft.shown
         if shown is not None and self._device.state is not None:
             text = tr("The board as shown: {0}, firmware {1}")
@@ -109,20 +109,20 @@ class SettingsFiles(QObject):
                 yield tr("Sample: {0}").format(tr(SAMPLES[path.stem])), make
 
     def open_file(self, path: Path) -> None:
-        """Show what a file would change of the board. With no board, the file itself."""
+        """Show the changes that a file would make. Without a board, edit the file."""
         if self._device.state is None:
             self.edit_file(path)
         else:
             self._open(path, self._offer_or_edit)
 
     def _offer_or_edit(self, document: SettingsDocument) -> None:
-        if self._device.state is None:  # meanwhile
+        if self._device.state is None:  # disconnected meanwhile
             self.open_editor(document)
         elif document.path is not None:
             self._offer(document, edit=partial(self.edit_file, document.path))
 
     def edit_file(self, path: Path) -> None:
-        """Open a file in a window of its own, or the window that has it already."""
+        """Open a file in its own window, or raise the window that has it already."""
         if not self._raise_editor_of(path):
             self._open(path, self._edit)
 
@@ -131,7 +131,7 @@ class SettingsFiles(QObject):
             self.open_editor(document)
 
     def _raise_editor_of(self, path: Path) -> bool:
-        """Raise the window that has a file. Return whether there is one."""
+        """Raise the window of a file. Return whether the file has a window."""
         for editor in self.editors:
             if editor.document.path == path:
                 _raise(editor)
@@ -187,7 +187,7 @@ class SettingsFiles(QObject):
             self._offer(editor.document)
 
     def offer_settings(self, settings: Settings, applied: str) -> None:
-        """Offer settings that were applied to the board at this time."""
+        """Offer settings that were applied to the board at the time `applied`."""
         title = tr("Settings applied {0}").format(applied)
         document = SettingsDocument.of_settings(settings, title, "Settings applied.")
         self._offer(document, tr("Applied"))
@@ -198,7 +198,7 @@ class SettingsFiles(QObject):
         side: str = "",
         edit: Callable[[], object] | None = None,
     ) -> None:
-        """Show what settings would change. `side` names them in place of `File`."""
+        """Show the changes that a document would make. `side` names it in place of `File`."""
         if self._loading is not None:
             self._loading.close()
         self._loading = dialog = load_dialog(
@@ -224,9 +224,9 @@ class SettingsFiles(QObject):
         self.staged.emit()
 
     def may_close(self, leave: Callable[[], object]) -> bool:
-        """Return whether nothing would be lost. Else ask in each window with unsaved changes.
+        """Return whether nothing would be lost. Prompts in each window with unsaved changes.
 
-        Once those are saved that the user wants to save, `leave` is called.
+        If the user wants to save some of them, `leave` is called once they are saved.
         """
         unfinished = ", ".join(path.name for path in self.shown.saving)
         if unfinished and not file_questions.may_leave_unfinished(self._window, unfinished):
@@ -253,7 +253,7 @@ class SettingsFiles(QObject):
         discarded: "dict[SettingsEditor, str]",
         leave: Callable[[], object],
     ) -> None:
-        """Save one after the other. What was discarded is asked about again if it changes."""
+        """Save one editor after the other. If a discarded text changes, the user is asked again."""
         if editors:
             following = partial(self._save_and_leave, editors[1:], discarded, leave)
             editors[0].saver.save_and_leave(editors[0].save, following)

@@ -1,4 +1,4 @@
-"""The settings that a board shows, edits included: saved, exported as code, printed."""
+"""Commands that save, export or print the settings shown of a board, edits included."""
 
 import contextlib
 from collections.abc import Callable
@@ -39,7 +39,7 @@ class ShownSettings(QObject):
         self.saving: set[Path] = set()  # files that are being written
 
     def prompt_and_save(self, then: Callable[[], object] = lambda: None) -> None:
-        """Let the user choose where to save the settings shown. Call `then` once they are."""
+        """Let the user select a file, and save the settings shown. Call `then` afterwards."""
         state = self._device.state
         key = state.signature.model.key if state is not None else "trex"
         proposal = file_questions.last_folder() / f"{key}_settings.txt"
@@ -48,7 +48,7 @@ class ShownSettings(QObject):
             self.save_file(path, then)
 
     def prompt_and_export(self) -> None:
-        """Let the user choose where to save the settings shown as a program, and its language."""
+        """Let the user select a file and a language, and export the settings shown as code."""
         settings = self._device.draft.shown
         if settings is None:
             return
@@ -84,8 +84,8 @@ class ShownSettings(QObject):
     def save_file(self, path: Path, then: Callable[[], object] = lambda: None) -> None:
         """Save the settings shown, edits included. Call `then` once they are saved.
 
-        In an existing file only the values change. The user's comments stay, and so do the
-        calibrations of the other input source, which the board does not show.
+        In an existing file only the values change. Comments are kept, as are the calibrations of
+        the other input source, which the board does not show.
         """
         settings = self._device.draft.shown
         if settings is None:
@@ -106,7 +106,7 @@ class ShownSettings(QObject):
         then: Callable[[], object],
         before: bytes | SettingsError | None,
     ) -> None:
-        """Save into a file that holds this, or cannot be read. `None`: there is no file."""
+        """Save the settings. `before`: content of the file, or read error; `None` if missing."""
         try:
             text, kept = self._text_for(path, settings, before)
         except StudioError as error:
@@ -132,10 +132,10 @@ class ShownSettings(QObject):
     def _text_for(
         self, path: Path, settings: Settings, content: bytes | SettingsError | None
     ) -> tuple[str | None, str]:
-        """Return what to write, and a note about what was kept. `None`: the user cancelled.
+        """Return the text to write (`None`: cancelled), and a note on kept calibrations.
 
         Raises:
-            SettingsError, BadRequest: it cannot be written.
+            SettingsError, BadRequest: the settings cannot be written.
         """
         now = datetime.now().astimezone().strftime("%Y-%m-%d %H:%M")
         fresh = write_settings(settings, title_lines=[f"Saved by TReX Studio, {now}."])
@@ -177,7 +177,7 @@ class ShownSettings(QObject):
 
 
 def _content_of(path: Path) -> bytes | SettingsError | None:
-    """Return what a file holds, or why it cannot be read. `None` if it is missing."""
+    """Return the content of a file, or the read error. `None` if it is missing."""
     try:
         return load(path) if path.exists() else None
     except SettingsError as error:

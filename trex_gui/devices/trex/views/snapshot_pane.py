@@ -28,23 +28,23 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.labels import Note
 
-_BOARD, _NEXT, _FILE = range(3)  # items of the list of what to compare with
+_BOARD, _NEXT, _FILE = range(3)  # items of the list "Compare with"
 
 
 @dataclass(frozen=True, slots=True)
 class _Present:
     """Left side of a comparison."""
 
-    item: int  # in the list of what to compare with
-    title: str  # of its column
+    item: int  # in the list "Compare with"
+    title: str  # title of the column
     settings: Settings | None = None  # `None` for the board with its edits
 
 
 class SnapshotPane(QWidget):
-    """A snapshot at the right of the present, or of a newer one, with a restore button."""
+    """Snapshot compared with other settings on its left, and a button to restore it."""
 
-    restore_requested = Signal()  # settings of the snapshot are edits now; they are to be reviewed
-    present_chosen = Signal()  # the user chose what to compare with
+    restore_requested = Signal()  # settings of the snapshot are edits now; to be reviewed
+    present_chosen = Signal()  # the user selected the left side of the comparison
 
     def __init__(
         self, device: Device, table: SnapshotTable, notifier: Notifier, parent: QWidget
@@ -85,7 +85,7 @@ class SnapshotPane(QWidget):
         self.show_chosen(())
 
     def show_chosen(self, chosen: tuple[Snapshot, ...]) -> None:
-        """Show or update one snapshot against the present, or the older of two and the newer."""
+        """Compare one snapshot with the present settings, or two snapshots with each other."""
         self._chosen = chosen
         reason = tr("Select a snapshot to see what it would restore.")
         if 0 < len(chosen) <= 2:
@@ -99,7 +99,7 @@ class SnapshotPane(QWidget):
         self._update_restore()
 
     def _compare(self, snapshot: Snapshot, other: Snapshot | None) -> str:
-        """Compare a snapshot with another one, or the user's choice. Return why not."""
+        """Compare a snapshot with `other` or the user's choice. Return the reason if it fails."""
         self._describe(snapshot)
         settings = self._table.content_of(snapshot)
         if not isinstance(settings, Settings):
@@ -130,7 +130,7 @@ class SnapshotPane(QWidget):
         return ""
 
     def _unread(self, snapshot: Snapshot) -> str:
-        """Return why the settings of a snapshot cannot be shown."""
+        """Return the reason why the settings of a snapshot cannot be shown."""
         problem = self._table.content_of(snapshot)
         text = tr("This snapshot is damaged and cannot be restored. {0}")
         return text.format(problem) if problem else tr("Reading…")
@@ -138,7 +138,7 @@ class SnapshotPane(QWidget):
     def _present_for(
         self, snapshot: Snapshot, settings: Settings, other: Snapshot | None
     ) -> _Present | str:
-        """Return the left side, or why there is none yet."""
+        """Return the left side, or the reason why it is missing."""
         blocker = self._board_blocker(snapshot)
         model = self._box.model()
         if isinstance(model, QStandardItemModel):
@@ -176,7 +176,7 @@ class SnapshotPane(QWidget):
         self._note.show_note(blocker or self._other_number())
 
     def _blocker(self) -> str:
-        """Return why nothing can be restored now. Empty if it can."""
+        """Return the reason why nothing can be restored now. Empty if restoring is possible."""
         if self._shown is None:
             return tr("Nothing is selected to be restored.")
         if len(self._chosen) == 2:
@@ -192,7 +192,7 @@ class SnapshotPane(QWidget):
         return ""
 
     def _board_blocker(self, snapshot: Snapshot) -> str:
-        """Return why a snapshot cannot be compared with the board. Empty if it can."""
+        """Return the reason why a snapshot cannot be compared with the board, or nothing."""
         closed = {ConnectionState.DISCONNECTED, ConnectionState.DISCONNECTING}
         state = self._device.state
         if state is None or self._device.link in closed:
@@ -202,7 +202,7 @@ class SnapshotPane(QWidget):
         return "" if snapshot.product == board else text.format(snapshot.product, board)
 
     def _other_number(self) -> str:
-        """Return a note on a snapshot of a board with another number."""
+        """Return a note if the snapshot is of another device number, else nothing."""
         here = self._device.parameters.values.stored.get(ParameterKey.DEVICE_NUMBER)
         number = self._chosen[0].device_number
         if number is None or here is None or number == here:
@@ -212,7 +212,7 @@ class SnapshotPane(QWidget):
 
     @Slot()
     def _on_restore_clicked(self) -> None:
-        self.show_chosen(self._chosen)  # the board may have changed since
+        self.show_chosen(self._chosen)  # the board may have changed since the last update
         if not self._restore.isEnabled():
             return
         when = self._table.time_text(self._chosen[0])

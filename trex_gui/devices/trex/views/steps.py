@@ -1,4 +1,4 @@
-"""One dialog for what is done step by step: set-up, learning, hand-shake, power cycle."""
+"""Dialog for tasks in steps: set-up, learning, hand-shake, power cycle."""
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
@@ -23,7 +23,7 @@ _GAP = 16
 
 
 class Page(QWidget):
-    """Drawing of a step. `side` is for the card beside it."""
+    """Drawing of a step. `side` goes into the card beside the drawing."""
 
     def __init__(self, name: str, heading: str = "") -> None:
         super().__init__()
@@ -33,18 +33,18 @@ class Page(QWidget):
         self.side.hide()
 
     def refresh(self) -> None:
-        """Show the newest state, before the page is shown and with each change."""
+        """Show the newest state. Called before the page is shown and at each change."""
 
 
 @dataclass(frozen=True, slots=True)
 class Shown:
-    """One step as the dialog shows it. A button without a text is hidden."""
+    """One step as the dialog shows it. Next is hidden without a text."""
 
     title: str  # of the task
     titles: Sequence[str]  # of all steps
-    now: int  # index of the current one
+    now: int  # index of the current step
     page: Page
-    note: str = ""  # below what `page.side` shows
+    note: str = ""  # below `page.side`
     is_alarming: bool = False
     undone: Collection[str] = ()  # titles of earlier steps that are not done
     next: str = ""
@@ -59,14 +59,14 @@ class Flow(QObject):
     """Steps of one task, and the actions of the buttons below them."""
 
     changed = Signal()
-    opened = Signal(bool)  # the dialog shall be shown; whether it becomes the active window
+    opened = Signal(bool)  # show the dialog; true: as the active window
     closed = Signal()  # the task has ended by itself
 
     name = ""  # starts the object names
     size = 1040, 600  # pixels of the dialog
 
     def add_buttons(self, parent: QWidget) -> Sequence[QPushButton]:
-        """Create the buttons that this task has beside Back, Skip and Next."""
+        """Create further buttons of this task, beside Back, Skip and Next."""
         del parent
         return ()
 
@@ -80,11 +80,11 @@ class Flow(QObject):
     def next(self) -> None: ...
 
     def leave(self, *, closed: bool) -> None:
-        """End what must not go on out of sight. Without `closed` the window is minimized."""
+        """End actions that must not continue unseen. Not `closed`: the window was minimized."""
 
 
 class _Body(QWidget):
-    """The cards of the drawing and of what to do: side by side where there is space."""
+    """Cards of the drawing and of the instructions, side by side if there is space."""
 
     def __init__(self, name: str, parent: QWidget) -> None:
         super().__init__(parent)
@@ -98,7 +98,7 @@ class _Body(QWidget):
         self._page: Page | None = None
 
     def show_page(self, page: Page) -> bool:
-        """Show a page and return whether it was another one before."""
+        """Show a page. Return false if it was visible already."""
         if page is self._page:
             return False
         if self._drawing.indexOf(page) < 0:
@@ -134,9 +134,9 @@ class _Body(QWidget):
 
 
 class Steps(ReusedDialog):
-    """Shows the current step of a task. Leaving it ends what the task forbids out of sight."""
+    """Shows the current step of a task. Hiding it ends actions that must not continue unseen."""
 
-    stays_on_stop = True  # nothing that was answered or measured is lost
+    stays_on_stop = True  # so that no answer and no measurement is lost
 
     def __init__(self, device: Device, flow: Flow, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -162,7 +162,7 @@ class Steps(ReusedDialog):
         self._next = ui.button(
             self._moves, f"{name}NextButton", default=True, confirms=True, on_click=flow.next
         )
-        for each in (self._back, self._skip, self._next):  # a second click must not hit another
+        for each in (self._back, self._skip, self._next):  # a second click hits no other button
             reserve_space(each)
         ui.row(self._back, self._skip, self._next, into=self._moves, margins=0)
         bar.fill(*extras, bar.armed, 1, self._close, self._moves)
@@ -221,7 +221,7 @@ class Steps(ReusedDialog):
             isinstance(focused, QAbstractButton) and self._is_usable(focused)
         )
         if is_free or (is_new and focused not in bar):
-            # While Next is disabled, Enter must not press Close, and Skip only where it is stuck.
+            # While Next is disabled, Enter must not press Close, and Skip only after an alarm.
             skip = [self._skip] if shown.is_alarming else []
             wanted = [self._close] if shown.closes else [self._next, *skip]
             other = shown.page.focusProxy() or self

@@ -1,4 +1,4 @@
-"""Windows beside the pages. This module is imported when the first of them is opened."""
+"""Windows beside the pages. This module is imported when the first window is opened."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -23,7 +23,7 @@ from trex_gui.ui.notifier import Remedy
 
 @dataclass
 class Tools:
-    """The windows. Each is created when it is first opened, and then reused."""
+    """Windows, each created when it is first opened, and then reused."""
 
     device: Device
     boards: BoardList

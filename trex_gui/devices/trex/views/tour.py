@@ -9,15 +9,15 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.tour import Do, Tour
 
 SETUP_STEPS = ("driver", "jumpers", "sticks", "motors", "limits", "review")  # with one stick
-_HOLD_S = 1.2  # a stick that is held longer than a second is at an end
+_HOLD_S = 1.2  # a stick held longer than a second counts as at an end
 
 
 def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
-    """Drive the motors a little, look at the pages, learn the channels without taking them."""
+    """Drive the motors a little, visit the pages, learn the channels without applying them."""
     motors, sticks = controller.device.motors, controller.demo_board
 
     def drive() -> bool:
-        motors.arm()  # not before the lockout of the first stop is over
+        motors.arm()  # fails until the lockout of the first stop is over
         if not motors.armed:
             return False
         motors.set_speed(1, 30)
@@ -26,7 +26,7 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
         return True
 
     def hold(microseconds: float) -> Iterator[Do]:
-        """Hold all sticks for a while where they give pulses of this length."""
+        """Hold all sticks for a while at this pulse length."""
 
         def push() -> None:
             for channel in CHANNELS:
@@ -36,7 +36,7 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
         yield from tour.wait(_HOLD_S)
 
     def is_reached(page: str) -> bool:
-        """Return whether it is shown. On a busy computer the stop may take several tries."""
+        """Return whether a page is visible. If not, retry: the stop may be slow on a busy PC."""
         return tour.is_visible(page) or (tour.press("learnAgainButton") and False)
 
     yield drive

@@ -59,9 +59,9 @@ if TYPE_CHECKING:
 
 
 class TrexWorkspace(Workspace):
-    """Everything of the window that is about a TReX. It holds no state of the device."""
+    """Part of the window for a TReX. Holds no state of the device."""
 
-    _parameter_shown = Signal(object)  # its key, on the parameters page
+    _parameter_shown = Signal(object)  # key of the parameter, on the parameters page
 
     def __init__(self, controller: TrexController, frame: MainWindow) -> None:
         device = controller.device
@@ -194,7 +194,7 @@ class TrexWorkspace(Workspace):
     def _learning(self) -> "Learning":
         made = self._settings.create_learning(self)
         made.begun.connect(self._controller.demo_board.centre_sticks)
-        made.begun.connect(lambda: self._tools.learn)  # it tests what the set-up learned, too
+        made.begun.connect(lambda: self._tools.learn)  # `learn` tests what the set-up learned, too
         return made
 
     @cached_property
@@ -380,7 +380,7 @@ class TrexWorkspace(Workspace):
         return self._close_prompt.may_close(leave)
 
     def prepare_to_close(self) -> None:
-        QObject.disconnect(self._undo_watch)  # the stack emits at its own end, too
+        QObject.disconnect(self._undo_watch)  # the undo stack emits at its end, too
         if not self._close_prompt.keeps_edits:
             self._device.edit_backup.discard()
         children = Qt.FindChildOption.FindDirectChildrenOnly

@@ -51,7 +51,7 @@ class PoseFiles(QObject):
             self.open_file(path)
 
     def open_file(self, path: Path) -> None:
-        """Open a pose file, after a question about edits that are not saved. Then `opened`."""
+        """Open a pose file, after a question about unsaved edits. Emits `opened`."""
         if self.may_close(partial(self.open_file, path)):
             in_background(
                 self,
@@ -78,7 +78,7 @@ class PoseFiles(QObject):
 
     @Slot()
     def save(self) -> bool:
-        """Begin to save the file. Return whether that has begun."""
+        """Start saving the file. Return whether saving has started."""
         set_typed()
         path = self._library.path
         if path is None:
@@ -103,7 +103,7 @@ class PoseFiles(QObject):
         self._notifier.info.emit(tr("Saved in {0}.").format(path))
 
     def may_close(self, leave: Callable[[], object]) -> bool:
-        """Ask before edits are lost. If the user wants to save them, call `leave` afterwards."""
+        """Ask before edits are lost. If the user saves them, `leave` is called afterwards."""
         set_typed()
         return self._saver.may_leave(self._saver.answer(), self.save, leave)
 

@@ -1,4 +1,4 @@
-"""Sequences and gaits: a list, and the steps of the current one."""
+"""Sequences and gaits: a list, and the steps of the current item."""
 
 from collections.abc import Sequence as Many
 from dataclasses import replace
@@ -107,11 +107,11 @@ class MotionBox(ui.Card):
 
     @property
     def played(self) -> Sequence | None:
-        """The current sequence or gait, as it can be played."""
+        """The current sequence or gait in playable form."""
         return self._library.playable(self._list.current)
 
     def show_pose(self, name: str) -> None:
-        """Set the pose that a new step takes."""
+        """Set the pose of new steps."""
         self._next_pose = name
         self._update_buttons()
 
@@ -147,7 +147,7 @@ class MotionBox(ui.Card):
 
 
 class _Delegate(QStyledItemDelegate):
-    """Edits a pose with a list of the poses, a time in milliseconds."""
+    """Edits a pose in a combo box, and a time in milliseconds in a spin box."""
 
     def __init__(self, library: Library, parent: QWidget) -> None:
         super().__init__(parent)
@@ -165,7 +165,7 @@ class _Delegate(QStyledItemDelegate):
                 ],
                 on_activate=self._on_activated,
             )
-            if combo.findText(str(index.data())) < 0:  # an undefined one stays possible
+            if combo.findText(str(index.data())) < 0:  # an undefined pose stays available
                 combo.insertItem(0, str(index.data()))
             return combo
         return ui.spin_box(
@@ -201,7 +201,7 @@ class StepTable(QTableWidget):
     def __init__(self, library: Library, parent: QWidget | None = None) -> None:
         super().__init__(0, len(StepColumn), parent)
         self._library = library
-        self._key: ItemKey | None = None  # of the sequence or gait; the library may have lost it
+        self._key: ItemKey | None = None  # sequence or gait, which the library may have lost
         self.steps: tuple[SequenceStep, ...] = ()
         self._notes: dict[int, str] = {}
         self._running: int | None = None
@@ -252,7 +252,7 @@ class StepTable(QTableWidget):
             self._fill()
 
     def select(self, row: int) -> None:
-        """Make a row current. One beyond the end is the last."""
+        """Make a row current. An index beyond the end selects the last row."""
         column = max(self.currentColumn(), int(StepColumn.POSE))
         self.setCurrentCell(min(row, self.rowCount() - 1), column)
 
@@ -321,7 +321,7 @@ class StepTable(QTableWidget):
         flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
         if self.editable and column in {StepColumn.POSE, StepColumn.TIME}:
             flags |= Qt.ItemFlag.ItemIsEditable
-        if flags != cell.flags():  # setting equal ones would reset an open editor
+        if flags != cell.flags():  # setting equal flags would reset an open editor
             cell.setFlags(flags)
         font = cell.font()
         font.setBold(row == self._running)

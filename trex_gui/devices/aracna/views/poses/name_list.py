@@ -77,7 +77,7 @@ class NameList(QListWidget):
         return self._keys[row] if 0 <= row < len(self._keys) else None
 
     def select(self, key: ItemKey | None) -> None:
-        """Make an item current. None if it is not in the list."""
+        """Make an item current. No item is current if `key` is not in the list."""
         self.setCurrentRow(self._keys.index(key) if key in self._keys else -1)
 
     def select_and_edit(self, name: str) -> None:
@@ -128,7 +128,7 @@ class NameList(QListWidget):
 
     @Slot()
     def _on_delete(self) -> None:
-        """Delete the current item. The next one can be deleted as well."""
+        """Delete the current item and select the next item."""
         if (key := self.current) is not None and not key.built_in:
             row = self.currentRow()
             self._library.delete(self._kind, key.name)

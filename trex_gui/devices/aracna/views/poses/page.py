@@ -1,4 +1,4 @@
-"""The poses page: poses, sequences and gaits are edited, kept in files, and played."""
+"""The poses page: edit, save and play poses, sequences and gaits."""
 
 from PySide6.QtCore import Slot
 from PySide6.QtGui import QResizeEvent

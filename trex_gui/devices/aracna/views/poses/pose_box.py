@@ -1,4 +1,4 @@
-"""The poses: a list, the positions of the current one, and what can be done with it."""
+"""The poses: a list, the positions of the current pose, and its actions."""
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtWidgets import QSpinBox, QWidget
@@ -19,7 +19,7 @@ _ACROSS = 4
 
 
 class PoseBox(ui.Card):
-    pose_chosen = Signal(str)  # name of the current pose; empty for none
+    pose_chosen = Signal(str)  # name of the current pose, or empty
 
     def __init__(self, robot: Robot, library: Library, parent: QWidget | None = None) -> None:
         super().__init__(title_of(tr("Pos&es")), parent)
@@ -81,7 +81,7 @@ class PoseBox(ui.Card):
 
     @property
     def current_name(self) -> str:
-        """Name of the current pose. Empty for none."""
+        """Name of the current pose. Empty if no pose is current."""
         key = self._list.current
         return "" if key is None else key.name
 

@@ -1,8 +1,8 @@
-"""The robot from above: reported positions in full lines, goals dashed.
+"""Drawing of the robot from above: reported positions in solid lines, goals dashed.
 
-Nothing published says how a servo's angle turns a leg of this robot. So this is a sketch without
+No publication describes how the angle of a servo turns a leg. So this is a sketch without
 kinematics: every angle is drawn flat, reduced so that legs do not overlap, and mirrored so that
-equal numbers look alike.
+equal angles look alike on both sides.
 """
 
 import math
@@ -23,21 +23,21 @@ from trex_gui.ui.widgets.circuit import paint_chassis, write
 from trex_gui.ui.widgets.painted import Painted, Painter
 
 _CENTRE = 150.0
-_REDUCTION = 0.35  # drawn part of a servo's angle
-_BODY = 0.24  # half the edge of the body; the picture goes from -1 to 1 both ways
+_REDUCTION = 0.35  # drawn angle per angle of a servo
+_BODY = 0.24  # half the edge of the body; both axes of the picture span -1 to 1
 _HIP = 0.26
 _UPPER = 0.33
 _LOWER = 0.34
 _LEG = 0.08  # width
 _RADIUS = 0.075
 _REACH = 0.13  # distance within which the mouse points at a joint
-_WIDEST = 130  # average characters of what is beside the drawing
+_WIDEST = 130  # largest width of the widget beside the drawing, in average characters
 Point = tuple[float, float]
 
 
 @dataclass(frozen=True, slots=True)
 class DrawnLeg:
-    """Places of inner joint, outer joint and foot: x to the right and y down, -1 to 1."""
+    """Positions of the joints and the foot: x to the right and y down, -1 to 1."""
 
     inner: Point
     outer: Point
@@ -45,7 +45,7 @@ class DrawnLeg:
 
 
 def drawn_legs(positions: tuple[float, ...]) -> tuple[DrawnLeg, ...]:
-    """Return the legs of which both motors have a position (units), in the order of motors."""
+    """Return the legs whose two motors both have a position (units), in motor order."""
     return tuple(
         _drawn_leg(motor // 2, positions[motor], positions[motor + 1])
         for motor in range(0, min(len(positions), MOTORS) - 1, 2)
@@ -53,7 +53,7 @@ def drawn_legs(positions: tuple[float, ...]) -> tuple[DrawnLeg, ...]:
 
 
 def _drawn_leg(number: int, inner: float, outer: float) -> DrawnLeg:
-    outward = 135.0 - 90 * number  # degrees anticlockwise from the right, the front up
+    outward = 135.0 - 90 * number  # degrees anticlockwise from the right, with the front up
     mirror = 1 if number % 2 else -1
     hip = _along((0.0, 0.0), outward, _HIP * math.sqrt(2))
     first = outward + mirror * _REDUCTION * (degrees(inner) - _CENTRE)
@@ -68,7 +68,7 @@ def _along(start: Point, angle: float, length: float) -> Point:
 
 
 class RobotDrawing(Painted):
-    """Shows which joint is which and how it turns. Takes no focus."""
+    """Drawing that identifies each joint and shows its angle. Takes no focus."""
 
     pointed = Signal(int)  # the motor whose joint the mouse points at; -1 for none
     chosen = Signal(int)  # the motor whose joint was clicked
@@ -99,13 +99,13 @@ class RobotDrawing(Painted):
 
     @Slot(int)
     def mark(self, motor: int) -> None:
-        """Highlight a joint. None for -1."""
+        """Highlight the joint of a motor. -1 for none."""
         if motor != self._marked:
             self._marked = motor
             self.update()
 
     def joint_place(self, motor: int) -> QPointF:
-        """Return where a joint is drawn, in pixels of this widget."""
+        """Return the position of a joint in pixels of this widget."""
         leg = self._solid()[motor // 2]
         return self._place(leg.outer if motor % 2 else leg.inner)
 
@@ -140,7 +140,7 @@ class RobotDrawing(Painted):
         return found
 
     def _solid(self) -> tuple[DrawnLeg, ...]:
-        """Return the legs at reported positions, or at goals where these are unknown."""
+        """Return the legs at reported positions. A goal replaces an unknown position."""
         pairs = zip(self._state.present, self._goals, strict=False)
         return drawn_legs(tuple(goal if present is None else present for present, goal in pairs))
 
@@ -177,7 +177,7 @@ class RobotDrawing(Painted):
         style = Qt.PenStyle.DashLine if dashed else Qt.PenStyle.SolidLine
         wide, join = _LEG * self._scale(), Qt.PenJoinStyle.RoundJoin
         pens = [(color, 2.0)] if dashed else [(color, wide), ("track", wide - 4)]
-        for name, width in pens:  # a leg is filled, as wheels are
+        for name, width in pens:  # filled like a wheel
             cap = Qt.PenCapStyle.RoundCap
             painter.setPen(QPen(theme().color(name), max(width, 1.0), style, cap, join))
             painter.drawPolyline(places)
@@ -202,7 +202,7 @@ class RobotDrawing(Painted):
 
 
 class RobotCard(Card):
-    """The drawing of a robot, with a remark: it takes the width that is left `beside` it."""
+    """Drawing of a robot with a remark. It gets the width that `beside` does not use."""
 
     def __init__(self, robot: Robot, remark: str, beside: QWidget, parent: QWidget) -> None:
         super().__init__(parent=parent)
@@ -226,7 +226,7 @@ class RobotCard(Card):
         self._beside.setMaximumWidth(max(widest, self._beside.minimumSizeHint().width()))
 
     def show_in(self, width: int) -> None:
-        """Hide it if `width` pixels do not leave enough for it."""
+        """Show the card if `width` pixels have space for it, else hide it."""
         needed = self.drawing.minimumSizeHint().width() + 3 * CARD_PADDING
         self.setVisible(width >= self._beside.minimumSizeHint().width() + needed)
 

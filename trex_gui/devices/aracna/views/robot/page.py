@@ -31,12 +31,12 @@ _WIDEST_RATE = 888.8
 
 
 class RobotPage(QWidget):
-    """Sliders set the goals. The robot moves on Move, or while they are dragged."""
+    """Sliders set the goals. The robot moves on Move, or while a slider is dragged."""
 
     def __init__(
         self, robot: Robot, start: Callable[[QWidget], QWidget], parent: QWidget | None = None
     ) -> None:
-        """`start` makes what is shown while nothing is connected, until `set_up_offline`."""
+        """`start` creates the panel that is shown without a connection, until `set_up_offline`."""
         super().__init__(parent)
         self.setObjectName("aracnaRobotPage")
         self._robot = robot
@@ -45,7 +45,7 @@ class RobotPage(QWidget):
         self._head = PageHead("", self._content)
         self._head.title.setObjectName("aracnaTitle")
         joints = ui.Card(parent=self._content)
-        set_look(joints, "compact")  # with its controls it fits a low screen
+        set_look(joints, "compact")  # so that table and controls fit a low screen
         table = JointTable(robot, joints)
         self.controls = Controls(robot, table, joints)
         ui.column((table, 1), self.controls, into=joints, spacing=4)
@@ -68,7 +68,7 @@ class RobotPage(QWidget):
         self._drawn.show_in(self.contentsRect().width())
 
     def set_up_offline(self) -> None:
-        """Show goals and limits instead of the start panel, until something was connected."""
+        """Show goals and limits instead of the start panel, until the next connection."""
         self._is_set_up_offline = True
         self._on_changed()
 
@@ -85,7 +85,7 @@ class RobotPage(QWidget):
         self._head.show_state(more)
 
     def _report_text(self) -> tuple[str, str, bool]:
-        """Return the state of the robot, more about it, and if it alarms."""
+        """Return the state of the robot, the details, and whether it is a warning."""
         state = self._robot.state
         if self._robot.link not in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}:
             return tr("No robot is connected."), tr("Goals and limits can be set already."), False
@@ -115,26 +115,26 @@ class RobotPage(QWidget):
 
 
 def _parts(text: str) -> tuple[str, str]:
-    """Return the first sentence of a text, and the others."""
+    """Return the first sentence of a text, and the rest."""
     first, dot, more = text.partition(". ")
     return f"{first}{dot}".rstrip(), more
 
 
 class CommonSpeedBox(SpeedBox):
-    """The speed that all motors share. If they differ, it says so until one is chosen."""
+    """Speed of all motors. If speeds differ, shows that until the user selects a speed."""
 
     _DIFFER = -1
 
     def __init__(self, name: str, accessible: str, parent: QWidget | None = None) -> None:
         super().__init__(name, accessible, parent)
-        self.setMinimumWidth(self.sizeHint().width())  # does not change when they differ
+        self.setMinimumWidth(self.sizeHint().width())  # does not change when the speeds differ
 
     @property
     def differ(self) -> bool:
         return self.value() == self._DIFFER
 
     def show_speeds(self, speeds: Sequence[int]) -> None:
-        """Show the speeds of all motors without a signal. Keep what the user is typing."""
+        """Show the speeds of all motors without a signal. Unchanged speeds keep typed text."""
         value = speeds[0] if len(set(speeds)) == 1 else self._DIFFER
         lowest = min(value, 0)
         if (value, lowest) == (self.value(), self.minimum()):
@@ -152,7 +152,7 @@ class CommonSpeedBox(SpeedBox):
             self.setValue(steps * self.singleStep())
 
     def focusInEvent(self, event: QFocusEvent) -> None:
-        """Let the user type a speed over the text, also after a click."""
+        """Select the text of differing speeds for overtyping, also after a click."""
         super().focusInEvent(event)
         if self.differ:
             QTimer.singleShot(0, self, self.selectAll)
@@ -246,7 +246,7 @@ class Controls(QWidget):
 
     @Slot()
     def _on_goal_edited(self) -> None:
-        """Send the goals in live mode. A key or a spin box is a drag of one step."""
+        """Send the goals in live mode. A key or a spin box counts as a drag of one step."""
         robot = self._robot
         if self._is_live and robot.dragging:
             robot.drag(robot.targets.goals)
@@ -296,7 +296,7 @@ class Controls(QWidget):
             button.setEnabled(is_idle)
         self._factory.setEnabled(not robot.limits.are_factory)
         if robot.link is ConnectionState.DISCONNECTED:
-            self._live.setChecked(False)  # chosen for each robot anew
+            self._live.setChecked(False)  # has to be selected again for each robot
         self._speed.show_speeds(robot.speeds)
         self._rate.setText("" if robot.rate is None else self._rate_text(robot.rate))
 

@@ -103,8 +103,8 @@ class StickTest:
 def idle_side(curve: ChannelCurve) -> int:
     """Return the sign of the output on the shorter side of rest. 0 if both sides are equal.
 
-    A throttle that rests at one end of its travel has this end just beyond its rest position.
-    Reaching the end shows nothing, because the trim alone can reach it.
+    A throttle that rests near one end of its travel shows nothing when it reaches that end: its
+    trim alone can reach it.
     """
     up = curve.calibration.maximum - curve.calibration.neutral
     down = curve.calibration.neutral - curve.calibration.minimum

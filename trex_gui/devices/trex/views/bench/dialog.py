@@ -1,4 +1,4 @@
-"""The window of bench tests: hold a button, see what the motor draws, tune, hold it again."""
+"""Window of bench tests: hold a button, see the motor current, tune, and hold it again."""
 
 from collections.abc import Callable
 from functools import partial
@@ -40,13 +40,13 @@ from trex_gui.ui.widgets.scroll_box import ScrollBox
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.bench.plot import BenchPlot
 
-_PREVIOUS, _NOTHING = -1, -2  # choices of what to compare with, beside the runs
+_PREVIOUS, _NOTHING = -1, -2  # comparisons to select, in addition to the runs
 
 
 class BenchDialog(ReusedDialog):
     """Not modal. Closing it while a test runs stops and disarms all motors."""
 
-    stays_on_stop = True  # the result is read there
+    stays_on_stop = True  # the user reads the result in it
 
     apply_requested = Signal()
 
@@ -128,7 +128,7 @@ class BenchDialog(ReusedDialog):
         self._on_changed()
 
     def _add_plot(self) -> None:
-        """Create the plot after the window is shown: both take 200 ms, which is too long."""
+        """Create the plot after the window is shown, since both together take 200 ms."""
         from trex_gui.devices.trex.views.bench.plot import BenchPlot  # noqa: PLC0415 - pyqtgraph
 
         self._plot = BenchPlot(self)
@@ -162,7 +162,7 @@ class BenchDialog(ReusedDialog):
         self._start(work, path, lambda _: self._report(text), tr("{0} was not saved: {1}."))
 
     def open_run(self, path: Path) -> None:
-        """Read a test and add it to those that were run."""
+        """Read a test and add it to the tests of this window."""
 
         def add(run: Run) -> None:
             self.bench.add_run(run)
@@ -196,7 +196,7 @@ class BenchDialog(ReusedDialog):
         picture = self._plot.grab().toImage()
         return with_heading(picture, f"{heading}, {run.started:%Y-%m-%d %H:%M}")
 
-    # --- What is shown ------------------------------------------------------------------
+    # --- Display ------------------------------------------------------------------------
 
     @Slot()
     def _on_changed(self) -> None:
@@ -250,7 +250,7 @@ class BenchDialog(ReusedDialog):
         self._show_figures()
 
     def _fill_compare(self) -> None:
-        """Offer every test but the last, and keep the choice."""
+        """List every test but the last for comparison, and keep the selection."""
         chosen = self._compare.currentData()
         text = tr("{0:%H:%M:%S}, motor {1}: {2}")
         with QSignalBlocker(self._compare):

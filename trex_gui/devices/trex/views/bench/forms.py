@@ -34,7 +34,7 @@ def _form(parent: QWidget | None = None) -> QFormLayout:
 
 
 def _align(form: QFormLayout) -> None:
-    """Put each title beside the middle of its field: Qt makes a title lower than a high field."""
+    """Centre each title beside its field. Qt makes a title lower than a tall field."""
     for number in range(form.rowCount()):
         item = form.itemAt(number, QFormLayout.ItemRole.LabelRole)
         if item is not None and (title := item.widget()) is not None:
@@ -169,7 +169,7 @@ class PlanForm(ui.Card):
 
 
 class TuningForm(ui.Card):
-    """Edits one motor's acceleration, brake duration, current limit and P, as its page does."""
+    """Edits one motor's acceleration, brake duration, current limit and P, like its page."""
 
     def __init__(self, device: Device, bench: Bench, parent: QWidget) -> None:
         super().__init__("", parent)
@@ -180,7 +180,7 @@ class TuningForm(ui.Card):
 
         text = tr("Connect to a board to see its settings.")
         self._empty = ui.label(self, text=text, wrap=True)
-        self._editors = QWidget(self)  # before the button, in the order of Tab
+        self._editors = QWidget(self)  # before the button in the Tab order
         self._edited = ui.label(self, "benchEdited", wrap=True)
         set_text_color(self._edited, "dirty")
         self.apply = ui.button(

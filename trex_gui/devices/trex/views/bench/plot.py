@@ -1,4 +1,4 @@
-"""Setpoint and current of a bench test, against time. Importing it loads pyqtgraph."""
+"""Plot of setpoint and current of a bench test. Importing this module loads pyqtgraph."""
 
 import math
 
@@ -20,13 +20,13 @@ from trex_gui.ui.widgets.painted import Painted
 
 _SPEED_REACH = 134.0
 _AFTER = 0.6  # seconds shown after the end of a test
-_MIN_CURRENT = 2.0  # A; the current axis reaches at least that far
+_MIN_CURRENT = 2.0  # A; the current axis reaches at least this value
 _MAX_SECONDS_LABELS = 8
 _MAX_CURRENT_LABELS = 4
 
 
 class BenchPlot(Painted):
-    """A test, the one it is compared with, and the profile of the next one."""
+    """Plots of a test, of the test compared with it, and of the next profile."""
 
     spoken_role = QAccessible.Role.Chart
 
@@ -78,14 +78,14 @@ class BenchPlot(Painted):
 
     @property
     def seconds(self) -> float:
-        """The time at the right end."""
+        """Time at the right end of the plots."""
         lengths = [run.ended for run in (self._run, self._before) if run is not None]
         if self._profile is not None:
             lengths.append(self._profile.duration)
         return max(lengths, default=1.0) + _AFTER
 
     def show_plan(self, profile: Profile, abort: float, limit: float | None) -> None:
-        """Show the profile of the next test, and its abort current and limit in A."""
+        """Show the profile of the next test, its abort current and its limit, both in A."""
         if profile != self._profile:
             self._profile = profile
             self._planned.set_points(*_arrays(profile.course()))
@@ -96,7 +96,7 @@ class BenchPlot(Painted):
         self._limit_key.setText(tr("Limit {0:g} A").format(Number(limit or 0)))
 
     def show_runs(self, run: Run | None, before: Run | None) -> None:
-        """Show a test, which may still run, and the one it is compared with."""
+        """Show a test, which may still run, and the test compared with it."""
         self._run, self._before = run, before
         peak = max((amps for test in (run, before) if test for _, amps in test.currents), default=0)
         peak = max(_MIN_CURRENT, 1.05 * peak)
@@ -160,13 +160,13 @@ def _amps_at(run: Run, at: float) -> str:
 
 
 def _arrays(points: object) -> tuple[Floats, Floats]:
-    """Return times and values, as the canvas takes them."""
+    """Return times and values in the format of the canvas."""
     table = np.array(points, dtype=float).reshape(-1, 2)
     return np.ascontiguousarray(table[:, 0]), np.ascontiguousarray(table[:, 1])
 
 
 def _steps(run: Run | None) -> tuple[Floats, Floats]:
-    """Return the setpoints as a line with corners: each holds until the next."""
+    """Return the setpoints as a stepped line. Each holds until the next."""
     if run is None or not run.setpoints:
         return _arrays(())
     times, speeds = _arrays(run.setpoints)

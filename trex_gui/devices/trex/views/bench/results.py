@@ -1,4 +1,4 @@
-"""Figures of a bench test beside those of another one."""
+"""Table that compares the figures of two bench tests."""
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import (
@@ -44,7 +44,7 @@ def _rows(band: float = BAND) -> tuple[tuple[str, str, str, str], ...]:
 
 
 class FiguresTable(QTableWidget):
-    """A row for each figure: this test, the one compared with, and the difference."""
+    """Table of figures: this test, the test compared with it, and the difference."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         rows = _rows()
@@ -72,7 +72,7 @@ class FiguresTable(QTableWidget):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
 
     def show_runs(self, run: Run | None, before: Run | None, band: float) -> None:
-        """Show the figures of two tests. Within `band` (0 to 1) the steady current is settled."""
+        """Show the figures of two tests. `band`: settling range, 0 to 1 of the steady current."""
         now, then = (Figures() if test is None else figures(test, band) for test in (run, before))
         for index, (name, field, unit, _) in enumerate(_rows(band)):
             one, other = getattr(now, field), getattr(then, field)

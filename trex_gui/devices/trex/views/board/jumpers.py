@@ -1,4 +1,4 @@
-"""Picture of a board whose jumpers and LEDs are as a task needs them."""
+"""Picture of the jumpers and LEDs of a board as a task requires them."""
 
 from collections.abc import Collection, Mapping
 
@@ -13,12 +13,12 @@ from trex_gui.ui.widgets.circuit import Jumper, jumpers_size, paint_body, paint_
 from trex_gui.ui.widgets.leds import Leds
 from trex_gui.ui.widgets.painted import Painted, Painter
 
-_SCALE = 1.4  # size of its texts, relative to others
+_SCALE = 1.4  # text size, relative to the font of the widget
 _LEFT, _ABOVE, _LEDS = 1.8, 1.3, 1.9  # lines of text beside and above the jumpers, for LEDs
 
 
 class JumperPicture(Painted):
-    """Names the position of each jumper, with a frame around those to be moved."""
+    """Picture of each jumper with its position. Jumpers to move have a frame."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -38,11 +38,10 @@ class JumperPicture(Painted):
         leds: tuple[str, str] | None = None,
         remarks: Mapping[str, str] | None = None,
     ) -> None:
-        """Show where the jumpers shall be, and the LEDs then.
+        """Show the required positions of the jumpers, and the resulting LED patterns.
 
-        Without the name of a `mode` its jumper is off. `mix` is `None` if it does not matter.
-        `moved` and `remarks` (what is known of a jumper) have the keys `mode`, `mix` and
-        `so_ground`.
+        An empty `mode` means that its jumper is off. `mix` is `None` if it does not matter.
+        The keys of `moved` (jumpers to move) and `remarks` are `mode`, `mix` and `so_ground`.
         """
         names = {
             "mode": (tr("Mode: {0}").format(mode) if mode else tr("Mode: off"), bool(mode)),

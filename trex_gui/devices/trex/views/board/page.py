@@ -1,4 +1,4 @@
-"""Page of the board: who controls the motors, the board drawn, what is open, what failed."""
+"""Page of the board: state of the motors, drawing, open set-up steps, and problems."""
 
 from collections.abc import Callable
 
@@ -34,7 +34,7 @@ SIGNS = {
 
 
 class Reasons(PageHead):
-    """Every reason why the motors do what they do. The one that matters most is the title."""
+    """All reasons for the state of the motors. The most important reason is the title."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__("", parent)
@@ -68,7 +68,7 @@ class BoardPage(QWidget):
         start: Callable[[QWidget], QWidget],
         parent: QWidget | None = None,
     ) -> None:
-        """`start` makes what is shown while nothing is connected."""
+        """`start` creates the panel that is shown while nothing is connected."""
         super().__init__(parent)
         self.setObjectName("boardPage")
         self._device = device
@@ -114,7 +114,7 @@ class BoardPage(QWidget):
 
     @Slot()
     def _on_group_changed(self) -> None:
-        """Draw every board of a group beside the first one."""
+        """Draw the other boards of a group beside this board."""
         for view in self._others:
             self._views.remove(view)
         others = [one for one in self._group.devices.values() if one is not self._device]
@@ -144,7 +144,7 @@ class BoardPage(QWidget):
         self._on_text_due()
 
     def _facts_of(self, state: DeviceState, settings: ConnectionSettings) -> list[str]:
-        """Return model, firmware and how this computer talks to the board."""
+        """Return model, firmware and connection of the board."""
         model, number = state.signature.model, settings.device_number
         facts = [
             f"{model.name} ({model.part})",
@@ -169,7 +169,7 @@ class BoardPage(QWidget):
 
     @Slot()
     def _show_motors(self) -> tuple[DriveInputs, DriveStatus]:
-        """Show why the motors do what they do. Return what that follows from, and the first."""
+        """Show the reasons for the state of the motors. Return the inputs and the first status."""
         inputs = drive_inputs(self._device)
         statuses = drive_statuses(inputs)
         self._reasons.show_statuses(statuses)
@@ -199,7 +199,7 @@ class BoardPage(QWidget):
 
 
 def _open_text(done: SetUp) -> str:
-    """Return the steps of the set-up, with a tick before those that are stored."""
+    """Return the steps of the set-up, with a tick before stored steps."""
     steps = {
         tr("sticks learned"): done.sticks,
         tr("current limits"): done.limits,

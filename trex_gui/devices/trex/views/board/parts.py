@@ -1,4 +1,4 @@
-"""The parts of the drawing of a board. Each is a button: it has a name, a state and a page."""
+"""Parts of the drawing of a board. Each is a button with a name, a state and a page."""
 
 import math
 from collections.abc import Callable
@@ -23,18 +23,18 @@ from trex_gui.ui.widgets.circuit import (
 from trex_gui.ui.widgets.leds import is_lit, paint_lamp
 from trex_gui.ui.widgets.painted import Painter, never_mirror
 
-PULLED = 10  # pixels from where a plug was to where it is pulled out
+PULLED = 10  # pixels between the socket and a pulled plug
 _SPOKES = 5
-WHEEL = 3.9  # lines: diameter
-_TURNS = 0.8  # a second at full speed: a sketch, as the board does not measure any speed
+WHEEL = 3.9  # diameter in text lines
+_TURNS = 0.8  # a second at full speed: symbolic, since the board measures no speed
 
 
 class BoardPart(QAbstractButton, Spoken):
-    """Says what it is in bold, and what the board reports of it in the lines below."""
+    """Shows its name in bold, and the reports of the board in the lines below."""
 
     spoken_role = QAccessible.Role.Button
-    spoken_from = 0  # the first line that says more than the name
-    ground = ""  # the colour that is around it; with none, what it lies on is painted as well
+    spoken_from = 0  # first line that adds to the name
+    ground = ""  # colour around the part; if empty, the widget below is painted as well
 
     def __init__(
         self,
@@ -44,7 +44,7 @@ class BoardPart(QAbstractButton, Spoken):
         parent: QWidget,
         color: str = "outline",
     ) -> None:
-        """`open_page` shows what else there is about the part. `color` is a name of the theme."""
+        """`open_page` opens the page on the part. `color` is a name of the theme."""
         super().__init__(parent)
         self.color = color
         never_mirror(self)
@@ -54,8 +54,8 @@ class BoardPart(QAbstractButton, Spoken):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self.lines: tuple[str, ...] = ()
-        self._seen = QRect()  # what is painted now
-        self.alarm = ""  # the colour of the theme in which the last line is written, if it alarms
+        self._seen = QRect()  # area that is being painted
+        self.alarm = ""  # theme colour of the last line in an alarm, else empty
         self.clicked.connect(open_page)
         theme().changed.connect(self.update)
 
@@ -72,7 +72,7 @@ class BoardPart(QAbstractButton, Spoken):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         self._seen = event.rect()
-        # Here, because styles take it from buttons.
+        # Set at each paint, because styles clear it for buttons.
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent, bool(self.ground))
         with Painter(self) as painter:
             if self.ground:
@@ -84,7 +84,7 @@ class BoardPart(QAbstractButton, Spoken):
             self.paint(painter)
 
     def paint(self, painter: QPainter) -> None:
-        """Paint what the part looks like."""
+        """Paint the shape of the part and its lines."""
         raise NotImplementedError
 
     def write_beside(self, painter: QPainter, left: float) -> None:
@@ -105,13 +105,13 @@ class ChannelPart(BoardPart):
 
     @property
     def height_of_bar(self) -> int:
-        """Return where the middle of the bar is."""
+        """Vertical position of the middle of the bar, in pixels."""
         return round(1.7 * self.fontMetrics().height())
 
     def show_input(
         self, axis: tuple[int, int], count: int | None, calibration: Calibration | None
     ) -> None:
-        """Show a raw count on an axis of raw counts. `None` is no signal, or nothing known."""
+        """Show a raw count on an axis of raw counts. `None`: no signal, or unknown."""
         if (axis, count, calibration) != (self._axis, self._count, self._calibration):
             self._axis, self._count, self._calibration = axis, count, calibration
             self.update()
@@ -130,11 +130,11 @@ class ChannelPart(BoardPart):
 
 
 class LedPart(BoardPart):
-    """A LED in the pattern that the board shows, with the pattern in words."""
+    """An LED in the pattern that the board shows, with the pattern in words."""
 
     spoken_from = 1
     ground = "board"
-    pattern = ""  # as `leds.is_lit` takes it; empty while it is not known
+    pattern = ""  # for `leds.is_lit`; empty while unknown
     _is_lit = False
 
     @property
@@ -155,7 +155,7 @@ class LedPart(BoardPart):
 
 
 class JumperPart(BoardPart):
-    """Two pins, with the jumper on them or without. Where it is not known, dashed."""
+    """Two pins, with or without a jumper. The jumper is dashed while unknown."""
 
     ground = "board"
     is_on: bool | None = None
@@ -172,10 +172,10 @@ class JumperPart(BoardPart):
 
 
 class MotorPart(BoardPart):
-    """A wheel that turns as the motor is told to, with its setpoint, current and limit."""
+    """A wheel that turns at the speed of the motor, with setpoint, current and limit."""
 
     spoken_from = 1
-    speed = 0  # what it is told, -127 to 127
+    speed = 0  # -127 to 127
     _angle = 0.0
 
     def show_speed(self, speed: int) -> None:
@@ -216,7 +216,7 @@ class MotorPart(BoardPart):
         self.write_beside(painter, wheel.right() + 14)
 
     def _paint_arrow(self, painter: QPainter, wheel: QRectF, color: QColor) -> None:
-        """Paint which way it turns: clockwise is forward."""
+        """Paint the direction of rotation. Clockwise is forward."""
         around = wheel.adjusted(-7, -7, 7, 7)
         painter.setPen(QPen(color, 2.5))
         painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -232,10 +232,10 @@ class MotorPart(BoardPart):
 
 
 class SerialPart(BoardPart):
-    """The header of the serial line, and how good the line is."""
+    """The header of the serial line, and the quality of the line."""
 
     PINS = ("SI", "SO", "GND")
-    body_width = 0  # of the board, on whose lower edge the header is
+    body_width = 0  # width of the board, which has the header at its lower edge
 
     def _place_of_lines(self) -> QRect:
         return self.rect().adjusted(0, int(self._box().bottom()), 0, 0)
@@ -256,10 +256,10 @@ class SerialPart(BoardPart):
 
 
 class PlugPart(BoardPart):
-    """A wire with a plug at its end. Beside its place if it is pulled out."""
+    """A wire with a plug at its end. A pulled plug is drawn beside its socket."""
 
     is_out = False
-    is_labelled = False  # its lines are written above the wire, the first is its name
+    is_labelled = False  # whether two lines, name and state, are above the wire
 
     def show_plug(self, *lines: str, out: bool) -> None:
         self.is_out = out

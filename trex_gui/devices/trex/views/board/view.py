@@ -1,4 +1,4 @@
-"""The board, drawn: what it reports is shown where it happens."""
+"""Drawing of the board that shows each report at the part it concerns."""
 
 from collections.abc import Callable, Mapping
 from functools import partial
@@ -36,7 +36,7 @@ from trex_gui.ui.theme.theme import follow_theme, scaled_font, theme
 from trex_gui.ui.widgets.circuit import paint_block, paint_body, text_width
 from trex_gui.ui.widgets.painted import Animation, Painter, never_mirror
 
-# Words for a setpoint that is no speed.
+# Texts for setpoints that are no speed.
 _SOURCES = {
     SetpointSource.UNKNOWN: tr_noop("not known"),
     SetpointSource.JOINT: tr_noop("works with motor 1"),
@@ -44,15 +44,15 @@ _SOURCES = {
     SetpointSource.NOT_ARMED: tr_noop("not armed"),
 }
 
-_WIRE = 1.4  # lines of text from the body to what is beside it
-_LOWEST, _HIGHEST = 20, 26  # lines: the least height, and the one of the size hint
-_SERIAL = 3.4  # lines: height of the serial line, 0.8 of it on the body
-_LARGEST = 1.5  # times the size of the font, where there is room for no more than the next
+_WIRE = 1.4  # lines of text between the body and the parts beside it
+_LOWEST, _HIGHEST = 20, 26  # lines: minimum height, and height of the size hint
+_SERIAL = 3.4  # lines: height of the serial line, of which 0.8 are on the body
+_LARGEST = 1.5  # largest font scale, unless `_PLENTY` lines fit at a larger scale
 _PLENTY = 30  # lines
 
 
 class BoardView(QWidget):
-    """The connected board. A part leads to the page that has more about it."""
+    """View of the connected board. Each part opens the page about it."""
 
     page_wanted = Signal(str)  # the key of the page
 
@@ -101,7 +101,7 @@ class BoardView(QWidget):
     # --- Places -------------------------------------------------------------------------
 
     def _columns(self) -> tuple[tuple[float, float], ...]:
-        """Return how wide channels, body and motors are at least and at most, in lines of text."""
+        """Return the least and greatest widths of channels, body and motors, in lines of text."""
         font, line = self.font(), self.fontMetrics().height()
         roles = text_width(font, *(f"CH5  {tr(role)}  2000 µs " for role in CHANNEL_NAMES.values()))
         words = f"{tr('not armed')} {tr('reverse')} {tr('limit {0:.1f} A').format(88.8)}".split()
@@ -129,7 +129,7 @@ class BoardView(QWidget):
         line = round(base * max(1.0, larger))
         for part in self.findChildren(BoardPart):
             part.setFont(scaled_font(self.font(), line / base))
-        extra = max(0.0, width / line - least.width() / base)  # to be shared out
+        extra = max(0.0, width / line - least.width() / base)  # width to share among the columns
         columns = [round(line * min(most, least + extra / 4)) for least, most in self._columns()]
         wire = round(min(5.0, _WIRE + extra / 8) * line)
         left = max(0, (width - sum(columns) - 2 * wire) // 2)
@@ -194,7 +194,7 @@ class BoardView(QWidget):
     # --- What the board reports ---------------------------------------------------------
 
     def show_board(self, inputs: DriveInputs) -> None:
-        """Show the newest of everything. What is not known is drawn as unknown."""
+        """Show the newest values. Unknown values are drawn as unknown."""
         device = self._device
         board = inputs.board if inputs.link is None else None
         self._show_channels()
@@ -292,7 +292,7 @@ class BoardView(QWidget):
                 currents = device.telemetry.motor_currents
                 if currents is not None:
                     lines.append(f"{Number(currents[number - 1]):.2f} A")
-                if not is_alarming:  # there is room for either
+                if not is_alarming:  # there is space for one more line only
                     lines.append(limit_text(device, number))
             if faults:
                 lines.append(error_names(faults))

@@ -17,13 +17,13 @@ from trex_gui.ui.widgets import builders as ui
 
 _LEFT_OUT = {BoardStep.FAILED, BoardStep.SKIPPED}
 _CHECKED = Qt.CheckState.Checked
-_LINES = 6  # boards that are seen at once
+_LINES = 6  # boards that are visible at once
 
 
 class ApplyToSeveral(QObject):
-    """Shows what a file changes of each board, then writes it to those that are checked.
+    """Shows the changes of a file for each board, then writes it to the checked boards.
 
-    Closing the dialog ends the work after the present board, and the window reports the outcome.
+    Closing the dialog ends the work after the present board. The window reports the outcome.
     """
 
     def __init__(self, boards: BoardList, device: Device, parent: QWidget) -> None:
@@ -63,7 +63,7 @@ class ApplyToSeveral(QObject):
         self.dialog.rejected.connect(self.work.cancel)
 
     def open_file(self, document: SettingsDocument) -> None:
-        """Read every board on the line, and show what a file would change of each."""
+        """Read every board on the line, and show the changes of a file for each."""
         if self.work.is_running:
             self.dialog.show_in_front()
             return
@@ -104,7 +104,7 @@ class ApplyToSeveral(QObject):
         return item
 
     def _set_checkable(self, item: QTableWidgetItem, plan: BoardPlan) -> None:
-        """Let the user choose a board to write to. A box that was cleared stays so."""
+        """Let the user select a board to write to. A cleared box stays cleared."""
         checkable, role = Qt.ItemFlag.ItemIsUserCheckable, Qt.ItemDataRole.CheckStateRole
         if plan.step is not BoardStep.REVIEWED or not plan.to_write:
             item.setFlags(item.flags() & ~checkable)
@@ -134,7 +134,7 @@ class ApplyToSeveral(QObject):
             and Comparison(tuple(r for r in rows.rows if not r.is_missing), rows.left_out),
             sides=(tr("Board {0}").format(plan.number) if plan is not None else "", tr("File")),
             with_ticks=False,
-            # Without buttons: what is written is the file, which the user can edit.
+            # No buttons for proposals: the file is written as it is. The user can edit it.
             remarks=[replace(one, change={}) for one in plan.findings] if plan is not None else [],
             trouble=self._trouble,
             action=text if chosen else tr("&Write to boards"),
@@ -147,7 +147,7 @@ class ApplyToSeveral(QObject):
         self.dialog.question.prompt_before(lambda: self.work.write(self._chosen()), self._doubts)
 
     def _doubts(self) -> list[str]:
-        """Return the values of the chosen boards of which only the boards can tell."""
+        """Return the doubtful values of the selected boards, as texts for the user."""
         if not self.dialog.action.isEnabled():
             return []
         chosen = self._chosen()
@@ -165,7 +165,7 @@ class ApplyToSeveral(QObject):
             self.dialog.fit()
 
     def _report(self, steps: list[BoardStep], written: int) -> None:
-        """Say what was written and left out: in the dialog, or in the window if that is closed."""
+        """Report written and omitted boards in the dialog, or in the window if it is closed."""
         left_out = [plan for plan in self.work.plans if plan.step in _LEFT_OUT]
         texts = []
         if self.work.was_stopped:
@@ -186,7 +186,7 @@ class ApplyToSeveral(QObject):
 
 
 def _texts(plan: BoardPlan) -> tuple[str, str]:
-    """Return how many settings change, and how far the board is."""
+    """Return texts for the number of changes and for the progress of a board."""
     changes = ""
     if plan.changes is not None:
         changes = tr("%n setting(s)", "", plan.to_write) if plan.to_write else tr("none")

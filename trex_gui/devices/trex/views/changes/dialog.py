@@ -1,4 +1,4 @@
-"""The dialog of everything that shows changes before they are made."""
+"""Dialog that shows changes of settings before they are made."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -33,7 +33,7 @@ TickedOf = Callable[[Comparison], Rows]
 
 class Names(NamedTuple):
     dialog: str
-    prefix: str  # of its parts
+    prefix: str  # of the object names in the dialog
     action: str
     close: str
 
@@ -53,17 +53,17 @@ class Changes:
     remarks: Sequence[Remark] = ()
     can_accept: bool = False  # proposals of the remarks can be accepted
     trouble: str = ""  # why it cannot be done, or what went wrong
-    action: str = ""  # verb and count on the primary button; without one there is no button
+    action: str = ""  # verb and count on the primary button; empty hides the button
     can_act: bool = False
-    close: str = ""  # on the other button, by default `Cancel`
-    closes_first: bool = False  # the other button is the one that has the focus
+    close: str = ""  # text of the closing button, by default `Cancel`
+    closes_first: bool = False  # the closing button is the default button
 
 
 class Question(InlinePrompt):
     def prompt_before(
         self, write: Callable[[], object], doubts: Callable[[], Sequence[str]]
     ) -> None:
-        """Call `write`, after a question if there are doubts. `doubts` names the values."""
+        """Call `write`, but prompt first if `doubts` returns names of values."""
         named = doubts()
         if not named:
             write()
@@ -77,10 +77,10 @@ class Question(InlinePrompt):
 
 
 class ChangesDialog(ReusedDialog):
-    """Shows settings before and after, with a row for each change. As tall as its rows.
+    """Shows settings before and after, with a row for each change. Its height fits the rows.
 
-    Not modal, with a stop button of its own. Whoever creates it describes its content, and
-    describes it again whenever a row is checked or cleared or one of `follows` is emitted.
+    Not modal, with a stop button of its own. Its owner describes the content when it opens, and
+    again whenever a row is checked or cleared or one of `follows` is emitted.
     """
 
     def __init__(
@@ -94,7 +94,7 @@ class ChangesDialog(ReusedDialog):
         follows: Sequence[SignalInstance] = (),
         above: QWidget | None = None,
     ) -> None:
-        """Create it for the `parent` window. `describe` returns `None` to close the dialog.
+        """Create the dialog for the `parent` window. `describe` returns `None` to close the dialog.
 
         `act` gets the checked rows when the primary button is pressed. `above` is put above the
         rows.
@@ -113,12 +113,12 @@ class ChangesDialog(ReusedDialog):
         self._caption = label(self, f"{prefix}Caption", wrap=True, size="caption")
         self._trouble = named(Note(0, self), f"{prefix}Trouble")
         if above is not None:
-            above.setParent(self)  # before the rows, for Tab
+            above.setParent(self)  # before the rows in the Tab order
         self.rows = ComparisonView(self)
         self.findings = FindingsList(prefix, self.rows, self, is_wide=True)
         self._findings_area = ScrollBox(self.findings, self)
         set_look(self._findings_area, "inset")
-        policy = QSizePolicy.Policy  # without stretch: Qt would ignore how high they like to be
+        policy = QSizePolicy.Policy  # no stretch, with which Qt would ignore the size hints
         self.rows.setSizePolicy(policy.Preferred, policy.Expanding)
         self._findings_area.setSizePolicy(policy.Preferred, policy.Maximum)
         self.question = named(Question(self), f"{prefix}Question")
@@ -237,7 +237,7 @@ class ChangesDialog(ReusedDialog):
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         middle = self.geometry().center()
-        for _ in range(2):  # the first gives the rows their width
+        for _ in range(2):  # the first pass gives the rows their width
             self.resize(self.width(), 1)
             self.fit()
         place = self.geometry()
@@ -245,7 +245,7 @@ class ChangesDialog(ReusedDialog):
         self._move_to(place)
 
     def fit(self) -> None:
-        """Become as high as the content, but no lower."""
+        """Grow to the height of the content. Never shrinks."""
         self._findings_area.updateGeometry()
         self._all.activate()
         place = self.geometry()

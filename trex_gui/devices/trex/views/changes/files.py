@@ -1,4 +1,4 @@
-"""Dialogs of a settings file: load it, compare it, convert it for another board."""
+"""Dialogs that load, compare and convert a settings file."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -22,7 +22,7 @@ from trex_gui.devices.trex.views.changes.dialog import Changes, ChangesDialog, N
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets.builders import button, combo_box, label, no_mnemonic, row
 
-_NAMED = 3  # settings that are listed before the rest is only counted
+_NAMED = 3  # settings listed by name; the rest is only counted
 
 GetSettings = Callable[[], Settings | None]
 Report = Callable[[str], object]
@@ -38,12 +38,12 @@ def load_dialog(
     side: str = "",
     edit: Callable[[], object] | None = None,
 ) -> ChangesDialog:
-    """Create the dialog that shows what a document would change of the board.
+    """Create the dialog that loads a document as edits.
 
-    `on_staged` and `on_ended` get a message: changes are edits now, or the board is gone. `side`
-    names the settings of the document, by default `File`. `edit` edits the file in place of that.
+    `on_staged` gets a message once changes are edits, `on_ended` if the board is gone. `side` is
+    the heading of the document's values, by default `File`. `edit` edits the file instead.
     """
-    # The document itself may be edited or deleted meanwhile.
+    # Read now: the document may be edited or deleted while the dialog is open.
     name, settings, findings = document.name, document.settings, document.findings
     draft = device.draft
 
@@ -59,7 +59,7 @@ def load_dialog(
         board = state.signature
         conversion = convert(settings, board.model, board.firmware)
         is_converted = settings.product != board.model or conversion.alters
-        # Settings that only the board's firmware has are not missed.
+        # Settings that only the board's firmware has do not count as missing.
         given = conversion.settings if is_converted else replace(settings, firmware=None)
         try:
             found = diff_against_draft(draft, given)
@@ -110,7 +110,7 @@ def load_dialog(
 
 
 def _missing(comparison: Comparison) -> Iterator[str]:
-    """Yield a sentence about settings that a file does not have."""
+    """Yield a sentence that names the settings missing in the file, if any."""
     if missing := [row.name for row in comparison.rows if row.is_missing]:
         names = ", ".join(missing[:_NAMED])
         if len(missing) > _NAMED:
@@ -134,15 +134,15 @@ def show_comparison(
     on_copied: Report,
     renewed_by: SignalInstance | None = None,
 ) -> None:
-    """Compare a document with the result of `other`, again whenever `renewed_by` is emitted.
+    """Compare a document with the result of `other`. Repeat it when `renewed_by` is emitted.
 
-    Values of the other side can become edits of the document; `on_copied` gets a message then.
+    Values of the other side can be copied as edits. `on_copied` then gets a message.
     """
     theirs: Settings | None = None
 
     def describe(ticked_of: TickedOf) -> Changes | None:
         nonlocal theirs
-        theirs = other() or theirs  # settings of a board that is gone stay
+        theirs = other() or theirs  # keep the settings of a board that is gone
         mine, trouble = document.settings, ""
         heading, close = tr("{0} and {1}").format(document.name, other_name), tr("Close")
         if mine is None or theirs is None:
@@ -193,14 +193,14 @@ def show_conversion(
     parent: QWidget,
     on_converted: Callable[[SettingsDocument], object],
 ) -> None:
-    """Show what becomes of a document on another board. `on_converted` gets that as a new one."""
+    """Show a document converted for another board. `on_converted` gets the new document."""
     boards = [(m, firmware) for m in device_table().models for firmware in m.firmware[::-1]]
     text = tr("{0}, firmware {1}")
     items = [(text.format(board.name, firmware), (board, firmware)) for board, firmware in boards]
     above = QWidget(parent)
     choice = combo_box(above, "convertBoard", "", items=items)
     row(label(above, text=tr("Convert &for:"), buddy=choice), choice, 1, into=above, margins=0)
-    # First the board that is connected, or the other model.
+    # Default choice: the connected board, else the other model.
     before, state = document.settings, device.state if device.is_connected else None
     own = None if before is None else (before.product, before.specs.firmware)
     models = [model for model in device_table().models if own is None or model != own[0]]
@@ -242,7 +242,7 @@ def show_conversion(
             return
         try:
             text = amend(document.text, found.settings, document.name)
-        except StudioError:  # written in a way that cannot be changed in place
+        except StudioError:  # the text cannot be edited in place
             text = write_settings(found.settings)
         name = f"{Path(document.name).stem}_{found.settings.product.key}.txt"
         on_converted(SettingsDocument(text, name))

@@ -1,4 +1,4 @@
-"""Review of what Apply writes: before, while writing, and the outcome of each value."""
+"""Review of the changes that Apply writes: preview, progress, and outcome of each value."""
 
 from collections.abc import Iterable, Iterator
 from enum import Enum, auto
@@ -48,13 +48,13 @@ class Review(QObject):
         self._cycle = PowerCycle(device, self)
         self._phase = _Phase.REVIEW
         self._problem = self._detail = ""  # what went wrong, and what it means
-        self._title = ""  # of defaults that are reviewed
+        self._title = ""  # of reviewed defaults, else empty
         self._serial_only = False
         self._defaults: Rows = ()
-        self._writing = Comparison(())  # what is or was written
+        self._writing = Comparison(())  # changes of the current or last write
         self._outcomes: dict[str, str] = {}
         self._findings: tuple[LintFinding, ...] = ()
-        self._unstaged = self._staged = -1  # undo steps before and after what closing reverts
+        self._unstaged = self._staged = -1  # undo index before and after edits that closing reverts
 
         self.dialog = ChangesDialog(
             device,
@@ -97,7 +97,7 @@ class Review(QObject):
 
     @Slot()
     def review(self) -> None:
-        """Show what Apply would write, or the progress while it writes."""
+        """Show the changes that Apply would write, or the progress while it writes."""
         if self._staged != self._undo.index():
             self._title = ""
         self._open()
@@ -123,7 +123,7 @@ class Review(QObject):
             self.dialog.show_in_front()
         else:
             if self._phase is _Phase.DONE:
-                self.dialog.hide()  # its Close has the focus, and Enter is to write again
+                self.dialog.hide()  # else Enter would press Close, which has the focus
             self._problem = ""
             self._cycle.end()
             self._enter(_Phase.REVIEW)
@@ -131,7 +131,7 @@ class Review(QObject):
 
     @Slot()
     def close_if_verified(self) -> None:
-        """Close a result that asks for nothing more."""
+        """Close the result if it requires no further action."""
         if self._phase is _Phase.DONE and not self._problem and self._power.isHidden():
             self.dialog.close()
 
@@ -148,7 +148,7 @@ class Review(QObject):
 
     @property
     def _is_cancellable(self) -> bool:
-        """Return whether it was told to write, and nothing is written yet."""
+        """Return whether a write was requested, but nothing is written yet."""
         return self._phase is _Phase.WRITING and self._device.writer.is_saving_snapshot
 
     def _on_write_clicked(self, rows: Rows) -> None:
@@ -156,7 +156,7 @@ class Review(QObject):
             self.dialog.question.prompt_before(partial(self._write_rows, rows), self._doubts)
 
     def _doubts(self) -> list[str]:
-        """Return the checked values of which only the board can tell whether it takes them."""
+        """Return the checked values that the board may reject, as their limits are unconfirmed."""
         if self._phase is not _Phase.REVIEW or not self._can_write:
             return []
         return self._device.parameters.values.doubtful(self.dialog.ticked)
@@ -164,7 +164,7 @@ class Review(QObject):
     def _write_rows(self, rows: Rows) -> None:
         written = {row.key for row in rows}
         left_out = {row.key for row in self._changes().rows} - written
-        if left_out and self._revert():  # defaults that are not written are no edits
+        if left_out and self._revert():  # defaults left out do not stay as edits
             kept = (row for row in self._defaults if row.key not in left_out)
             self._device.draft.stage((*kept, *rows), self._title)
         self._problem = ""
@@ -201,7 +201,7 @@ class Review(QObject):
 
     @Slot(object)
     def _on_accepted(self, finding: LintFinding) -> None:
-        """Add a proposal to what is written, also where its edit was to wait."""
+        """Accept a proposal, and check its rows even if the user had cleared them."""
         is_newest = self._staged == self._undo.index()
         self._linter.accept(finding)
         if is_newest:
@@ -220,7 +220,7 @@ class Review(QObject):
         self._unstaged = self._staged = -1
 
     def _revert(self) -> bool:
-        """Undo what closing reverts, if it is the newest edit. Return whether it was."""
+        """Undo the reviewed defaults if they are the newest edit. Return whether they were."""
         is_newest = self._staged == self._undo.index()
         if is_newest:
             self._undo.setIndex(self._unstaged)
@@ -333,7 +333,7 @@ class Review(QObject):
         return tr("Writing. Leave the power on.")
 
     def _obstacle(self) -> str:
-        """Return why nothing can be written. Empty if it can."""
+        """Return the reason why nothing can be written, or an empty text."""
         if not self._device.is_connected:
             return tr("No board is responding. The edits are kept.")
         if self._device.draft.reset_pending:
@@ -360,7 +360,7 @@ class Review(QObject):
         return text.format(state.signature, number, settings.label)
 
     def _remarks(self, ticked: Rows) -> Iterator[str]:
-        """Yield what else has to be known about the checked changes."""
+        """Yield remarks about the checked changes."""
         if keys := self._device.calibrations.out_of_reach:
             text = tr(
                 "These calibrations stay pending until the board uses their input source again: "
@@ -377,7 +377,7 @@ class Review(QObject):
 
 
 def _outcomes(results: Iterable[WriteResult]) -> Iterator[str]:
-    """Yield the reason of each failure, once for each error. Empty for stored values."""
+    """Yield the reason of each failure, once per error. Empty for stored values."""
     occurred: StudioError | None = None
     for result in results:
         if result.error is None:

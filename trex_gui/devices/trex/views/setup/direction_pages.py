@@ -1,4 +1,4 @@
-"""The steps that find out which way the sticks go, and which motor is which."""
+"""Setup steps that determine stick directions and the wiring of the motors."""
 
 from functools import partial
 
@@ -25,7 +25,7 @@ from trex_gui.ui.widgets.labels import Muted, Note
 
 
 class SticksPage(Page):
-    """Begins learning. Or, with learned channels, asks for the directions of the sticks."""
+    """Starts learning, or with learned channels asks for the directions of the sticks."""
 
     def __init__(self, device: Device, setup: RobotSetup, learning: Learning) -> None:
         super().__init__("setupSticksPage", tr("The board learns your sticks"))
@@ -100,7 +100,7 @@ class SticksPage(Page):
             strip.show_input(telemetry.latest, calibrations.source, marks, raw)
 
     def _stick_text(self, channel: int, *, is_unclear: bool) -> str:
-        """Return what is known of the direction of a stick, or why it could not be seen."""
+        """Return the known direction of a stick, or the reason why it is unclear."""
         names = {1: tr("Channel 1 (motor 1)"), 2: tr("Channel 2 (motor 2)")}
         if self._is_one:
             names = {1: tr("Channel 1 (turns)"), 2: tr("Channel 2 (drives)")}
@@ -120,13 +120,13 @@ class SticksPage(Page):
 
 
 class WiringPage(Page):
-    """Nothing on it moves while motors are armed: texts have their space, buttons are disabled."""
+    """Page about motor wiring. Its layout does not shift while motors are armed."""
 
     def __init__(self, device: Device, setup: RobotSetup) -> None:
         super().__init__("setupWiringPage", tr("Hold a button, then click what moved"))
         self._device = device
         self._setup = setup
-        self._motor = 1  # the motor whose movement a click answers
+        self._motor = 1  # motor whose movement a click reports
         side = self.side
         self._question = ui.label(self, "setupQuestion", bold=True)
         self._robot = RobotView(self, asks=True)
@@ -187,7 +187,7 @@ class WiringPage(Page):
         self._setup.record_movement(motor, seen)
 
     def _show_answers(self) -> None:
-        """Show what each motor moved, and ask for the motor that was held last."""
+        """Show the movement that each motor caused, and ask about the current motor."""
         movements = self._setup.movements
         self._question.setText(tr("What did motor {0} move?").format(self._motor))
         set_text_color(self._question, f"motor{self._motor}")
@@ -249,7 +249,7 @@ class WiringPage(Page):
 
 
 def rewiring_text(driver: Driver, rewiring: Rewiring) -> str:
-    """Return what to do with the wires, in sentences."""
+    """Return the instructions for rewiring, as sentences."""
     texts = [tr("Switch the motors' power off.")]
     swap = tr("Swap the pair of wires of motor 1 with that of motor 2 (keep their order).")
     if rewiring.exchange_motors:

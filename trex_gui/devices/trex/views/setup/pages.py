@@ -1,4 +1,4 @@
-"""The steps of the assistant that ask, explain or choose values."""
+"""Steps of the setup assistant that ask, explain or select values."""
 
 from collections.abc import Mapping
 from functools import partial
@@ -60,7 +60,7 @@ class DriverPage(Page):
 
 
 class JumperPage(Page):
-    """Draws where the jumpers have to be, and ticks those that the board reports there."""
+    """Drawing of the required jumper positions, with ticks where the board reports them."""
 
     def __init__(self, device: Device, setup: RobotSetup) -> None:
         super().__init__("setupJumpersPage", tr("Move the jumpers as drawn"))
@@ -171,7 +171,7 @@ class LimitsPage(Page):
         self._hint.show_note(self._hint_text())
 
     def _show_ramps(self, preset: Preset | None) -> None:
-        """Draw the ramps of a preset, or of the board, and name what it sets."""
+        """Draw the ramps of a preset, or of the board, and list its values."""
         parameters = self._device.parameters
         values = parameters.values
         found = values.stored if preset is None else preset.values(parameters.model_key)
@@ -250,7 +250,7 @@ class TimeoutPage(Page):
 
 
 class SummaryPage(Page):
-    """Tasks that are left: in other steps, by Apply, and by hand."""
+    """Remaining tasks: in other steps, with Apply, and by hand."""
 
     def __init__(self, device: Device, setup: RobotSetup, titles: Mapping[SetupStep, str]) -> None:
         super().__init__("setupReviewPage", tr("What is left to do"))
@@ -303,7 +303,7 @@ class SummaryPage(Page):
         self._tasks.setText("\n\n".join(f"{number}. {task}" for number, task in tasks))
 
     def _reason(self, step: SetupStep) -> str:
-        """Return why a step is not done, for the user."""
+        """Return the reason why a step is not done, for the user."""
         setup = self._setup
         wiring = setup.wiring
         if step is SetupStep.JUMPERS:

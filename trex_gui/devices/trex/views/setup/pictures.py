@@ -1,4 +1,4 @@
-"""Pictures to choose from: what drives a robot, and how its motors start and stop."""
+"""Picture buttons that select the control of a robot, and how its motors start and stop."""
 
 from collections.abc import Callable, Mapping
 from enum import Enum
@@ -19,7 +19,7 @@ ChoiceT = TypeVar("ChoiceT", bound=Enum | None)
 Points = tuple[tuple[float, float], ...]
 Paint = Callable[[QPainter, QRectF], None]
 
-_AFTER_S, _REVERSAL_S = 4.0, 2.0  # seconds that a curve shows, and its change of direction
+_AFTER_S, _REVERSAL_S = 4.0, 2.0  # length of a curve, and start of its reversal
 
 
 def picture(widget: QWidget, paint: Paint, size: QSize) -> QPixmap:
@@ -33,7 +33,7 @@ def picture(widget: QWidget, paint: Paint, size: QSize) -> QPixmap:
 
 
 class _Choice(QToolButton):
-    """Picture with its name below, as large as its place allows."""
+    """Button with a picture above its name, as large as the layout allows."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -63,7 +63,7 @@ class _Choice(QToolButton):
 
 
 class Choices(QWidget):
-    """Pictures of which one is chosen, in rows of `columns`."""
+    """Picture buttons in rows of `columns`, one of them checked."""
 
     chosen = Signal(object)
 
@@ -135,7 +135,7 @@ def paint_driver(driver: Driver, painter: QPainter, box: QRectF) -> None:
 
 
 def paint_ramp(ramp: float, brake: float, painter: QPainter, box: QRectF) -> None:
-    """Paint a start, and a change of direction: seconds to full speed, seconds of braking."""
+    """Paint a start and a reversal. `ramp`: seconds to full speed. `brake`: seconds."""
     there = _REVERSAL_S + brake
     end = min(ramp, _REVERSAL_S)  # a slow ramp does not get to full speed
     top = end / ramp if ramp else 1.0
@@ -153,7 +153,7 @@ def paint_curve(
     lowest: float = -1,
     mark: float | None = None,
 ) -> None:
-    """Paint a speed, 1 is full, over `span` seconds, and a line where something happens."""
+    """Paint a curve of speed (1 is full) over `span` seconds, and a line at time `mark`."""
 
     def place(seconds: float, speed: float) -> QPointF:
         y = box.bottom() - (speed - lowest) / (1 - lowest) * box.height()
