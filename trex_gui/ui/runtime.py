@@ -36,7 +36,7 @@ class Runtime:
         QThread.start(thread, priority)
 
     def wait(self, thread: QThread, milliseconds: int) -> bool:
-        """Wait for a thread to end; -1 waits for ever. Return whether it has ended."""
+        """Wait for a thread to end, for ever with -1. Return whether it has ended."""
         return QThread.wait(thread, QDeadlineTimer(milliseconds))
 
     def process(self, parent: QObject) -> QProcess:
