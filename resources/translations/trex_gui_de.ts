@@ -1041,6 +1041,8 @@
         <translation>Die Leitung ist gestört: {0:.1f} % verloren</translation></message>
     <message><source>The line is good again</source>
         <translation>Die Leitung ist wieder gut</translation></message>
+    <message><source>The board reports: {0}.</source>
+        <translation>Das Board meldet: {0}.</translation></message>
     <message><source>noisy: {0:.1f} % of the requests of the last {1:.0f} s answered</source>
         <translation>gestört: {0:.1f} % der Anfragen der letzten {1:.0f} s beantwortet</translation></message>
     <message><source>being measured …</source>

@@ -1041,6 +1041,8 @@
         <translation>La liaison est bruitée : {0:.1f} % de pertes</translation></message>
     <message><source>The line is good again</source>
         <translation>La liaison est de nouveau bonne</translation></message>
+    <message><source>The board reports: {0}.</source>
+        <translation>La carte signale : {0}.</translation></message>
     <message><source>noisy: {0:.1f} % of the requests of the last {1:.0f} s answered</source>
         <translation>bruitée : {0:.1f} % des requêtes des {1:.0f} dernières secondes ont reçu une réponse</translation></message>
     <message><source>being measured …</source>

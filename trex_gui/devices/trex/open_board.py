@@ -19,9 +19,9 @@ from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
 from trex_gui.core.transport.adapters import adapter_key
 from trex_gui.devices.trex.board.drive_status import DriveInputs
 from trex_gui.devices.trex.board.keeper import Keeper
-from trex_gui.devices.trex.board.mirror import BoardMirror
+from trex_gui.devices.trex.board.mirror import BoardMirror, DriveLost
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.client.telemetry import Control, LatchedStatus, Sample
+from trex_gui.devices.trex.client.telemetry import LatchedStatus, Sample
 from trex_gui.devices.trex.driving.blockers import DriveBlocker, Reason
 from trex_gui.devices.trex.driving.requests import (
     HEARTBEAT_INTERVAL,
@@ -216,7 +216,6 @@ class OpenBoard:
         self.errors: dict[str, None] = {}  # names of the bits since the last status
         self.events = deque[Event](maxlen=_MOST_WAITING)  # events since the program last read them
         self._number = number
-        self._lost_control = 0  # consecutive replies that report control by channels
 
     @property
     def state(self) -> DeviceState:
@@ -240,7 +239,8 @@ class OpenBoard:
                     yield event
                 case Sample():
                     yield event
-                    self._handle_control(event)
+                case DriveLost(reason=reason) if self._number is not None:
+                    self._stop_all(reason)
                 case Event():
                     self.events.append(event)
         match report:
@@ -256,24 +256,17 @@ class OpenBoard:
                 cause = _LATE if code is ErrorCode.NO_HEARTBEAT else describe(code, (number,))
                 self._fail(f"{cause} The motors were stopped.", is_named=number is not None)
 
-    def _handle_control(self, sample: Sample) -> None:
-        """Stop every board of a group if channels control this board again."""
-        if self._number is None or not isinstance(sample, Control):
-            return
-        self._lost_control = 0 if sample.by_serial else self._lost_control + 1
-        if self._lost_control > 1 and self.session.is_armed:  # one reply may be corrupted
-            self.session.stop()
-            self._fail(f"{self.mirror.control_text} The motors were stopped.")
-
     def _handle_status(self, latched: LatchedStatus) -> None:
         self.errors |= dict.fromkeys(latched.names)
-        if (
-            self.session.is_armed
-            and not latched.is_earlier
-            and latched.stops_motors(on_error=self.state.stops_on_error)
-        ):
+        stops_on_error = self.state.stops_on_error
+        if not latched.is_earlier and latched.stops_motors(on_error=stops_on_error):
+            self._stop_all(f"The board reports: {', '.join(latched.names)}.")
+
+    def _stop_all(self, reason: str) -> None:
+        """Stop every board and raise MotorsStoppedError, if the motors are armed."""
+        if self.session.is_armed:
             self.session.stop()
-            self._fail(f"The board reports: {', '.join(latched.names)}. The motors were stopped.")
+            self._fail(f"{reason} The motors were stopped.")
 
     def _fail(self, text: str, *, is_named: bool = False) -> None:
         """Raise MotorsStoppedError. `is_named`: the text names the board."""

@@ -1,5 +1,6 @@
 """What the mirror of a board makes of the reports of a session."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from datetime import UTC, datetime
 
@@ -12,6 +13,7 @@ from trex_gui.devices.trex.board.mirror import (
     BoardEvent,
     BoardMirror,
     BoardRead,
+    DriveLost,
     LineJudged,
     MotorsShutDown,
     SetUp,
@@ -289,6 +291,27 @@ def test_motor_status_bits_are_no_stop(watched: Watched) -> None:
     watched.read(state(uart_error_shutdown=1))
     both = Status.MOTOR1_FAULT | Status.MOTOR2_OVER_LIMIT
     assert shut_down(watched, both, NO_UART) == ""
+
+
+def lost(found: Sequence[BoardEvent]) -> list[str]:
+    return [event.reason for event in found if isinstance(event, DriveLost)]
+
+
+@pytest.mark.parametrize(("is_earlier", "reasons"), [(False, 1), (True, 0)])
+def test_new_motor_fault_ends_the_drive(
+    watched: Watched, *, is_earlier: bool, reasons: int
+) -> None:
+    watched.read(state())
+    fault = LatchedStatus(1.0, Status.MOTOR1_FAULT, NO_UART, is_earlier)
+    assert lost(watched.sample(fault)) == ["The board reports: Motor 1 fault."] * reasons
+
+
+def test_second_reply_that_channels_control_ends_the_drive(watched: Watched) -> None:
+    watched.read(state(Mode.RC))
+    replies = [False, True, False, False, False]
+    found = [lost(watched.sample(Control(1.0, by_serial=reply))) for reply in replies]
+    assert [len(one) for one in found] == [0, 0, 0, 1, 0]
+    assert "RC channels control" in found[3][0]
 
 
 def test_stop_of_the_board_precedes_the_samples_that_show_it(watched: Watched) -> None:

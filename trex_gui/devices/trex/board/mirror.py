@@ -85,11 +85,22 @@ class MotorsShutDown:
 
 
 @dataclass(frozen=True, slots=True)
+class DriveLost:
+    """The board no longer follows motor commands. `reason` is a sentence.
+
+    A motor has a fault, or two consecutive replies report control by channels. A single reply may
+    be corrupted.
+    """
+
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
 class LineJudged:
     """The quality of the line has changed, or is unknown again."""
 
 
-BoardEvent = BoardRead | MotorsShutDown | LineJudged | Sample | Event
+BoardEvent = BoardRead | MotorsShutDown | DriveLost | LineJudged | Sample | Event
 
 
 @dataclass(frozen=True, slots=True)
@@ -169,6 +180,7 @@ class BoardMirror:
         self._currents = SpikeFilter()
         self._joint: dict[str, bool] = {}  # `is_joint` of boards on the line that are not selected
         self._was_read = False  # since the line was opened
+        self._channel_control = 0  # consecutive replies that report control by channels
 
     # --- State --------------------------------------------------------------------------
 
@@ -367,6 +379,7 @@ class BoardMirror:
         self.restarts += occasion is ReadReason.RESTARTED
         if opened or occasion is ReadReason.SELECTED:
             self.newest.samples.clear()
+            self._channel_control = 0
             self._currents = SpikeFilter()
         self.newest.update(Control(now, state.serial_controls))
         yield BoardRead(report, is_changed, is_other, is_new)
@@ -399,6 +412,10 @@ class BoardMirror:
                 self.errors.count(sample, now, utc, is_doubtful=is_doubtful)
                 if reason := self._why_stopped(sample):
                     yield MotorsShutDown(reason)
+                faults = [bit for bit in MOTOR_FAULTS.values() if sample.status & bit]
+                if faults and not sample.is_earlier:
+                    names = ", ".join(tr(name) for bit in faults for name in bit_names(bit))
+                    yield DriveLost(tr("The board reports: {0}.").format(names))
         yield from self._judge(batch)
         for sample in batch.samples:
             passed: Sequence[Sample] = (sample,)
@@ -407,6 +424,10 @@ class BoardMirror:
             for one in passed:
                 self.newest.update(one)
                 yield one
+            if isinstance(sample, Control):
+                self._channel_control = 0 if sample.by_serial else self._channel_control + 1
+                if self._channel_control == _LOST:
+                    yield DriveLost(self.control_text)
         if self.state is not None and not self.state.mode.is_serial:
             self._safe_start.update(self.state, self.newest, self.inputs(now), joint=self.is_joint)
 
@@ -440,6 +461,7 @@ class BoardMirror:
         yield LineJudged()
 
     def _clear(self) -> Iterator[BoardEvent]:
+        self._channel_control = 0
         self.newest.samples.clear()
         self._safe_start, self._currents = SafeStart(), SpikeFilter()
         if self.quality.reset():
@@ -447,6 +469,7 @@ class BoardMirror:
 
 
 _TIMEOUT = ParameterKey.SERIAL_TIMEOUT
+_LOST = 2  # consecutive replies
 
 
 def _is_joint(state: DeviceState) -> bool:

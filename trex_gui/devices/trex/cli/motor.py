@@ -25,7 +25,7 @@ from trex_gui.core.transport.adapters import adapter_key
 from trex_gui.core.transport.linux_ports import holder_of
 from trex_gui.core.transport.urls import is_served
 from trex_gui.devices.trex.board.keeper import Keeper
-from trex_gui.devices.trex.board.mirror import BoardMirror
+from trex_gui.devices.trex.board.mirror import BoardMirror, DriveLost
 from trex_gui.devices.trex.cli.changes import say_warning
 from trex_gui.devices.trex.cli.common import (
     boards_option,
@@ -57,6 +57,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
+from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.serve.sessions import session_at
 from trex_gui.devices.trex.session.messages import (
     Connected,
@@ -262,8 +263,7 @@ class _Run:
     _is_running: bool = False
     _is_ending: bool = False
     _is_guarded: bool = False
-    # By board: consecutive replies that serial commands do not reach the motors
-    _lost_control: dict[int | None, int] = field(default_factory=dict)
+    _by_serial: dict[int | None, bool] = field(default_factory=dict)  # control, by board
     _reason: str | None = None
     _stop_error: StudioError | None = None
     _line_error: StudioError | None = None
@@ -331,6 +331,8 @@ class _Run:
                     self._handle_status(number, event)
                 case Control(by_serial=by_serial):
                     self._handle_control(number, by_serial=by_serial)
+                case DriveLost(reason=reason):
+                    self._finish(self._named(number, reason))
         match report:
             case GuardianChanged(is_ready=is_ready):
                 self._is_guarded = is_ready
@@ -387,7 +389,7 @@ class _Run:
         names = self._named(number, ", ".join(latched.names))
         if not self._is_running:
             say(f"Errors latched before this run: {names}.")
-        elif latched.stops_motors():
+        elif latched.uart & UartError.TIMEOUT:
             self._finish(f"The board reports: {names}.")
         elif not self._is_ending:
             say(f"The board reports: {names}.")
@@ -396,14 +398,10 @@ class _Run:
                 self._requests += self._addressed(again)
 
     def _handle_control(self, number: int | None, *, by_serial: bool) -> None:
-        lost = self._lost_control
-        lost[number] = 0 if by_serial else lost.get(number, 0) + 1
-        is_known = len(lost) == len(self._numbers) and not any(lost.values())
+        self._by_serial[number] = by_serial
+        is_known = len(self._by_serial) == len(self._numbers) and all(self._by_serial.values())
         if is_known and not self._is_running and not self._is_ending:
             self._start()
-        elif lost[number] > 1:  # one reply may be corrupted
-            text = "Channel 5 has returned control to the channels."
-            self._finish(self._named(number, text))
 
     # --- The end ------------------------------------------------------------------------
 

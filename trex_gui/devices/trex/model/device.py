@@ -10,7 +10,13 @@ from trex_gui.core.session import Closed, Outcome
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.board import WriteResult
-from trex_gui.devices.trex.board.mirror import BoardMirror, BoardRead, LineJudged, MotorsShutDown
+from trex_gui.devices.trex.board.mirror import (
+    BoardMirror,
+    BoardRead,
+    DriveLost,
+    LineJudged,
+    MotorsShutDown,
+)
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import Sample
 from trex_gui.devices.trex.driving.timeout_stop import turning_text
@@ -287,6 +293,9 @@ class Device(QObject):
                     self._on_read(event)
                 case MotorsShutDown(reason=reason):
                     if self.main.motors.text:
+                        self.main.motors.stop(self.named(reason))
+                case DriveLost(reason=reason):
+                    if self.wheels and self.main.motors.armed:
                         self.main.motors.stop(self.named(reason))
                 case LineJudged():
                     self.line_judged.emit()

@@ -7,9 +7,7 @@ from urllib.parse import quote
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.core.translation import tr
 from trex_gui.core.transport.urls import is_served
-from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetpointRequest
 from trex_gui.devices.trex.driving.wheels import (
     Wheel,
@@ -20,8 +18,6 @@ from trex_gui.devices.trex.driving.wheels import (
 )
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_controller import Routed
-from trex_gui.devices.trex.protocol.flags import MOTOR_FAULTS, bit_names
-from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.preferences import Preferences
 
@@ -44,7 +40,6 @@ class BoardGroup(QObject):
         device.driving.named = device.named
         device.connection.started.connect(self._follow)
         device.connection.device_read.connect(self._follow)  # a server has its own group
-        device.sampled.connect(self._on_sampled)
 
     @property
     def devices(self) -> dict[int, Device]:
@@ -100,24 +95,6 @@ class BoardGroup(QObject):
                 return number
         return None
 
-    @Slot(object)
-    def _on_sampled(self, batch: Batch) -> None:
-        self._watch(self._device, batch)
-
-    def _watch(self, device: Device, batch: Batch) -> None:
-        """Stop every board if this board can no longer drive."""
-        if not self._others or not self._device.motors.armed:
-            return
-        for sample in batch.samples:
-            if isinstance(sample, LatchedStatus) and not sample.is_earlier:
-                faults = [bit for bit in MOTOR_FAULTS.values() if sample.status & bit]
-                if faults:
-                    names = ", ".join(tr(name) for bit in faults for name in bit_names(bit))
-                    self._device.motors.stop(device.named(f"{names}."))
-        if device.board.serial_controls is False:
-            text = tr("Serial commands no longer reach the motors.")
-            self._device.motors.stop(device.named(text))
-
     # --- The boards -----------------------------------------------------------------------
 
     @Slot()
@@ -143,7 +120,6 @@ class BoardGroup(QObject):
     def _new_device(self, number: int) -> Device:
         device = Device(self._device.notifier, self, main=self._device, number=number)
         device.driving.named = device.named
-        device.sampled.connect(lambda batch: self._watch(device, batch))
         device.connection.ready.connect(self._device.driving.confirm)
         device.events.happened.connect(lambda: self._pass_on(device))
         return device
