@@ -161,6 +161,7 @@ class DemoDevice(QObject, Generic[SnapshotT]):
         self._sent = 0
         self._polling = False
         self._timer = new_timer(self, _POLL_INTERVAL_MS, self._poll)
+        simulator.ready.connect(self._poll)  # the state is needed while no panel watches, too
         simulator.ended.connect(self._on_simulator_ended)
 
     def watch(self, watched: bool) -> None:

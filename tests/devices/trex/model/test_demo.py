@@ -234,6 +234,17 @@ def test_centering_the_sticks_ends_safe_start(board: OverheardBoard) -> None:
     board.wait(lambda: not seen(board).safe_start)
 
 
+def test_sticks_are_centred_while_no_panel_watches(board: OverheardBoard, qtbot: QtBot) -> None:
+    board.watch(False)
+    board.simulator.stop()
+    board.wait(lambda: board.snapshot is None)
+    with qtbot.waitSignal(board.simulator.ready):
+        board.simulator.start()
+    board.wait(lambda: board.snapshot is not None)
+    board.centre_sticks()
+    assert board.automatic == frozenset()
+
+
 def test_held_sticks_keep_their_position_in_analog_mode(board: OverheardBoard) -> None:
     board.hold_stick(1, 2100)
     board.hold_stick(2, 1500)
