@@ -46,6 +46,7 @@ BUILD_DOCS = ROOT / "build" / "docs"
 LOWEST = PACKAGING / "lowest.py"
 MUTATE = PACKAGING / "mutate.py"
 PICTURES = PACKAGING / "pictures.py"
+ANIMATION = PACKAGING / "animation.py"
 PACKAGES = PACKAGING / "packages.py"
 
 CORES = max(2, min(4, os.cpu_count() or 1))
@@ -710,12 +711,14 @@ def command_translations() -> int:
 
 
 def command_pictures() -> int:
-    """Make the pictures of the help with the window of a user who has chosen nothing."""
+    """Write the pictures of the help and the animation of the README, as at a first start."""
     set_up()
     with tempfile.TemporaryDirectory() as home:
         folders = {f"XDG_{kind}_HOME": home for kind in ("CONFIG", "DATA", "CACHE")}
         env = {**OFFSCREEN, **folders, "LC_ALL": "C.UTF-8"}
-        return run_in_sight([str(venv_python()), str(PICTURES)], env)
+        return run_in_sight([str(venv_python()), str(PICTURES)], env) or run_in_sight(
+            [str(venv_python()), str(ANIMATION)], env
+        )
 
 
 # --- The command line --------------------------------------------------------------------------

@@ -9,6 +9,7 @@ import re
 import sys
 import tempfile
 from collections.abc import Collection, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
@@ -29,7 +30,7 @@ from PySide6.QtWidgets import (
 
 from trex_gui import composition
 from trex_gui.app import complete
-from trex_gui.ui.frame.workspace import Workspace
+from trex_gui.ui.devices.demo_panel import DemoDock
 from trex_gui.ui.program import Program
 from trex_gui.ui.theme.theme import Scheme, theme
 from trex_gui.ui.tour import Tour
@@ -39,7 +40,6 @@ from trex_gui.ui.workers.threads import GuiThreadCollector
 HELP = Path(__file__).resolve().parent.parent / "resources" / "help"
 PICTURES = HELP / "pictures"
 SIZE = QSize(1060, 700)
-COLOURS = 256
 
 
 def fixed_texts(widget: QWidget) -> Iterator[str]:
@@ -78,9 +78,9 @@ def _texts(widget: QWidget) -> Iterator[str]:
 
 
 class HelpTour(Tour):
-    """Writes the wanted pictures without docks, or all pictures.
+    """Writes the wanted pictures, or all pictures.
 
-    `digests` has one of what each picture shows, by the name of its file without the scheme.
+    `digests`: picture name without colour scheme → digest of its content.
     """
 
     def __init__(
@@ -96,11 +96,6 @@ class HelpTour(Tour):
         self.digests: dict[str, str] = {}
         self._wanted = wanted
 
-    def show_page(self, workspace: Workspace, number: int) -> None:
-        super().show_page(workspace, number)
-        for dock in self._program.window.findChildren(QDockWidget):
-            dock.hide()
-
     def write(self, widget: QWidget, name: str, scheme: Scheme) -> None:
         if self._wanted is None or name in self._wanted:
             text = "\n".join(sorted(fixed_texts(widget)))
@@ -115,44 +110,64 @@ def wanted_pictures() -> set[str]:
     return {name for page in pages for name in link.findall(page.read_text(encoding="utf-8"))}
 
 
-def with_few_colours(image: QImage) -> QImage:
-    """Keep the most frequent colours and give other pixels the nearest: a third of the size."""
+def pixels(image: QImage) -> np.ndarray:
+    """Return the pixels as rows of 0xFFRRGGBB."""
     plain = image.convertToFormat(QImage.Format.Format_RGB32)
-    pixels = np.frombuffer(plain.constBits(), np.uint32).reshape(plain.height(), plain.width())
-    colours, inverse, counts = np.unique(pixels, return_inverse=True, return_counts=True)
-    kept = colours[np.argsort(-counts, kind="stable")[:COLOURS]]
+    return np.frombuffer(plain.constBits(), np.uint32).reshape(plain.height(), plain.width()).copy()
+
+
+def common_colours(image: np.ndarray, number: int) -> np.ndarray:
+    """Return the most frequent colours of an image."""
+    colours, counts = np.unique(image, return_counts=True)
+    return colours[np.argsort(-counts, kind="stable")[:number]]
+
+
+def indexed(image: np.ndarray, table: np.ndarray) -> np.ndarray:
+    """Return the index of the nearest colour in `table` for each pixel."""
+    colours, inverse = np.unique(image, return_inverse=True)
 
     def parts(values: np.ndarray) -> np.ndarray:
         return np.stack([(values >> shift & 255).astype(np.int32) for shift in (0, 8, 16)], -1)
 
-    distance = ((parts(colours)[:, None] - parts(kept)[None]) ** 2).sum(-1)
-    indices = distance.argmin(1).astype(np.uint8)[inverse].reshape(pixels.shape)
-    result = QImage(
-        indices.tobytes(),
-        plain.width(),
-        plain.height(),
-        plain.width(),
-        QImage.Format.Format_Indexed8,
-    ).copy()
-    result.setColorTable([int(colour) | 0xFF000000 for colour in kept])
+    distance = ((parts(colours)[:, None] - parts(table)[None]) ** 2).sum(-1)
+    return distance.argmin(1).astype(np.uint8)[inverse].reshape(image.shape)
+
+
+def with_few_colours(image: QImage) -> QImage:
+    """Return the image with 256 colours, which takes a third of the space."""
+    image_pixels = pixels(image)
+    table = common_colours(image_pixels, 256)
+    size = (image.width(), image.height(), image.width())
+    indices = indexed(image_pixels, table).tobytes()
+    result = QImage(indices, *size, QImage.Format.Format_Indexed8).copy()
+    result.setColorTable([int(colour) for colour in table])
     return result
 
 
-def main() -> int:
-    names = wanted_pictures()
-    app = QApplication([])
-    install_translations(app, ENGLISH)
-    theme().install(app)
-    collector = GuiThreadCollector(app)
+@contextmanager
+def demonstration() -> Iterator[tuple[QApplication, Program]]:
+    """Open the window in English, as at a first start, without the panels of the demos."""
+    application = QApplication([])
+    install_translations(application, ENGLISH)
+    theme().install(application)
+    collector = GuiThreadCollector(application)
     collector.setObjectName("collector")
     program = composition.build()
     program.window.show()
     complete(program, collector)
-    with tempfile.TemporaryDirectory() as folder:
+    for dock in program.window.findChildren(DemoDock):
+        dock.set_wanted(False)
+    yield application, program
+    program.close()
+
+
+def main() -> int:
+    names = wanted_pictures()
+    with demonstration() as (application, program), tempfile.TemporaryDirectory() as folder:
         tour = HelpTour(program, Path(folder), wanted=names)
         tour.finished.connect(lambda ok: QCoreApplication.exit(0 if ok else 1))
         tour.start()
-        if app.exec() != 0 or tour.digests.keys() != names:
+        if application.exec() != 0 or tour.digests.keys() != names:
             missing = sorted(names - tour.digests.keys())
             sys.stderr.write(f"The tour was not completed. Missing: {missing}\n")
             return 1
@@ -165,7 +180,6 @@ def main() -> int:
                 path.unlink()
     digests = dict(sorted(tour.digests.items()))
     (PICTURES / "digests.json").write_text(json.dumps(digests, indent=1) + "\n", encoding="utf-8")
-    program.close()
     return 0
 
 

@@ -1,0 +1,186 @@
+"""Record the animation of the README: connecting to a demo board, its channels, driving, a stop.
+
+It plays in the window itself, with a drawn mouse pointer, and ends as an animated PNG.
+"""
+
+import struct
+import sys
+import zlib
+from collections.abc import Iterator
+from itertools import count
+from pathlib import Path
+
+import numpy as np
+from bootstrap import ROOT
+from pictures import common_colours, demonstration, indexed, pixels
+from PySide6.QtCore import QCoreApplication, QObject, QPoint, QPointF, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QColor, QImage, QPainter, QPolygonF
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QWidget
+
+from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.program import Program
+
+FILE = ROOT / "packaging" / "docs" / "demo.png"
+SIZE = QSize(1060, 660)
+RATE = 8  # frames a second
+COLOURS = 250
+LARGEST = 1_500_000  # bytes
+GLIDE = 5  # frames of a movement of the pointer
+LEFT = Qt.MouseButton.LeftButton
+ARROW = [(0, 0), (0, 17), (4, 13), (7, 20), (10, 19), (7, 12), (13, 12)]  # pixels
+
+
+class Film(QObject):
+    """Plays the script, one step a frame, and records a frame after each step."""
+
+    finished = Signal()
+
+    def __init__(self, program: Program) -> None:
+        super().__init__()
+        self.frames: list[QImage] = []
+        self._program = program
+        self._window = program.window
+        self._pointer = QPointF(600, 420)
+        self._script = self._scenes()
+        self._timer = QTimer(self)
+        self._timer.timeout.connect(self._step)
+
+    def start(self) -> None:
+        self._window.resize(SIZE)
+        self._timer.start(1000 // RATE)
+
+    def _step(self) -> None:
+        if next(self._script, False) is False:
+            self._timer.stop()
+            self.finished.emit()
+            return
+        image = self._window.grab().toImage()
+        with QPainter(image) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.setPen(QColor("white"))
+            painter.setBrush(QColor("black"))
+            painter.drawPolygon(QPolygonF([self._pointer + QPointF(*point) for point in ARROW]))
+        self.frames.append(image)
+
+    def _scenes(self) -> Iterator[None]:
+        manager = self._program.device_manager
+        yield from self._wait(1.0)
+        yield from self._click("startDemo")
+        while manager.current.link is not ConnectionState.CONNECTED:
+            yield
+        yield from self._wait(2.0)
+        yield from self._show(1)
+        yield from self._wait(2.5)
+        yield from self._show(2)
+        yield from self._wait(0.5)
+        yield from self._click("runButton")
+        yield from self._wait(0.5)
+        yield from self._drive()
+        yield from self._click("stopButton")
+        yield from self._wait(1.5)
+        yield from self._show(0)
+        yield from self._wait(1.5)
+
+    def _drive(self) -> Iterator[None]:
+        """Drag the pad forward, then to the right."""
+        pad = self._find("drivePad")
+        middle = pad.rect().center()
+        yield from self._glide(pad, middle)
+        QTest.mousePress(pad, LEFT, Qt.KeyboardModifier.NoModifier, middle)
+        for x, y in [(0, -30), (0, -60), (0, -60), (25, -55), (45, -40), (45, -40), (20, -55)]:
+            for _ in range(RATE // 2):
+                self._point(pad, middle + QPoint(x, y))
+                QTest.mouseMove(pad, middle + QPoint(x, y))
+                yield
+        QTest.mouseRelease(pad, LEFT, Qt.KeyboardModifier.NoModifier, middle)
+
+    @staticmethod
+    def _wait(seconds: float) -> Iterator[None]:
+        yield from [None] * round(seconds * RATE)
+
+    def _find(self, name: str) -> QWidget:
+        found = [one for one in self._window.findChildren(QWidget, name) if one.isVisible()]
+        return found[0]
+
+    def _point(self, widget: QWidget, place: QPoint) -> None:
+        self._pointer = QPointF(widget.mapTo(self._window, place))
+
+    def _glide(self, widget: QWidget, place: QPoint) -> Iterator[None]:
+        start = self._pointer
+        end = QPointF(widget.mapTo(self._window, place))
+        for frame in range(1, GLIDE + 1):
+            self._pointer = start + (end - start) * frame / GLIDE
+            yield
+
+    def _click(self, name: str) -> Iterator[None]:
+        button = self._find(name)
+        yield from self._glide(button, button.rect().center())
+        QTest.mouseClick(button, LEFT)
+        yield
+
+    def _show(self, number: int) -> Iterator[None]:
+        """Click a place in the column at the left."""
+        bar = self._program.workspace("trex").pages.bar
+        place = bar.tabRect(number).center()
+        yield from self._glide(bar, place)
+        QTest.mouseClick(bar, LEFT, Qt.KeyboardModifier.NoModifier, place)
+        yield
+
+
+def save(frames: list[QImage], path: Path) -> None:
+    """Save frames as an animated PNG. Pixels that a frame does not change are transparent in it.
+
+    Ref: PNG specification, third edition, 11.3.6 (animation).
+    """
+    images = [pixels(frame) for frame in frames]
+    table = common_colours(np.vstack(images[:: len(images) // 8]), COLOURS)
+    films = [indexed(one, table) for one in images]
+    height, width = films[0].shape
+    png = [
+        b"\x89PNG\r\n\x1a\n",
+        _chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 3, 0, 0, 0)),
+        _chunk(b"acTL", struct.pack(">II", len(films), 0)),
+        _chunk(
+            b"PLTE",
+            b"".join(bytes([c >> 16 & 255, c >> 8 & 255, c & 255]) for c in [*table.tolist(), 0]),
+        ),
+        _chunk(b"tRNS", bytes([255] * len(table) + [0])),
+    ]
+    numbers = count()
+    for number, film in enumerate(films):
+        changed = film != films[number - 1] if number else np.full(film.shape, True)
+        rows, columns = np.flatnonzero(changed.any(1)), np.flatnonzero(changed.any(0))
+        top, bottom = (rows[0], rows[-1] + 1) if rows.size else (0, 1)
+        left, right = (columns[0], columns[-1] + 1) if columns.size else (0, 1)
+        part = np.where(changed, film, len(table)).astype(np.uint8)[top:bottom, left:right]
+        size = (right - left, bottom - top, left, top)
+        control = struct.pack(">IIIIIHHBB", next(numbers), *size, 1, RATE, 0, int(number > 0))
+        data = zlib.compress(np.pad(part, ((0, 0), (1, 0))).tobytes(), 9)
+        png.append(_chunk(b"fcTL", control))
+        if number:
+            png.append(_chunk(b"fdAT", struct.pack(">I", next(numbers)) + data))
+        else:
+            png.append(_chunk(b"IDAT", data))
+    path.write_bytes(b"".join([*png, _chunk(b"IEND", b"")]))
+
+
+def _chunk(kind: bytes, data: bytes) -> bytes:
+    checksum = zlib.crc32(kind + data)
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", checksum)
+
+
+def main() -> int:
+    with demonstration() as (application, program):
+        film = Film(program)
+        film.finished.connect(QCoreApplication.quit)
+        film.start()
+        application.exec()
+        save(film.frames, FILE)
+    seconds, size = len(film.frames) / RATE, FILE.stat().st_size
+    print(f"{FILE}: {seconds:.1f} s, {size / 1e6:.2f} MB")
+    return 0 if size <= LARGEST else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
