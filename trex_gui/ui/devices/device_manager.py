@@ -106,17 +106,12 @@ class DeviceManager(QObject):
             self.current_changed.emit()
         then()
 
-    def when_connected(self, then: Callable[[], object], *, only_now: bool = False) -> None:
-        """Call `then` once, as soon as a device responds and its connection is reported.
-
-        `only_now`: give up if the present attempt to connect fails.
-        """
+    def when_connected(self, then: Callable[[], object]) -> None:
+        """Call `then` once, as soon as a device responds and its connection is reported."""
 
         def run_once() -> None:
-            is_connected = self.current.link is ConnectionState.CONNECTED
-            if is_connected or (only_now and self.is_idle):
+            if self.current.link is ConnectionState.CONNECTED:
                 self.changed.disconnect(run_once)
-            if is_connected:
                 QTimer.singleShot(0, then)
 
         self.changed.connect(run_once)

@@ -1,6 +1,5 @@
 """Scan of the ports for boards with unknown line settings."""
 
-import math
 import threading
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -12,7 +11,7 @@ from trex_gui.core.discovery.prober import FoundDevice, ScanProgress
 from trex_gui.core.discovery.scan import PortScan, scan_port
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.plugin import DevicePlugin
-from trex_gui.core.timing import Timeouts, seconds_left
+from trex_gui.core.timing import Timeouts
 from trex_gui.core.translation import tr
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import SHARED, PortSettings
@@ -21,9 +20,6 @@ from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.devices.simulator import Simulator
 from trex_gui.ui.runtime import now, open_transport
 from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan
-
-_LONG = 90  # seconds from which on the time left is shown in minutes
-
 
 ScanJob = Callable[..., PortScan]  # `scan_port` with the settings of one port
 
@@ -108,7 +104,6 @@ class DeviceScanner(QObject):
         self._only_recall = False
         self.done = 0  # probes that are done or no longer needed
         self.total = 1  # most probes that may be needed
-        self._begun = 0.0
         self.text = ""  # the present probe, for the user; empty while idle
         self.summary = ""  # a sentence on the last scan; empty until it has ended
         self.was_cancelled = False
@@ -131,16 +126,6 @@ class DeviceScanner(QObject):
     def running(self) -> bool:
         return self._worker is not None
 
-    @property
-    def time_left(self) -> str:
-        """Longest time left, as text for the user. Empty while it is not known."""
-        left = seconds_left(now() - self._begun, self.done, self.total)
-        if not self.running or self.was_cancelled or left is None:
-            return ""
-        if left <= _LONG:
-            return tr("At most {0} s left.").format(left)
-        return tr("At most {0} min left.").format(math.ceil(left / 60))
-
     def is_searching(self, port: Port) -> bool:
         return self.running and any(map(port.is_same, self._ports[self._searched :]))
 
@@ -158,7 +143,6 @@ class DeviceScanner(QObject):
         self._searched = self.done = self._faults = 0
         self._only_recall = only_recall
         self.total = 1
-        self._begun = now()
         self.summary = ""
         self.was_cancelled = False
         self.text = tr("Opening {0} …").format(_name(self._ports[0]))

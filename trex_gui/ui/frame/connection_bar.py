@@ -1,6 +1,6 @@
 """Bar above the pages: connection state, port, line settings, search, help."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, Signal, Slot
@@ -20,7 +20,6 @@ from trex_gui.core.translation import tr
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, Ports
-from trex_gui.ui.frame.workspace import LineChoice
 from trex_gui.ui.notifier import Answer, ConnectWith, Remedy
 from trex_gui.ui.theme.theme import follow_theme, set_look, set_text_color
 from trex_gui.ui.widgets import builders as ui
@@ -66,14 +65,12 @@ class ConnectionBar(QFrame):
         self,
         device_manager: DeviceManager,
         ports: Ports,
-        line_choices: Callable[[str, object], Sequence[LineChoice]],
         board_name: Callable[[], str],
         question: InlinePrompt,
     ) -> None:
         """`board_name` returns the name of the connected board, or an empty text."""
         super().__init__()
         self.setObjectName("connectionBar")
-        self._line_choices = line_choices
         self._board_name = board_name
         self._question = question
         self._manager = device_manager
@@ -254,9 +251,7 @@ class ConnectionBar(QFrame):
         from trex_gui.ui.frame.find_dialog import FindDialog  # noqa: PLC0415 - not at the start
 
         if self._dialog is None:
-            self._dialog = FindDialog(
-                self._manager, self._ports, self._unless_busy, self._line_choices, self.window()
-            )
+            self._dialog = FindDialog(self._manager, self._ports, self._unless_busy, self.window())
             self._dialog.check_requested.connect(
                 lambda: self.remedy_chosen.emit(Remedy.CHECK_BOARD)
             )

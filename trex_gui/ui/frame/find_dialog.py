@@ -1,7 +1,6 @@
 """Dialog that finds boards with unknown line settings."""
 
-from collections.abc import Callable, Sequence
-from functools import partial
+from collections.abc import Callable
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QGuiApplication, QHideEvent
@@ -10,10 +9,8 @@ from PySide6.QtWidgets import (
     QLabel,
     QListWidget,
     QListWidgetItem,
-    QMenu,
     QPushButton,
     QSizePolicy,
-    QToolButton,
     QWidget,
 )
 
@@ -22,7 +19,6 @@ from trex_gui.core.translation import tr
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.devices.scanner import ScanFinding
-from trex_gui.ui.frame.workspace import LineChoice
 from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
@@ -38,7 +34,7 @@ _CHECKABLE = Qt.ItemFlag.ItemIsUserCheckable
 class FindDialog(ReusedDialog):
     """Dialog beside the window. Closing it ends the scan.
 
-    Boards are listed above the ports without a board, which are collapsed if a board is found.
+    Boards are listed above the ports without a board.
     """
 
     check_requested = Signal()  # the user requests help on checking a board
@@ -48,13 +44,9 @@ class FindDialog(ReusedDialog):
         device_manager: DeviceManager,
         ports: Ports,
         unless_busy: Callable[[Callable[[], object]], object],
-        line_choices: Callable[[str, object], Sequence[LineChoice]],
         parent: QWidget | None = None,
     ) -> None:
-        """`unless_busy` calls a function that ends a connection, but may ask the user first.
-
-        `line_choices` returns alternatives to the present line settings of a kind of device.
-        """
+        """`unless_busy` calls a function that ends a connection, but may ask the user first."""
         super().__init__(parent)
         self.setObjectName("findDialog")
         self.setWindowTitle(title_of(tr("&Find a board…")))
@@ -62,12 +54,10 @@ class FindDialog(ReusedDialog):
         self._ports = ports
         self._manager = device_manager
         self._unless_busy = unless_busy
-        self._line_choices = line_choices
         self._scanner = device_manager.scanner
         self._checked: dict[Port, bool] = {}  # ports that the user checked or cleared
         self._first: Port | None = None  # the port selected in the window
         self._shown: tuple[ScanFinding, ...] | None = None
-        self._is_unfolded = False
         self._connects: dict[QPushButton, Port] = {}
         self._create_widgets()
         self._arrange()
@@ -229,8 +219,7 @@ class FindDialog(ReusedDialog):
         hint = tr(
             "The likely settings come first; a port without a reply takes about half a minute."
         )
-        text = f"{self._scanner.text} {self._scanner.time_left}".strip()
-        self._tried.setText(text or self._scanner.summary or hint)
+        self._tried.setText(self._scanner.text or self._scanner.summary or hint)
 
     @Slot()
     def _on_scanner_changed(self) -> None:
@@ -256,30 +245,10 @@ class FindDialog(ReusedDialog):
                 row.hide()
                 row.deleteLater()
         ordered = sorted(findings, key=lambda finding: finding.found is None)
-        rows: list[QWidget] = [self._row(index, each) for index, each in enumerate(ordered)]
-        boards = sum(finding.found is not None for finding in findings)
-        if 0 < boards < len(rows):
-            rows.insert(boards, self._fold(rows[boards:]))
+        rows = [self._row(index, each) for index, each in enumerate(ordered)]
         for place, row in enumerate(rows):
             self._rows.insertWidget(place, row)
         ui.tab_order(self._cancel, *rows)
-
-    def _fold(self, rows: list[QWidget]) -> QToolButton:
-        """Return a button that shows and hides some rows."""
-        fold = ui.tool_button(self._results, "findFailures", tr("Ports &without a board"))
-        fold.setAutoRaise(True)
-        fold.setCheckable(True)
-
-        def show(unfolded: bool) -> None:
-            self._is_unfolded = unfolded
-            fold.setArrowType(Qt.ArrowType.DownArrow if unfolded else Qt.ArrowType.RightArrow)
-            for row in rows:
-                row.setVisible(unfolded)
-
-        fold.setChecked(self._is_unfolded)
-        show(self._is_unfolded)
-        fold.toggled.connect(show)
-        return fold
 
     def _row(self, index: int, finding: ScanFinding) -> QFrame:
         row = QFrame(self._results)
@@ -298,51 +267,21 @@ class FindDialog(ReusedDialog):
                 default=False,
                 on_click=lambda: self._connect(finding),
             )
-            buttons = [connect]
-            if choices := self._line_choices(finding.device, finding.found.settings.line):
-                buttons.append(self._change_button(row, index, finding, choices))
-            for button in buttons:
-                button.setEnabled(finding.port != self._manager.current.port)
-                self._connects[button] = finding.port
-                layout.addWidget(button, 0, Qt.AlignmentFlag.AlignVCenter)
+            connect.setEnabled(finding.port != self._manager.current.port)
+            self._connects[connect] = finding.port
+            layout.addWidget(connect, 0, Qt.AlignmentFlag.AlignVCenter)
         if finding.command:
             copy = ui.button(row, f"copyCommand{index}", tr("Copy command"), default=False)
             copy.clicked.connect(lambda: QGuiApplication.clipboard().setText(finding.command))
             layout.addWidget(copy, 0, Qt.AlignmentFlag.AlignVCenter)
         return row
 
-    def _change_button(
-        self, row: QWidget, index: int, finding: ScanFinding, choices: Sequence[LineChoice]
-    ) -> QPushButton:
-        """Return a button that connects, and then proposes other line settings to the user."""
-        button = ui.button(
-            row,
-            f"changeFound{index}",
-            tr("Connect and set"),
-            accessible=tr("Connect and set other line settings: {0}").format(finding.text),
-            tip=tr("Shows what will be written first"),
-            default=False,
-        )
-        menu = QMenu(button)
-        for choice in choices:
-            connect = partial(self._connect, finding, choice.review)
-            menu.addAction(ui.action(menu, "", choice.text, on_trigger=connect))
-        button.setMenu(menu)
-        return button
-
-    def _connect(self, finding: ScanFinding, then: Callable[[], object] | None = None) -> None:
-        if finding.found is None:
-            return
-        port = self._ports.lead_to(finding.port, finding.device)
-        settings = finding.found.settings
-
-        def connect() -> None:
-            self._manager.connect_with(port, settings)
-            if then is not None:
-                self._manager.when_connected(then, only_now=True)
-
-        self._unless_busy(connect)
-        self.close()
+    def _connect(self, finding: ScanFinding) -> None:
+        if finding.found is not None:
+            port = self._ports.lead_to(finding.port, finding.device)
+            settings = finding.found.settings
+            self._unless_busy(lambda: self._manager.connect_with(port, settings))
+            self.close()
 
 
 def _text(text: str, parent: QWidget, name: str = "") -> QLabel:

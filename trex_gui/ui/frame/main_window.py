@@ -37,7 +37,6 @@ from trex_gui.ui.frame.workspace import (
     SEPARATOR,
     Entries,
     Entry,
-    LineChoice,
     Menu,
     Menus,
     Workspace,
@@ -102,11 +101,7 @@ class MainWindow(QMainWindow):
         frame = QWidget(self)
         self.question = InlinePrompt(frame)  # for questions of the window and of the workspaces
         self.connection = bar = ConnectionBar(
-            device_manager,
-            ports,
-            self._line_choices,
-            lambda: self._workspace.device_name,
-            self.question,
+            device_manager, ports, lambda: self._workspace.device_name, self.question
         )
         self._search = SearchField(self.findables, bar)
         tip = tr("Help")
@@ -194,10 +189,6 @@ class MainWindow(QMainWindow):
             self._enter = EnterWatch(app, self)
             self._escape = EscapeWatch(app, self._manager, self)
             self._dialog_icons = DialogIcons(app, self)
-
-    def _line_choices(self, device: str, line: object) -> Sequence[LineChoice]:
-        made = [workspace for workspace in self._workspaces if workspace.key == device]
-        return made[0].line_choices(line) if made else ()
 
     @property
     def pages(self) -> QTabWidget:

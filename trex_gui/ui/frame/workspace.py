@@ -78,14 +78,6 @@ class PageInfo:
     place: Place | None = None  # place shared with the pages next to it, if any
 
 
-@dataclass(frozen=True, slots=True)
-class LineChoice:
-    """Line settings to offer. `review` lets the user review them, once the device is connected."""
-
-    text: str
-    review: Callable[[], object]
-
-
 class Workspace(QWidget):
     """The pages of a device, the bar at the bottom of the window, and its menu entries.
 
@@ -285,11 +277,6 @@ class Workspace(QWidget):
     def shut_down(self) -> bool:
         """End every thread and return whether all ended in time."""
         return True
-
-    def line_choices(self, line: object) -> Sequence[LineChoice]:
-        """Return alternatives to `line`, the settings with which a device was found."""
-        del line
-        return ()
 
     def set_up_crc(self) -> None:
         """Let the user review the settings with which the device detects errors on the line."""

@@ -1,6 +1,5 @@
 """Commands for the settings of a board: apply, reload, defaults, line settings."""
 
-from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
@@ -113,16 +112,8 @@ class SettingsCommands(QObject):
             still=lambda: device.draft.pending > 0 and device.is_writable,
         )
 
-    def propose_line(self, line: LineSettings) -> None:
-        self._propose(lambda _: line, line.text())
-
     def propose_crc(self) -> None:
-        self._propose(
-            lambda wire: replace(LineSettings.from_wire(wire), detection=Detection.CRC7), "CRC-7"
-        )
-
-    def _propose(self, change: Callable[[int], LineSettings], name: str) -> None:
-        """Edit the stored line settings, and let the user review the edit."""
+        """Set CRC-7 in the stored line settings, and let the user review the edit."""
         key, parameters = ParameterKey.UART_SETTINGS, self._device.parameters
         if parameters.values.stored.get(key) != parameters.values.active_of(key):
             self.guide()
@@ -132,11 +123,12 @@ class SettingsCommands(QObject):
         if wire is None:
             return
         with suppress(BadRequest):  # a value without a valid baud rate has to be edited first
-            parameters.edit(key, change(wire).to_wire())
+            line = replace(LineSettings.from_wire(wire), detection=Detection.CRC7)
+            parameters.edit(key, line.to_wire())
             text = tr(
                 "{0} is now one of the pending changes. It takes effect after the board is "
                 "switched off and on; this window then follows. Other programs on this line have "
                 "to use it, too."
             )
-            self._device.notifier.info.emit(text.format(name))
+            self._device.notifier.info.emit(text.format("CRC-7"))
             self.review()

@@ -16,7 +16,6 @@ from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.model.report import settings_parts, status_text
 from trex_gui.devices.trex.protocol.flags import CHANNELS
-from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.views.board.page import BoardPage
 from trex_gui.devices.trex.views.boards import BoardPanel
@@ -41,7 +40,6 @@ from trex_gui.ui.frame.workspace import (
     SEPARATOR,
     Entry,
     FileKind,
-    LineChoice,
     Menu,
     Menus,
     PageInfo,
@@ -400,14 +398,6 @@ class TrexWorkspace(Workspace):
         device = self._device
         kept = [files.shut_down() for files in (device.edit_backup.files, device.kept.files)]
         return self.recordings.shut_down() and all(kept)
-
-    def line_choices(self, line: object) -> Sequence[LineChoice]:
-        factory, fast = tr("Factor&y line settings: {0}…"), tr("Fas&t: {0}…")
-        return [
-            LineChoice(text.format(other.text()), partial(self._settings.propose_line, other))
-            for other, text in ((LineSettings(), factory), (LineSettings(115200), fast))
-            if other != line
-        ]
 
     def set_up_crc(self) -> None:
         self._settings.propose_crc()
