@@ -18,7 +18,6 @@ from trex_gui.version import __version__
 
 if TYPE_CHECKING:
     from trex_gui.core.log_file import ProgramLog
-    from trex_gui.ui.devices.ports import Port
     from trex_gui.ui.program import Program
     from trex_gui.ui.workers.threads import GuiThreadCollector
 
@@ -91,7 +90,6 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
         help="write more into the log file, and all of it to the terminal",
     )
     parser.add_argument("--version", action="version", version=f"trex-gui {__version__}")
-    parser.set_defaults(is_again=False)  # True after the window was closed to be reopened
     return parser.parse_args(argv)
 
 
@@ -129,27 +127,12 @@ def begin(program: "Program", arguments: argparse.Namespace) -> None:
 
 def connect(program: "Program", arguments: argparse.Namespace) -> None:
     """Connect to the port or demo that the user named, or to a known board."""
-    is_named = arguments.demo or bool(arguments.port) or arguments.is_again
+    is_named = arguments.demo or bool(arguments.port)
     program.auto_connect.start(at_once=not is_named)  # an adapter may be pulled out later
     if arguments.demo:
         program.connect_to_demo(arguments.device or program.plugins[0].key)
     elif arguments.port:
         program.connect_to_port(arguments.port, arguments.device)
-
-
-def again(arguments: argparse.Namespace, port: "Port | None") -> argparse.Namespace:
-    """Return arguments that open the window as it was, connected to this port."""
-    return argparse.Namespace(
-        **{
-            **vars(arguments),
-            "is_again": True,
-            "tour": None,
-            "settings": None,
-            "demo": port is not None and not port.url,
-            "port": None if port is None else port.url,
-            "device": None if port is None else port.device,
-        }
-    )
 
 
 def main(argv: list[str] | None = None) -> int:
@@ -212,39 +195,32 @@ def _run(arguments: argparse.Namespace, program_log: "ProgramLog") -> int:
     theme().install(app)
     collector = GuiThreadCollector(app)
     collector.setObjectName("collector")
-    while True:
-        translators = install_translations(app, chosen_locale())
-        program = composition.build(Timeouts(extra=arguments.timeout))
-        program.window.show()
-        watching = SafetySupervisor(program, app, end_log=program_log.close)
-        if sys.platform == "linux":
-            skip_exit_handlers()
-        later = partial(complete, program, collector, has_crashed=run_file.found_crash)
-        QTimer.singleShot(_FIRST_PAINT_MS, later)
-        begin(program, arguments)
-        code = app.exec()
-        # Closing the line or a recording may take seconds.
-        for window in app.topLevelWidgets():
-            window.hide()
-        have_ended = program.shut_down()
-        if watching.report_unconfirmed_stop():
-            code = code or UNCONFIRMED_STOP
-        if not have_ended:
-            run_file.close()
-            if sys.stderr is not None:
-                sys.stderr.write("A port or a disk does not respond: a file may not be saved.\n")
-                sys.stderr.flush()
-            log.error("a port or a disk does not respond: ended with exit code %d", code)
-            program_log.close()
-            # Qt would abort when it destroys a running thread.
-            os._exit(code)
-        watching.close()
-        reopens, port = program.window.reopens, program.window.port_to_reopen
-        program.destroy()
-        if not reopens:
-            run_file.close()
-            return code
-        for translator in translators:
-            app.removeTranslator(translator)
-        run_file.found_crash = False
-        arguments = again(arguments, port)
+    install_translations(app, chosen_locale())
+    program = composition.build(Timeouts(extra=arguments.timeout))
+    program.window.show()
+    watching = SafetySupervisor(program, app, end_log=program_log.close)
+    if sys.platform == "linux":
+        skip_exit_handlers()
+    later = partial(complete, program, collector, has_crashed=run_file.found_crash)
+    QTimer.singleShot(_FIRST_PAINT_MS, later)
+    begin(program, arguments)
+    code = app.exec()
+    # Closing the line or a recording may take seconds.
+    for window in app.topLevelWidgets():
+        window.hide()
+    have_ended = program.shut_down()
+    if watching.report_unconfirmed_stop():
+        code = code or UNCONFIRMED_STOP
+    if not have_ended:
+        run_file.close()
+        if sys.stderr is not None:
+            sys.stderr.write("A port or a disk does not respond: a file may not be saved.\n")
+            sys.stderr.flush()
+        log.error("a port or a disk does not respond: ended with exit code %d", code)
+        program_log.close()
+        # Qt would abort when it destroys a running thread.
+        os._exit(code)
+    watching.close()
+    program.destroy()
+    run_file.close()
+    return code

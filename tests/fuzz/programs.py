@@ -256,7 +256,6 @@ VALID: dict[str, object] = {
     "window/scheme": "dark",
     "window/font_size": 125,
     "files/recent": "trex settings /tmp/a.txt",
-    "files/default_folder": "/tmp",
     "connection/automatic": True,
     "window/device": "aracna",
     "trex/page": 2,

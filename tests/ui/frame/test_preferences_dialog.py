@@ -1,10 +1,9 @@
-"""What is chosen in the preferences takes effect at once, and is there at the next start."""
+"""What is chosen in the preferences takes effect, and is there at the next start."""
 
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
-from PySide6.QtWidgets import QApplication, QComboBox, QFileDialog, QLabel, QPushButton
+from PySide6.QtWidgets import QApplication, QComboBox, QLabel
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import WidgetDriver
@@ -12,15 +11,14 @@ from trex_gui.ui.devices.auto_connect import connects_automatically
 from trex_gui.ui.frame.preferences_dialog import PreferencesDialog
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.theme import restore_choices, theme
-from trex_gui.ui.translations import AS_THE_SYSTEM, chosen_language
+from trex_gui.ui.translations import chosen_language
 from trex_gui.ui.units import units
-from trex_gui.ui.widgets.file_questions import default_folder, last_folder, remember_folder
 
 
 @pytest.fixture
 def dialog(qtbot: QtBot, qapp: QApplication) -> Iterator[WidgetDriver]:
     theme().install(qapp)
-    made = PreferencesDialog(lambda: None)
+    made = PreferencesDialog()
     made.open_preferences()
     yield WidgetDriver(made, qtbot)
     made.close()
@@ -52,50 +50,14 @@ def test_theme_and_font_size_change_at_once_and_stay(dialog: WidgetDriver) -> No
     assert dialog.combo("fontSizeBox").currentData() == 175
 
 
-def test_dialogs_begin_in_the_chosen_folder(
-    dialog: WidgetDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    remember_folder(tmp_path / "used" / "a.txt")
-    assert last_folder() == tmp_path / "used"
-    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path / "robots"))
-    dialog.click("chooseFolderButton")
-    for key in ("settings/folder", "recording/folder"):
-        assert last_folder(key) == tmp_path / "robots"
-    dialog.click("defaultFolderBox")
-    assert last_folder() == tmp_path / "used"
-
-
-def test_reset_restores_every_default(dialog: WidgetDriver) -> None:
-    dialog.select("schemeBox", "dark")
-    dialog.select("fontSizeBox", 90)
-    dialog.click("defaultFolderBox")
+def test_other_choices_stay(dialog: WidgetDriver) -> None:
     dialog.click("automaticBox")
     dialog.select("unitsBox", True)
     dialog.select("languageBox", "de")
     start_again()
     assert units().own_first
     assert not connects_automatically()
-    assert default_folder() is not None
     assert chosen_language() == "de"
-    dialog.click("preferencesReset")
-    assert (theme().choice, theme().font_size) == ("system", 100)
-    assert connects_automatically()
-    assert not units().own_first
-    assert dialog.combo("unitsBox").currentData() is False
-    assert default_folder() is None
-    assert chosen_language() == dialog.combo("languageBox").currentData() == AS_THE_SYSTEM
-    assert dialog.button("automaticBox").isChecked()
-    start_again()
-    assert (theme().choice, theme().font_size) == ("system", 100)
-    assert not units().own_first
-
-
-def test_enter_closes_it_also_after_reset(dialog: WidgetDriver) -> None:
-    dialog.button("preferencesReset").setFocus()
-    dialog.root.close()
-    dialog.root.show()
-    assert dialog.find(QPushButton, "preferencesClose").isDefault()
-    assert not dialog.find(QPushButton, "preferencesReset").autoDefault()
 
 
 @pytest.mark.usefixtures("qapp")

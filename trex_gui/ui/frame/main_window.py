@@ -27,7 +27,7 @@ from trex_gui.core.files import log_folder
 from trex_gui.core.translation import tr
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
-from trex_gui.ui.devices.ports import Port, Ports
+from trex_gui.ui.devices.ports import Ports
 from trex_gui.ui.files import in_background
 from trex_gui.ui.frame.connection_bar import ConnectionBar
 from trex_gui.ui.frame.files import FileOpener
@@ -124,9 +124,6 @@ class MainWindow(QMainWindow):
         self._menus_shown: list[QMenu] = []
         self.help_dialog: HelpDialog | None = None
         self._was_connected = False
-        self._is_reopening = False
-        self.reopens = False  # after closing: the window is to be opened again
-        self.port_to_reopen: Port | None = None  # after closing: the port to connect then
         self._warning = UnconfirmedStopWarning(device_manager, self.question, self)
         self.files = FileOpener(
             device_manager, notifier, lambda: self._workspaces, add_all_workspaces, self
@@ -335,18 +332,8 @@ class MainWindow(QMainWindow):
     def _show_preferences(self) -> None:
         from trex_gui.ui.frame.preferences_dialog import PreferencesDialog  # noqa: PLC0415
 
-        dialog = self.findChild(PreferencesDialog) or PreferencesDialog(self.reopen, self)
+        dialog = self.findChild(PreferencesDialog) or PreferencesDialog(self)
         dialog.open_preferences()
-
-    @Slot()
-    def reopen(self) -> None:
-        """Close the window after the usual prompts, to reopen it with its connection."""
-        is_connected = self._manager.current.link is ConnectionState.CONNECTED
-        port = self._manager.current.port if is_connected else None
-        self._is_reopening = True
-        if self.close():
-            self.reopens, self.port_to_reopen = True, port
-        self._is_reopening = False
 
     def _show_help(self) -> None:
         own = (topic for space in self._workspaces for topic in space.help_topics.items())
@@ -395,8 +382,7 @@ class MainWindow(QMainWindow):
         if self._manager.is_armed:  # at once, before any question to the user
             self._manager.stop_because(tr("The window was to be closed"))
         if not self._warning.given and not all(
-            workspace.may_close(self.reopen if self._is_reopening else self.close)
-            for workspace in self._workspaces
+            workspace.may_close(self.close) for workspace in self._workspaces
         ):
             event.ignore()
             return

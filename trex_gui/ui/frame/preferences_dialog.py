@@ -1,10 +1,9 @@
-"""Preferences of the user for the whole program. Each choice takes effect at once."""
+"""Preferences of the user for the whole program. All but the language take effect at once."""
 
-from collections.abc import Callable, Sequence
-from pathlib import Path
+from collections.abc import Sequence
 
-from PySide6.QtCore import QSignalBlocker, QTimer, Slot
-from PySide6.QtWidgets import QFileDialog, QFormLayout, QWidget
+from PySide6.QtCore import QSignalBlocker, Slot
+from PySide6.QtWidgets import QFormLayout, QWidget
 
 from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
@@ -20,20 +19,16 @@ from trex_gui.ui.theme.theme import (
 from trex_gui.ui.translations import AS_THE_SYSTEM, LANGUAGES, chosen_language, select_language
 from trex_gui.ui.units import units
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.behaviour import ReusedDialog
-from trex_gui.ui.widgets.labels import ElidedLabel, Muted
+from trex_gui.ui.widgets.labels import Muted
 from trex_gui.ui.widgets.placement import fitted
 
 _WIDTH = 440  # pixels at a font size of 100 %
-_LEAST_PATH = "/home/someone/robots"
 
 
 class PreferencesDialog(ReusedDialog):
-    def __init__(self, reopen: Callable[[], object], parent: QWidget | None = None) -> None:
-        """`reopen` opens the window again, in the new language."""
+    def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._reopen = reopen
         self.setObjectName("preferencesDialog")
         self.setWindowTitle(title_of(tr("&Preferences…")))
         names: dict[Scheme, str] = {
@@ -69,8 +64,8 @@ class PreferencesDialog(ReusedDialog):
             "languageBox",
             tr("&Language:"),
             [(tr("As the system"), AS_THE_SYSTEM), *languages],
-            self._on_language_chosen,
-            tr("The window opens again; motors stop, and the board is connected again"),
+            lambda _: select_language(self._language.currentData()),
+            tr("Takes effect when the program starts again"),
         )
         self._units = choice(
             "unitsBox",
@@ -78,22 +73,6 @@ class PreferencesDialog(ReusedDialog):
             list(zip(own, (False, True), strict=True)),
             lambda at: units().set_order(own_first=bool(at)),
             tr("What is shown first, and what a number typed without a unit means"),
-        )
-        self._own_folder = ui.check_box(
-            self,
-            "defaultFolderBox",
-            tr("&Begin file dialogs in one folder"),
-            tip=tr("Otherwise each begins in the folder that was used last"),
-            on_click=self._on_own_folder_clicked,
-        )
-        self._folder = ui.named(ElidedLabel(_LEAST_PATH, self), "defaultFolder")
-        self._choose = ui.button(
-            self,
-            "chooseFolderButton",
-            tr("C&hoose…"),
-            icon="folder",
-            default=False,
-            on_click=self._select_folder,
         )
         self._automatic = ui.check_box(
             self,
@@ -109,26 +88,15 @@ class PreferencesDialog(ReusedDialog):
             ),
             self,
         )
-
-        reset = ui.button(
-            self,
-            "preferencesReset",
-            tr("&Reset to defaults"),
-            icon="default",
-            default=False,
-            on_click=self._reset,
-        )
         close = ui.button(self, "preferencesClose", tr("&Close"), on_click=self.close)
         close.setDefault(True)
         self._rows = ui.column(
             ui.label(self, text=self.windowTitle(), size="title"),
             form,
-            self._own_folder,
-            ui.row((self._folder, 1), self._choose, margins=(22, 0, 0, 0)),
             self._automatic,
             ui.row((explanation, 1), margins=(22, 0, 0, 0)),
             1,
-            ui.row(reset, 1, close),
+            ui.row(1, close),
             into=self,
         )
         theme().changed.connect(self._show_choices)
@@ -146,10 +114,6 @@ class PreferencesDialog(ReusedDialog):
             self._font_size.setCurrentIndex(self._font_size.findData(theme().font_size))
         self._language.setCurrentIndex(self._language.findData(chosen_language()))
         self._units.setCurrentIndex(self._units.findData(units().own_first))
-        folder = file_questions.default_folder()
-        self._own_folder.setChecked(folder is not None)
-        self._folder.setEnabled(folder is not None)
-        self._folder.show_text(str(folder or file_questions.last_folder()))
         self._automatic.setChecked(connects_automatically())
 
     @Slot()
@@ -159,34 +123,3 @@ class PreferencesDialog(ReusedDialog):
         self.resize(width, self.heightForWidth(width))
         if self.isVisible():
             self.setGeometry(fitted(self.geometry(), self.screen().availableGeometry()))
-
-    @Slot(int)
-    def _on_language_chosen(self, index: int) -> None:
-        code = self._language.itemData(index)
-        if code != chosen_language():
-            select_language(code)
-            QTimer.singleShot(0, self._reopen)
-
-    @Slot(bool)
-    def _on_own_folder_clicked(self, wanted: bool) -> None:
-        file_questions.set_default_folder(file_questions.last_folder() if wanted else None)
-        self._show_choices()
-
-    @Slot()
-    def _select_folder(self) -> None:
-        chosen = QFileDialog.getExistingDirectory(
-            self, tr("Folder of file dialogs"), str(file_questions.last_folder())
-        )
-        if chosen:
-            file_questions.set_default_folder(Path(chosen))
-            self._show_choices()
-
-    @Slot()
-    def _reset(self) -> None:
-        select_scheme("system")
-        select_font_size(100)
-        units().set_order(own_first=False)
-        file_questions.set_default_folder(None)
-        set_automatic(True)
-        self._on_language_chosen(self._language.findData(AS_THE_SYSTEM))
-        self._show_choices()

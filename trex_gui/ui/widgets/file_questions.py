@@ -12,7 +12,6 @@ from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.widgets.builders import plain
 
 _FOLDER = "settings/folder"
-_DEFAULT_FOLDER = "files/default_folder"
 
 
 class SaveAnswer(Enum):
@@ -83,21 +82,10 @@ def file_filter() -> str:
     return tr("Text files (*.txt);;All files (*)")
 
 
-def default_folder() -> Path | None:
-    """Return the folder in which every file dialog begins, if the user has chosen one."""
-    chosen = Preferences().path(_DEFAULT_FOLDER, "")
-    return None if chosen == Path() else chosen
-
-
-def set_default_folder(folder: Path | None) -> None:
-    Preferences().set(_DEFAULT_FOLDER, str(folder or ""))
-
-
 def last_folder(key: str = _FOLDER) -> Path:
     """Return the folder in which a file dialog opens. Each `key` has its own last folder."""
     documents = QStandardPaths.StandardLocation.DocumentsLocation
-    last = Preferences().path(key, QStandardPaths.writableLocation(documents))
-    return default_folder() or last
+    return Preferences().path(key, QStandardPaths.writableLocation(documents))
 
 
 def remember_folder(path: Path, key: str = _FOLDER) -> None:
