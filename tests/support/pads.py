@@ -2,14 +2,14 @@
 
 from dataclasses import replace
 
-from trex_gui.gamepad.pads import GamepadUnavailable, Pad, PadState
+from trex_gui.gamepad.pads import GamepadUnavailable, Pad, PadState, SdlPads
 
 PARTS = {"leftx": "a0", "lefty": "a1", "leftshoulder": "b4", "b": "b1"}
 PAD = Pad(ident=1, guid="a" * 32, name="Test pad", axes=4, buttons=8, parts=PARTS)
 
 
-class HeldPads:
-    """A `PadSource` whose gamepads do what the test says."""
+class HeldPads(SdlPads):
+    """Gamepads that do what the test says."""
 
     def __init__(self, *pads: Pad, failure: str = "") -> None:
         self._states = {pad: PadState((0.0,) * pad.axes, (False,) * pad.buttons) for pad in pads}

@@ -16,7 +16,7 @@ HAS_POWERED_ON = 0xE0000300
 pytestmark = pytest.mark.usefixtures("qapp")
 
 
-class FakeMac:
+class FakeMac(NativeMac):
     """What macOS would report, and which of its power messages were answered."""
 
     def __init__(self) -> None:

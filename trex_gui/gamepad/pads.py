@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from types import ModuleType
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 from trex_gui.core.optional_packages import install_command
 from trex_gui.core.translation import tr
@@ -75,34 +75,22 @@ class PadState:
         return number is not None and 0 <= number < len(self.buttons) and self.buttons[number]
 
 
-class PadSource(Protocol):
-    """Source of gamepads. All calls come from one thread and return at once."""
-
-    def open(self) -> None:
-        """Open the source. The next `pads` finds gamepads that are already connected.
-
-        Raises:
-            GamepadUnavailable: gamepads cannot be read here.
-        """
-
-    def pads(self) -> tuple[Pad, ...]:
-        """Return the gamepads that are connected now."""
-
-    def read(self, pad: Pad) -> PadState | None:
-        """Return the state at the last `pads`. `None` if the gamepad is gone or unreadable."""
-
-    def close(self) -> None:
-        """Close all gamepads. May be called twice."""
-
-
 class SdlPads:
-    """The gamepads of this computer. One instance at a time, as SDL has one state per process."""
+    """The gamepads of this computer. One instance at a time, as SDL has one state per process.
+
+    All calls come from one thread and return at once.
+    """
 
     def __init__(self) -> None:
         self._pygame: ModuleType | None = None
         self._open: dict[int, tuple[Pad, JoystickType]] = {}
 
     def open(self) -> None:
+        """Open SDL. The next `pads` finds gamepads that are already connected.
+
+        Raises:
+            GamepadUnavailable: gamepads cannot be read here.
+        """
         if self._pygame is not None:
             return
         with _environment(_HINTS):
@@ -117,6 +105,7 @@ class SdlPads:
         self._pygame = pygame
 
     def pads(self) -> tuple[Pad, ...]:
+        """Return the gamepads that are connected now."""
         pygame = self._pygame
         if pygame is None:
             return ()
@@ -133,6 +122,7 @@ class SdlPads:
         return tuple(pad for pad, _ in self._open.values())
 
     def read(self, pad: Pad) -> PadState | None:
+        """Return the state at the last `pads`. `None` if the gamepad is gone or unreadable."""
         found = self._open.get(pad.ident)
         if found is None or self._pygame is None:
             return None
@@ -147,6 +137,7 @@ class SdlPads:
             return None
 
     def close(self) -> None:
+        """Close all gamepads. May be called twice."""
         if self._pygame is not None:
             self._open.clear()
             self._pygame.joystick.quit()

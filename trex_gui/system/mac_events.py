@@ -8,7 +8,7 @@ Not tested on macOS yet.
 
 import ctypes
 from collections.abc import Callable
-from typing import Any, Protocol
+from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
@@ -32,20 +32,10 @@ _ON_POWER = ctypes.CFUNCTYPE(
 """Reference of the caller, service, message, argument of the message."""
 
 
-class MacSystem(Protocol):
-    """Receiver of macOS notifications, in the window's thread, which runs the main loop."""
-
-    def listen(
-        self, on_locked: Callable[[], object], on_power: Callable[[int, int], object]
-    ) -> None:
-        """Start to listen. `on_power` gets a message and its argument."""
-
-    def allow_power_change(self, argument: int) -> None:
-        """Allow the change of the power message with this argument."""
-
-
 class NativeMac:
-    """CoreFoundation and IOKit. `load` and `symbol` find libraries and their constants.
+    """Notifications of macOS, in the window's thread, which runs the main loop.
+
+    `load` and `symbol` find CoreFoundation and IOKit and their constants.
 
     Raises:
         OSError, AttributeError, ValueError: a library, or a symbol in it, is missing.
@@ -83,6 +73,7 @@ class NativeMac:
     def listen(
         self, on_locked: Callable[[], object], on_power: Callable[[int, int], object]
     ) -> None:
+        """Start to listen. `on_power` gets a message and its argument."""
         notified = _ON_NOTIFICATION(lambda *_: on_locked())
         powered = _ON_POWER(
             lambda _own, _service, message, argument: on_power(message, argument or 0)
@@ -101,6 +92,7 @@ class NativeMac:
             self._add_source(self._main_loop(), source, self._common_modes)
 
     def allow_power_change(self, argument: int) -> None:
+        """Allow the change of the power message with this argument."""
         self._allow(self._connection, argument)
 
 
@@ -118,7 +110,7 @@ class MacEvents(QObject):
 
     def __init__(
         self,
-        native: MacSystem,
+        native: NativeMac,
         may_move: Callable[[], bool],
         parent: QObject | None = None,
         *,

@@ -5,7 +5,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.momentary_drive import MomentaryDrive
-from trex_gui.gamepad.pads import GamepadUnavailable, Pad, PadSource, PadState
+from trex_gui.gamepad.pads import GamepadUnavailable, Pad, PadState, SdlPads
 from trex_gui.gamepad.profile import (
     GamepadProfile,
     Pilot,
@@ -33,7 +33,7 @@ class Gamepad(QObject):
     changed = Signal()  # any attribute but `state` and `request`
     moved = Signal()  # `state` and `request`; many times a second while the gamepad is touched
 
-    def __init__(self, device: Device, source: PadSource, parent: QObject | None = None) -> None:
+    def __init__(self, device: Device, source: SdlPads, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._device = device
         self._motors = device.motors

@@ -9,7 +9,7 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.gamepad import Gamepad
 from trex_gui.devices.trex.views.pages.motors.gamepad_dialog import GamepadDialog
-from trex_gui.gamepad.pads import PadSource, SdlPads
+from trex_gui.gamepad.pads import SdlPads
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.builders import ComboBox
 from trex_gui.ui.widgets.labels import Note
@@ -19,7 +19,7 @@ class GamepadPanel(QWidget):
     """Lets a gamepad drive only while this panel is visible."""
 
     def __init__(
-        self, device: Device, parent: QWidget | None = None, *, source: PadSource | None = None
+        self, device: Device, parent: QWidget | None = None, *, source: SdlPads | None = None
     ) -> None:
         super().__init__(parent)
         self.setObjectName("gamepadPanel")
