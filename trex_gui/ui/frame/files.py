@@ -51,9 +51,6 @@ class RecentFiles(QObject):
     def remove(self, gone: RecentFile) -> None:
         self._save(*(one for one in self.entries if one != gone))
 
-    def clear(self) -> None:
-        self._save()
-
     def _save(self, *entries: RecentFile) -> None:
         lines = [f"{one.device} {one.kind} {one.path}" for one in entries[:_MOST]]
         Preferences().set(_KEY, "\n".join(lines))
@@ -159,7 +156,4 @@ class FileOpener(QObject):
             action = ui.action(menu, "", text, on_trigger=then)
             action.setToolTip(ui.plain(str(file.path)))
             menu.addAction(action)
-        menu.addSeparator()
-        clear = menu.addAction(tr("&Clear list"))
-        clear.triggered.connect(self.recent.clear, Qt.ConnectionType.QueuedConnection)
         menu.setEnabled(bool(files))
