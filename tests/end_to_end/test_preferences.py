@@ -49,11 +49,8 @@ def test_windows_fit_a_small_screen_in_large_fonts(
     assert theme().font_size == FONT_SIZES[-1]
 
 
-@pytest.mark.parametrize("saved", [2, "1", "channels"])
-def test_page_of_the_last_session_is_shown_again(
-    saved: int | str, request: pytest.FixtureRequest
-) -> None:
-    QSettings().setValue("trex/page", saved)  # 2 was the calibration, which is on that page now
+def test_page_of_the_last_session_is_shown_again(request: pytest.FixtureRequest) -> None:
+    QSettings().setValue("trex/page", "channels")
     window: WindowDriver = request.getfixturevalue("window")
     assert window.has("channelsPage")
     window.open_page("motorsPage")

@@ -104,7 +104,6 @@ class Workspace(QWidget):
         self.openers: Mapping[str, Callable[[Path], object]] = {}
         # At the right of the window; the workspace shows and hides them.
         self.docks: Sequence[QDockWidget] = ()
-        self.former_pages: Sequence[str] = ()  # page keys by number, as saved by old versions
         # Keys of entries that move motors: the search shows them in their menu only.
         self.moving: Collection[str] = ()
         self.pages = Places(self)
@@ -191,11 +190,8 @@ class Workspace(QWidget):
         self.show_number(self._number_of(key))
 
     def show_saved(self, saved: str) -> None:
-        """Show the page of the last session, by its key or number, or else the first."""
+        """Show the page of the last session by its key, or else the first."""
         keys = [info.key for info in self._infos]
-        former = self.former_pages or keys
-        if saved.isdecimal() and int(saved) < len(former):
-            saved = former[int(saved)]
         self.show_page(saved if saved in keys else keys[0])
 
     def show_number(self, number: int) -> None:

@@ -68,8 +68,6 @@ class TrexWorkspace(Workspace):
         self._controller = controller
         self._frame = frame
         self._linter = BoardLinter(device, self)
-        own = ("board", "channels", "channels", "motors", "currents", "parameters")
-        self.former_pages = (*own, "errors", "log", "transcript")
         self.help_topics, self.message_help = TOPICS, message_help()
         self.log.follow(device.events)
 
