@@ -7,8 +7,7 @@ import zipfile
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import Qt, QUrl
-from PySide6.QtGui import QDesktopServices
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QFileDialog, QListWidget, QPlainTextEdit
 from pytestqt.qtbot import QtBot
 
@@ -17,7 +16,6 @@ from tests.support.keyboard import check_keyboard
 from tests.support.pages.motors import is_stopped
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
-from trex_gui.core.files import log_folder
 from trex_gui.core.log_file import ProgramLog, log_file
 
 
@@ -112,30 +110,6 @@ def test_error_stops_motors_and_offers_report_with_its_traceback(
     assert "CRITICAL trex_gui.supervisor: uncaught exception\nTraceback" in text
     assert "ValueError: on purpose\n" in text
     assert "INFO trex_gui.ui.log: ⚠ Internal error (ValueError), so the motors were" in text
-
-
-def test_help_menu_opens_the_log_folder(
-    window: WindowDriver, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    opened: list[str] = []
-    has_program = True
-
-    def open_url(url: QUrl) -> bool:
-        opened.append(url.toLocalFile())
-        return has_program
-
-    monkeypatch.setattr(QDesktopServices, "openUrl", open_url)
-    window.trigger("log_folder")
-    window.wait_for_text("bannerText", "There is no log")
-    assert not opened
-    log_folder().mkdir(parents=True)
-    window.click("bannerDismiss")
-    for has_program in (True, False):
-        window.trigger("log_folder")
-        window.wait_for_files()
-        assert window.has("bannerText") is not has_program
-    assert opened == [str(log_folder())] * 2
-    assert str(log_folder()) in window.text("bannerText")
 
 
 _SCRIPT = """

@@ -4,11 +4,10 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt, QUrl, Signal, Slot
+from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import (
     QAction,
     QCloseEvent,
-    QDesktopServices,
     QGuiApplication,
     QKeySequence,
     QShowEvent,
@@ -23,12 +22,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.core.files import log_folder
 from trex_gui.core.translation import tr
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Ports
-from trex_gui.ui.files import in_background
 from trex_gui.ui.frame.connection_bar import ConnectionBar
 from trex_gui.ui.frame.files import FileOpener
 from trex_gui.ui.frame.search_field import SearchField
@@ -199,10 +196,6 @@ class MainWindow(QMainWindow):
     def _menus(self, workspaces: Sequence[Menus]) -> Iterator[tuple[str, Entries]]:
         """Yield titles and entries. Menus of only one workspace come before Window."""
         bar, stop = self.connection, partial(stop_or_close_dialog, self._manager)
-        preferences, open_log = (
-            self._show_preferences,
-            partial(open_log_folder, self, self._notifier),
-        )
 
         def shared(menu: Menu) -> Entries:
             return [entry for menus in workspaces for entry in (SEPARATOR, *menus.get(menu, ()))]
@@ -210,7 +203,7 @@ class MainWindow(QMainWindow):
         file = (
             *shared(Menu.FILE),
             SEPARATOR,
-            Entry("preferences", tr("&Preferences…"), preferences, "Ctrl+,", "settings"),
+            Entry("preferences", tr("&Preferences…"), self._show_preferences, "Ctrl+,", "settings"),
             SEPARATOR,
             Entry("quit", tr("E&xit"), self.close, QKeySequence.StandardKey.Quit),
         )
@@ -230,7 +223,6 @@ class MainWindow(QMainWindow):
             SEPARATOR,
             *shared(Menu.HELP),
             Entry("report", tr("&Save report for support…"), self._show_report, "", "save"),
-            Entry("log_folder", tr("Open &log folder"), open_log, "", "open"),
             Entry("about", tr("&About"), about, "", "info"),
         )
         yield from ((tr("&File"), file), (tr("&Edit"), shared(Menu.EDIT)), (tr("&Device"), device))
@@ -402,18 +394,3 @@ class MainWindow(QMainWindow):
         for workspace in self._workspaces:
             workspace.finish()
         super().closeEvent(event)
-
-
-def open_log_folder(window: QWidget, notifier: Notifier) -> None:
-    folder = log_folder()
-
-    def then(is_there: bool) -> None:
-        if not is_there:
-            text = tr("There is no log: {0} could not be written.")
-        elif not QDesktopServices.openUrl(QUrl.fromLocalFile(str(folder))):
-            text = tr("No program of this computer shows folders. The log is in {0}.")
-        else:
-            return
-        notifier.error.emit(text.format(folder))
-
-    in_background(window, folder.is_dir, then, lambda _: None)
