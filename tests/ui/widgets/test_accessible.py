@@ -10,7 +10,6 @@ from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.bar import PartBar
 from trex_gui.ui.widgets.labels import LinkLabel, LiveLabel, Sign
 from trex_gui.ui.widgets.leds import Lamp
 from trex_gui.ui.widgets.sliders import StickSlider
@@ -22,32 +21,6 @@ def interface_of(widget: QWidget) -> QAccessibleInterface:
     found = QAccessible.queryAccessibleInterface(widget)
     assert found is not None
     return found
-
-
-def test_bar_has_role_value_and_range(qtbot: QtBot) -> None:
-    bar = PartBar()
-    qtbot.addWidget(bar)
-    bar.set_part(-0.64)
-    interface = interface_of(bar)
-    assert interface.role() is Role.ProgressBar
-    assert interface.text(Text.Value) == "-64"
-    assert interface.text(Text.Description) == "−64 %"
-    value = interface.valueInterface()
-    assert value is not None
-    assert (value.minimumValue(), value.currentValue(), value.maximumValue()) == (-100, -64, 100)
-
-
-def test_bar_announces_no_samples(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Qt announces each change of a name and a description, if a screen reader runs."""
-    bar = PartBar()
-    qtbot.addWidget(bar)
-    for announcing in ("setAccessibleName", "setAccessibleDescription"):
-        monkeypatch.setattr(PartBar, announcing, None)
-    for value in range(20):
-        bar.set_part(value / 100)
-    assert interface_of(bar).text(Text.Description) == "+19 %"
-    bar.setToolTip("What the board makes of it")
-    assert interface_of(bar).text(Text.Description) == "+19 %\nWhat the board makes of it"
 
 
 def test_slider_is_read_and_set_in_the_unit_that_is_shown(qtbot: QtBot) -> None:
@@ -62,6 +35,8 @@ def test_slider_is_read_and_set_in_the_unit_that_is_shown(qtbot: QtBot) -> None:
     assert (value.minimumValue(), value.currentValue(), value.maximumValue()) == (4, 12, 16)
     assert interface.role() is Role.Slider
     assert interface.text(Text.Description) == "12.0 V"
+    slider.setToolTip("The power supply")
+    assert interface.text(Text.Description) == "12.0 V\nThe power supply"
     value.setCurrentValue(13.5)
     assert slider.value() == 135
 
@@ -85,7 +60,7 @@ def test_sign_is_read_while_there_is_one(qtbot: QtBot) -> None:
 
 @pytest.mark.parametrize("has_value", [True, False])
 def test_other_interfaces_are_absent(has_value: bool, qtbot: QtBot) -> None:
-    widget = PartBar() if has_value else Lamp("led_red")
+    widget = StickSlider(0, 1, 0, "bar") if has_value else Lamp("led_red")
     qtbot.addWidget(widget)
     interface = interface_of(widget)
     assert interface.textInterface() is None
@@ -96,17 +71,17 @@ def test_other_interfaces_are_absent(has_value: bool, qtbot: QtBot) -> None:
 def test_interfaces_outlive_neither_widgets_nor_garbage(qtbot: QtBot) -> None:
     parent = QWidget()
     qtbot.addWidget(parent)
-    lasting = PartBar(parent)
+    lasting = Lamp("led_red", parent)
     interface_of(lasting)
     for _ in range(5):
-        passing = PartBar(parent)
+        passing = Lamp("led_red", parent)
         interface_of(passing)
         passing.deleteLater()
         del passing
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         gc.collect()
-        assert interface_of(lasting).text(Text.Description) == "not connected"
-    assert parent.findChildren(PartBar) == [lasting]
+        assert interface_of(lasting).role() is Role.Graphic
+    assert parent.findChildren(Lamp) == [lasting]
 
 
 def test_tab_announces_each_link(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -3,16 +3,10 @@
 from collections.abc import Sequence
 from enum import Enum
 
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QAccessible, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QSizePolicy, QWidget
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QPainter, QPen
 
-from trex_gui.core.texts import signed_text
-from trex_gui.core.translation import tr
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.accessible import SpokenRange
-from trex_gui.ui.widgets.circuit import write
-from trex_gui.ui.widgets.painted import Painted, Painter
 
 NO_VALUE = "\N{EN DASH}"
 MINUS = "\N{MINUS SIGN}"
@@ -65,54 +59,3 @@ def paint_track(
     for mark in marks:
         x = x_of(mark)
         painter.drawLine(QPointF(x, track.top() - 3), QPointF(x, track.bottom() + 3))
-
-
-class PartBar(Painted):
-    """Bar from the centre for a part from -1 to 1, with its percentage at the right.
-
-    Screen readers get the value when they request it.
-    """
-
-    spoken_role = QAccessible.Role.ProgressBar
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._percent: int | None = None
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-
-    def set_part(self, part: float | None) -> None:
-        percent = None if part is None else round(100 * part)
-        if percent != self._percent:
-            self._percent = percent
-            self.update()
-
-    def _text(self) -> str:
-        return NO_VALUE if self._percent is None else f"{signed_text(self._percent)} %"
-
-    def spoken_state(self) -> str:
-        return tr("not connected") if self._percent is None else self._text()
-
-    def spoken_range(self) -> SpokenRange:
-        return SpokenRange(-100, self._percent or 0, 100)
-
-    def _size(self, characters: int) -> QSize:
-        metrics = self.fontMetrics()
-        return QSize(characters * metrics.averageCharWidth(), metrics.height() + 6)
-
-    def sizeHint(self) -> QSize:
-        return self._size(48)
-
-    def minimumSizeHint(self) -> QSize:
-        return self._size(20)
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        del event
-        metrics, rect = self.fontMetrics(), QRectF(self.rect())
-        width = rect.width() - metrics.horizontalAdvance(f" {MINUS}100 %") - 2
-        height = metrics.height() - 4
-        track = QRectF(1, (rect.height() - height) / 2, max(1, width), height)
-        marks = () if self._percent is None else (0,)
-        with Painter(self) as painter:
-            paint_track(painter, track, (-100, 100), self._percent, marks)
-            color = "window_text" if marks else "muted"
-            write(painter, rect, self._text(), color, align=Qt.AlignmentFlag.AlignRight)

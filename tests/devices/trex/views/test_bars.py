@@ -9,7 +9,6 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.views.bars import input_axis, widened
 from trex_gui.devices.trex.views.learning.live_pages import InputStrip
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.bar import PartBar
 
 pytestmark = pytest.mark.usefixtures("light_scheme")
 
@@ -69,15 +68,3 @@ def test_strip_is_painted_at_any_width_and_calibration(
         for time, raw in enumerate((3000, 3705, None)):
             strip.show_input(width + time, InputSource.RC, calibration, raw, 64)
             assert not strip.grab().isNull()
-
-
-def test_bar_grows_with_the_font(qtbot: QtBot) -> None:
-    widget = PartBar()
-    qtbot.addWidget(widget)
-    before = widget.sizeHint()
-    font = widget.font()
-    font.setPointSizeF(font.pointSizeF() * 2)
-    widget.setFont(font)
-    assert widget.sizeHint().height() > before.height() * 1.5
-    assert widget.sizeHint().width() > before.width() * 1.5
-    widget.grab()

@@ -6,7 +6,7 @@ from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QHideEvent
 from PySide6.QtWidgets import QDialogButtonBox, QFormLayout, QWidget
 
-from trex_gui.core.texts import title_of
+from trex_gui.core.texts import signed_text, title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.gamepad import Gamepad, axis_text, button_text
 from trex_gui.devices.trex.model.momentary_drive import mix
@@ -23,9 +23,9 @@ from trex_gui.gamepad.profile import (
     default_profile,
 )
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.bar import PartBar
+from trex_gui.ui.widgets.bar import NO_VALUE
 from trex_gui.ui.widgets.behaviour import ReusedDialog
-from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.labels import LiveLabel, Note
 from trex_gui.ui.widgets.leds import Lamp
 
 _LAMPS_A_ROW = 6
@@ -41,17 +41,15 @@ def _button_names(pad: Pad | None) -> list[str]:
 
 
 class PadView(QWidget):
-    """A bar for each axis of one gamepad, and a lamp for each button."""
+    """The position of each axis of one gamepad, and a lamp for each button."""
 
     def __init__(self, pad: Pad | None, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.pad = pad
         axes = ui.grid(stretch=[(1, 1)])
         for number, name in enumerate(_axis_names(pad)):
-            bar = ui.named(PartBar(self), f"gamepadAxisBar{number}", accessible=name)
-            bar.setMinimumWidth(18 * bar.fontMetrics().averageCharWidth())
             axes.addWidget(ui.label(self, text=name), number, 0)
-            axes.addWidget(bar, number, 1)
+            axes.addWidget(LiveLabel(f"gamepadAxisValue{number}", name, self), number, 1)
         buttons = ui.grid(spacing=(12, -1))
         buttons.setAlignment(Qt.AlignmentFlag.AlignLeft)
         for number, name in enumerate(_button_names(pad)):
@@ -64,8 +62,9 @@ class PadView(QWidget):
         ui.column(axes, buttons, into=self, margins=0, spacing=14)
 
     def show_state(self, state: PadState | None) -> None:
-        for number, bar in enumerate(self.findChildren(PartBar)):
-            bar.set_part(None if state is None else state.axis(number))
+        for number, value in enumerate(self.findChildren(LiveLabel)):
+            percent = None if state is None else round(100 * state.axis(number))
+            value.setText(NO_VALUE if percent is None else f"{signed_text(percent)} %")
         for number, lamp in enumerate(self.findChildren(Lamp)):
             lamp.set_lit(state is not None and state.pressed(number))
             lamp.setAccessibleDescription(tr("pressed") if lamp.lit else "")
