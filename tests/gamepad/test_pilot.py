@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from trex_gui.gamepad.pads import PadState
-from trex_gui.gamepad.profile import Axis, GamepadProfile, InputDetector, Pilot, Style, Waits
+from trex_gui.gamepad.profile import Axis, GamepadProfile, Pilot, Style, Waits
 
 PROFILE = GamepadProfile(dead_zone=0.1, expo=0.0)
 HOLD, STOP = 4, 1
@@ -83,21 +83,3 @@ def test_missing_axis_gives_zero_setpoint() -> None:
     pilot = Pilot(replace(PROFILE, first=Axis(7)))
     pilot.update(shows())
     assert pilot.update(shows(y=-1.0, down=(HOLD,))).forward == 0
-
-
-def test_detection_selects_axis_moved_farthest() -> None:
-    detection = InputDetector(PadState((0.0, 0.1, -1.0), ()))
-    assert detection.axis(PadState((0.2, 0.3, -1.0), ())) is None
-    assert detection.axis(PadState((0.55, -0.9, -1.0), ())) == Axis(1, inverted=True)
-
-
-def test_detection_ignores_trigger_at_its_end_until_it_moves() -> None:
-    detection = InputDetector(PadState((0.0, -1.0), ()))
-    assert detection.axis(PadState((0.0, -1.0), ())) is None
-    assert detection.axis(PadState((0.0, 0.2), ())) == Axis(1)
-
-
-def test_detection_ignores_button_already_pressed() -> None:
-    detection = InputDetector(PadState((), (True, False)))
-    assert detection.button(PadState((), (True, False))) is None
-    assert detection.button(PadState((), (True, True))) == 1

@@ -14,8 +14,6 @@ REST = 0.05
 Inferred: sticks settle within a few hundredths of where they were.
 """
 
-FAR = 0.5  # share of its way to an end that an axis must move to be detected
-
 
 def shape(value: float, dead_zone: float, expo: float) -> float:
     """Return the command (-1 to 1) of an axis at `value` (-1 to 1).
@@ -208,25 +206,3 @@ class Pilot:
         if not state.pressed(self._profile.hold):
             return Waits.HOLD
         return Waits.NOTHING if self._released else Waits.RELEASE
-
-
-class InputDetector:
-    """Finds the axis or button that the user moves, compared with the `start`."""
-
-    def __init__(self, start: PadState) -> None:
-        self._start = start
-
-    def axis(self, state: PadState) -> Axis | None:
-        """Return the axis that moved farthest, if far enough. Inverted if its value fell."""
-        moves = [
-            (now - before, number)
-            for number, (before, now) in enumerate(zip(self._start.axes, state.axes, strict=False))
-        ]
-        move, number = max(moves, key=lambda each: abs(each[0]), default=(0.0, 0))
-        return Axis(number, inverted=move < 0) if abs(move) >= FAR else None
-
-    def button(self, state: PadState) -> int | None:
-        for number, down in enumerate(state.buttons):
-            if down and not self._start.pressed(number):
-                return number
-        return None

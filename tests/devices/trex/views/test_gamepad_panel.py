@@ -109,19 +109,6 @@ def test_every_control_works_with_the_keyboard(set_up: Panel) -> None:
 # --- The set-up -------------------------------------------------------------------------
 
 
-def test_axes_and_button_are_detected(set_up: Panel) -> None:
-    set_up.click("gamepadFirstDetect")
-    assert "Push the stick fully forward" in set_up.text("gamepadSetUpNote")
-    set_up.pads.move(OTHER_Y, -1.0)
-    set_up.wait(lambda: set_up.profile.first == Axis(OTHER_Y, inverted=True))
-    set_up.click("gamepadSecondDetect")
-    set_up.pads.move(OTHER_X, 1.0)
-    set_up.wait(lambda: set_up.profile.second == Axis(OTHER_X))
-    set_up.click("gamepadHoldDetect")
-    set_up.pads.press(6)
-    set_up.wait(lambda: set_up.profile.hold == 6)
-
-
 def test_button_is_never_assigned_to_hold_and_stop(set_up: Panel) -> None:
     set_up.select_text("gamepadStopCombo", "button 5")
     assert set_up.profile.stop == HOLD
@@ -165,7 +152,6 @@ def test_opening_the_set_up_while_driving_stops_the_motors(active_panel: Panel) 
 
 
 def test_unplugging_disables_the_axis_selection_in_set_up(set_up: Panel) -> None:
-    set_up.click("gamepadFirstDetect")
     set_up.pads.unplug(PAD)
     set_up.wait_for_text("gamepadName", "No gamepad")
     assert not set_up.is_enabled("gamepadFirstCombo")

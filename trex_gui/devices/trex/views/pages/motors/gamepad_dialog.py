@@ -3,7 +3,6 @@
 from functools import partial
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
-from PySide6.QtGui import QHideEvent
 from PySide6.QtWidgets import QDialogButtonBox, QFormLayout, QWidget
 
 from trex_gui.core.texts import signed_text, title_of
@@ -18,7 +17,6 @@ from trex_gui.gamepad.profile import (
     WIDEST_DEAD_ZONE,
     Axis,
     GamepadProfile,
-    InputDetector,
     Style,
     default_profile,
 )
@@ -71,32 +69,25 @@ class PadView(QWidget):
 
 
 class PartRow(QWidget):
-    """List of axes or buttons, and a button to detect an axis or button when it is used."""
+    """List of axes or buttons. An axis can be inverted."""
 
     chosen = Signal()  # the user selected an axis, its direction, or a button
-    detect_toggled = Signal(bool)  # whether to detect the next axis or button that is used
 
     def __init__(self, name: str, parent: QWidget, *, is_axis: bool) -> None:
         super().__init__(parent)
-        detect = tr("Move it…") if is_axis else tr("Press it…")
         self._combo = ui.combo_box(self, f"gamepad{name}Combo", "", on_activate=self.chosen)
         self.label = ui.label(parent, buddy=self._combo)  # the use of the axis or button
         self._combo.setSizeAdjustPolicy(self._combo.SizeAdjustPolicy.AdjustToContents)
-        toggled = self.detect_toggled
-        self._detect = ui.button(
-            self, f"gamepad{name}Detect", detect, checkable=True, default=False, on_toggle=toggled
-        )
         name = f"gamepad{name}Invert"
         self._invert = ui.check_box(self, name, tr("Invert"), on_toggle=self.chosen)
         self._invert.setVisible(is_axis)
         self.setFocusProxy(self._combo)
-        ui.row((self._combo, 1), self._detect, self._invert, into=self, margins=0)
+        ui.row((self._combo, 1), self._invert, into=self, margins=0)
 
     def set_use(self, text: str) -> None:
         self.label.setText(tr("{0}: {1}").format(text, "").rstrip())
         use = text.replace("&", "")
         self._combo.setAccessibleName(use)
-        self._detect.setAccessibleName(tr("{0}: detect").format(use))
         self._invert.setAccessibleName(tr("{0}: inverted").format(use))
 
     def set_parts(self, names: list[str], none: str = "") -> None:
@@ -125,10 +116,6 @@ class PartRow(QWidget):
         with QSignalBlocker(self._invert):
             self._invert.setChecked(inverted)
 
-    def show_detecting(self, detecting: bool) -> None:
-        with QSignalBlocker(self._detect):
-            self._detect.setChecked(detecting)
-
 
 class GamepadDialog(ReusedDialog):
     """Applies changes at once. Its owner prevents driving with the gamepad while it is open."""
@@ -138,9 +125,6 @@ class GamepadDialog(ReusedDialog):
         self.setObjectName("gamepadDialog")
         self.setWindowTitle(tr("Set up the gamepad"))
         self._gamepad = gamepad
-        self._detector: InputDetector | None = None
-        self._detecting = ""  # key of a row
-
         self._name = ui.label(self, "gamepadName")
         live = ui.named(ui.Card(tr("Live state"), self), "gamepadLive")
         self._live = PadView(None, live)
@@ -187,9 +171,8 @@ class GamepadDialog(ReusedDialog):
         halves = ui.row((live, 2), (uses, 3))
         ui.column(self._name, (halves, 1), self._note, buttons, into=self)
 
-        for key, row in self._rows.items():
+        for row in self._rows.values():
             row.chosen.connect(self._on_edited)
-            row.detect_toggled.connect(lambda on, key=key: self._detect(key if on else ""))
         self._defaults.clicked.connect(self._on_defaults_clicked)
         buttons.rejected.connect(self.reject)
         gamepad.changed.connect(self._on_gamepad_changed)
@@ -209,16 +192,11 @@ class GamepadDialog(ReusedDialog):
             form.addRow(row.label, row)
         ui.tab_order(self._style, first, second, self._dead_zone, self._expo, *buttons)
 
-    def hideEvent(self, event: QHideEvent) -> None:
-        super().hideEvent(event)
-        self._detect("")
-
     @Slot()
     def _on_edited(self) -> None:
         hold, stop = self._rows["hold"].number, self._rows["stop"].number
         if hold is not None and hold == stop:  # one button has one use: the newly selected use
             hold, stop = (None, stop) if stop != self._gamepad.profile.stop else (hold, None)
-        self._detect("")
         profile = GamepadProfile(
             style=Style(self._style.currentData()),
             first=self._rows["first"].axis,
@@ -233,28 +211,8 @@ class GamepadDialog(ReusedDialog):
 
     @Slot()
     def _on_defaults_clicked(self) -> None:
-        self._detect("")
         if self._gamepad.pad is not None:
             self._gamepad.set_profile(default_profile(self._gamepad.pad))
-
-    def _detect(self, key: str) -> None:
-        """Assign the next used axis or button to a row. Stop detecting if `key` is empty."""
-        state = self._gamepad.state
-        self._detecting = key if state is not None else ""
-        self._detector = InputDetector(state) if key and state is not None else None
-        for each, row in self._rows.items():
-            row.show_detecting(each == self._detecting)
-        self._show_note()
-
-    def _on_detection_step(self, detector: InputDetector, state: PadState) -> None:
-        row = self._rows[self._detecting]
-        if self._detecting in _AXES:
-            if axis := detector.axis(state):
-                row.show_part(axis.number, inverted=axis.inverted)
-                self._on_edited()
-        elif (button := detector.button(state)) is not None:
-            row.show_part(button)
-            self._on_edited()
 
     @Slot()
     def _on_gamepad_changed(self) -> None:
@@ -273,11 +231,16 @@ class GamepadDialog(ReusedDialog):
         for widget in (*self._rows.values(), self._style, self._dead_zone, self._expo):
             widget.setEnabled(pad is not None)
         self._defaults.setEnabled(pad is not None and profile != default_profile(pad))
-        if pad is None:
-            self._detect("")
-        else:
+        if pad is not None:
             self._show_profile(pad, profile)
-        self._show_note()
+        text = tr("The gamepad cannot drive while this window is open, but its stop button works.")
+        if profile.hold is None:
+            text = tr(
+                "Without a button to hold, a bumped stick drives the motors. The gamepad cannot "
+                "drive while this window is open."
+            )
+        self._note.show_note(text)
+        self._note.setAccessibleName(text)
 
     def _show_profile(self, pad: Pad, profile: GamepadProfile) -> None:
         first, second, hold, stop = self._rows.values()
@@ -296,29 +259,8 @@ class GamepadDialog(ReusedDialog):
     @Slot()
     def _on_gamepad_moved(self) -> None:
         state = self._gamepad.state
-        if self._detector is not None and state is not None:
-            self._on_detection_step(self._detector, state)
         if self.isVisible():
             self._live.show_state(state)
             left, right = mix(self._gamepad.request.forward, self._gamepad.request.turn)
             self._robot.show_wheel(Side.LEFT, left / FULL_SCALE, "motor1")
             self._robot.show_wheel(Side.RIGHT, right / FULL_SCALE, "motor2")
-
-    def _show_note(self) -> None:
-        text = self._prompt()
-        self._note.show_note(text, alarming=bool(self._detecting))
-        self._note.setAccessibleName(text)
-
-    def _prompt(self) -> str:
-        if self._detecting in _AXES:
-            turns = self._detecting == "second" and self._gamepad.profile.style is Style.MIXED
-            to_the_right = tr("Push the stick fully to the right.")
-            return to_the_right if turns else tr("Push the stick fully forward.")
-        if self._detecting:
-            return tr("Press the button.")
-        if self._gamepad.profile.hold is None:
-            return tr(
-                "Without a button to hold, a bumped stick drives the motors. The gamepad cannot "
-                "drive while this window is open."
-            )
-        return tr("The gamepad cannot drive while this window is open, but its stop button works.")
