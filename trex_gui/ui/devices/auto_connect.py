@@ -125,12 +125,7 @@ class AutoConnect(QObject):
         if not self._is_wanted or not found.is_same(missing):
             return False
         self._may_be_stale = True
-        self._notice = tr("Connected again to {0}. No motor was started.")
-        if found.url != missing.url:
-            self._notice = tr(
-                "Connected again: the adapter of {1} is {0} now. No motor was started."
-            )
-        self._notice = self._notice.format(found.url, missing.url)
+        self._notice = tr("Connected again to {0}. No motor was started.").format(found.url)
         self._notifier.cleared.emit()
         self._manager.connect_to(found)
         return True

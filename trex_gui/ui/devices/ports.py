@@ -122,16 +122,9 @@ class Ports(QObject):
             )
             for port in sorted(sorted(list_ports.comports()), key=lambda port: not port.vid)
         ]
-        present = {port.url for port in entries}
-        entries += [
-            self._entry(PortKind.TYPED, url, url) for url in self._typed if url not in present
-        ]
-        present |= {port.url for port in entries}
-        entries += [
-            self._entry(PortKind.TYPED, url, label)
-            for url, label in self._served.items()
-            if url not in present
-        ]
+        for url, label in (*((url, url) for url in self._typed), *self._served.items()):
+            if all(port.url != url for port in entries):
+                entries.append(self._entry(PortKind.TYPED, url, label))
         for plugin in self.plugins:
             label = tr("Demo {0} (no hardware)").format(plugin.name)
             entries.append(Port(PortKind.DEMO, "", label, plugin.key))

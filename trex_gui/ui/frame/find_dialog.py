@@ -6,7 +6,6 @@ from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QGuiApplication, QHideEvent
 from PySide6.QtWidgets import (
     QFrame,
-    QLabel,
     QListWidget,
     QListWidgetItem,
     QPushButton,
@@ -60,7 +59,6 @@ class FindDialog(ReusedDialog):
         self._shown: tuple[ScanFinding, ...] | None = None
         self._connects: dict[QPushButton, Port] = {}
         self._create_widgets()
-        self._arrange()
 
         ports.changed.connect(self._on_ports_changed)
         device_manager.changed.connect(self._on_ports_changed)
@@ -76,7 +74,7 @@ class FindDialog(ReusedDialog):
         self._list.setSelectionMode(QListWidget.SelectionMode.NoSelection)
         self._list.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self._list.itemChanged.connect(self._on_item_changed)
-        self._busy = _text("", self, "findBusyLabel")
+        self._busy = ui.label(self, "findBusyLabel", wrap=True, expand=True)
         self._disconnect = ui.button(
             self,
             "findDisconnectButton",
@@ -103,9 +101,7 @@ class FindDialog(ReusedDialog):
         self._tried = ui.named(Note(2, self), "findProgressText")
         self._results = ui.named(QWidget(self), "findResults", accessible=tr("Found devices"))
         self._rows = ui.column(1, into=self._results, margins=0)
-
-    def _arrange(self) -> None:
-        text = tr(
+        about = tr(
             "Probes each port for a supported device: each kind at its likely settings, then "
             "at every baud rate, with every parity and with CRC. A TReX or Aracna moves no "
             "motor and changes no setting. Other devices on the line may: enter their numbers "
@@ -123,7 +119,7 @@ class FindDialog(ReusedDialog):
         close = ui.button(self, "findCloseButton", tr("Close"), default=False, on_click=self.close)
         ui.column(
             ui.label(self, text=self.windowTitle(), size="title"),
-            _text(text, self),
+            ui.label(self, text=about, wrap=True, expand=True),
             ui.label(self, text=tr("Search &on:"), buddy=self._list),
             self._list,
             ui.row((self._busy, 1), self._disconnect),
@@ -254,8 +250,8 @@ class FindDialog(ReusedDialog):
         row = QFrame(self._results)
         set_look(row, "card")
         row.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
-        text = _text(finding.text, row, f"findText{index}")
-        text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        name = f"findText{index}"
+        text = ui.label(row, name, finding.text, wrap=True, expand=True, selectable=True)
         layout = ui.row((text, 1), into=row)
         if finding.found is not None:
             connect = ui.button(
@@ -282,7 +278,3 @@ class FindDialog(ReusedDialog):
             settings = finding.found.settings
             self._unless_busy(lambda: self._manager.connect_with(port, settings))
             self.close()
-
-
-def _text(text: str, parent: QWidget, name: str = "") -> QLabel:
-    return ui.label(parent, name, text, wrap=True, expand=True)

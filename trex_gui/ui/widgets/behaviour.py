@@ -312,17 +312,9 @@ def set_typed() -> None:
     the focus, nor does a button on a Mac.
     """
     box = QApplication.focusWidget()
-    if box is None:
-        return
-    if (view := _view_of(box)) is not None:
+    viewport = box.parentWidget() if box is not None else None
+    view = viewport.parentWidget() if viewport is not None else None
+    if isinstance(view, QAbstractItemView) and view.viewport() is viewport:
         view.setFocus()  # the editor of a cell commits when it loses the focus
     elif isinstance(box, QAbstractSpinBox):
         box.interpretText()
-
-
-def _view_of(editor: QWidget) -> QAbstractItemView | None:
-    viewport = editor.parentWidget()
-    view = viewport.parentWidget() if viewport is not None else None
-    if isinstance(view, QAbstractItemView) and view.viewport() is viewport:
-        return view
-    return None

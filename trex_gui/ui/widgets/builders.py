@@ -267,10 +267,7 @@ def combo_box(
     """
     made = named(ComboBox(parent), name, accessible=accessible, tip=tip)
     for item in items:
-        if isinstance(item, str):
-            made.addItem(item)
-        else:
-            made.addItem(*item)
+        made.addItem(*([item] if isinstance(item, str) else item))
     _connect(made.activated, on_activate)
     _connect(made.currentIndexChanged, on_change)
     return made
@@ -387,11 +384,8 @@ def flat_table(table: TableT, name: str, accessible: str) -> TableT:
 
 def set_row_height(table: QTableView, room: int) -> None:
     """Make rows `room` pixels higher than a line, in any font. A later call replaces `room`."""
-
-    def apply() -> None:
-        table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + room)
-
-    follow_theme(table, "rows", apply)
+    header, line = table.verticalHeader(), table.fontMetrics
+    follow_theme(table, "rows", lambda: header.setDefaultSectionSize(line().height() + room))
 
 
 def splitter(

@@ -55,10 +55,6 @@ class DocumentSaver(QObject):
         self._begun = self._noted = 0  # numbers of the last save started, and recorded
         self._leave: Callable[[], object] | None = None
 
-    @property
-    def is_saving(self) -> bool:
-        return bool(self._running)
-
     def save(self, path: Path, make: Callable[[], Content], *, ask: bool = False) -> bool:
         """Save the content that `make` returns now. Return whether the save was requested.
 
@@ -125,7 +121,7 @@ class DocumentSaver(QObject):
 
     def answer(self) -> SaveAnswer:
         """Ask what to do with unsaved changes. Return `DISCARD` if there are none."""
-        if self.is_saving:
+        if self._running:
             may = file_questions.may_leave_unfinished(self._window, self._document.name)
             return SaveAnswer.DISCARD if may else SaveAnswer.CANCEL
         if not self._document.modified:
