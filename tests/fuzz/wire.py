@@ -203,7 +203,7 @@ def check_scan(data: bytes, folder: Path) -> None:
     _disturb(transport, Disturbance(data[1:]))
     probers = {plugin.key: plugin.prober.load() for plugin in PLUGINS}
     result = scan_port(PortSettings("virtual"), probers, open_wire=lambda _: transport)
-    assert not result.is_fault, result.lines
+    assert not str(result.error).startswith("Internal error"), result.lines
     assert result.device or result.lines
     assert transport.closed
 

@@ -14,7 +14,6 @@ import threading
 import time
 from collections.abc import Callable
 from functools import partial
-from types import FrameType
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
@@ -41,10 +40,6 @@ _LAST_WORD_S = 0.3
 
 def _suspend_process() -> None:
     os.kill(os.getpid(), signal.SIGSTOP)
-
-
-def _nothing(_number: int, _frame: FrameType | None) -> None:
-    """Prevent the signal from ending the process. The watching thread handles it."""
 
 
 class SignalWatch(QObject):
@@ -83,7 +78,8 @@ class SignalWatch(QObject):
         self._ours, self._signals = socket.socketpair()
         self._signals.setblocking(False)
         self._fd_before = signal.set_wakeup_fd(self._signals.fileno(), warn_on_full_buffer=False)
-        self._before = {number: signal.signal(number, _nothing) for number in self._numbers}
+        # The handlers only prevent the end of the process. The thread handles the signals.
+        self._before = {number: signal.signal(number, lambda *_: None) for number in self._numbers}
         for number in handled_signals(FROM_TERMINAL):
             self._before[number] = signal.signal(number, signal.SIG_IGN)
         self._thread = threading.Thread(target=self._watch, name="signal watch", daemon=True)

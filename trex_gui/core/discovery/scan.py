@@ -50,7 +50,6 @@ class PortScan:
     diagnoses: list[Diagnosis] = field(default_factory=list)  # strongest evidence first
     error: StudioError | None = None
     cancelled: bool = False
-    is_fault: bool = False  # whether `error` is an internal error that ended the scan
 
     @property
     def lines(self) -> list[str]:
@@ -115,8 +114,7 @@ def scan_port(
         log.exception("scan of %s", settings.url)
         cause = f"{type(error).__name__}: {error}"
         text = tr("Internal error while searching {0} ({1}).").format(settings.label, cause)
-        error = StudioError(text)
-        return PortScan(error=error, is_fault=True)
+        return PortScan(error=StudioError(text))
     if result.error is not None:  # silence during an incomplete search is no evidence
         diagnoses = [one for one in diagnoses if one.evidence > Evidence.SILENCE]
     result.diagnoses = sorted(diagnoses, key=lambda diagnosis: -diagnosis.evidence)

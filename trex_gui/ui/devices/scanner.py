@@ -107,7 +107,6 @@ class DeviceScanner(QObject):
         self.text = ""  # the present probe, for the user; empty while idle
         self.summary = ""  # a sentence on the last scan; empty until it has ended
         self.was_cancelled = False
-        self._faults = 0
 
     def add_simulator(self, device: str, simulator: Simulator) -> None:
         """Include the simulated device of a kind in scans while it runs."""
@@ -140,7 +139,7 @@ class DeviceScanner(QObject):
             return
         self._ports = tuple(ports)
         self.findings = ()
-        self._searched = self.done = self._faults = 0
+        self._searched = self.done = 0
         self._only_recall = only_recall
         self.total = 1
         self.summary = ""
@@ -212,7 +211,6 @@ class DeviceScanner(QObject):
     def _on_searched(self, index: int, search: PortScan) -> None:
         port = self._ports[index]
         self._searched = index + 1
-        self._faults += search.is_fault
         if search.found:
             self.findings += tuple(
                 ScanFinding(port, self._sentence(found), found, search.device)
@@ -251,12 +249,7 @@ class DeviceScanner(QObject):
         if self.was_cancelled:
             return tr("Search cancelled.")
         boards = sum(finding.found is not None for finding in self.findings)
-        text = tr("No board was found.")
-        if boards:
-            text = tr("%n board(s) found.", "", boards)
-        if missed := self._faults + len(self._ports) - self._searched:
-            text += " " + tr("%n port(s) could not be searched (internal error).", "", missed)
-        return text
+        return tr("%n board(s) found.", "", boards) if boards else tr("No board was found.")
 
 
 def _name(port: Port) -> str:

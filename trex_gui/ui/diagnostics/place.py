@@ -51,7 +51,7 @@ class Diagnostics(Place):
         )
         head = PageHead(tr("Diagnostics"), self, self._search, copy, report)
         self._head = ui.named(head, f"{name}Head")
-        self.add_tabs(self._head, margins=(16, 16, 16, 0))
+        self.add_tabs(self._head)
         set_look(self.tabs.tabBar(), "choices")
         self.tabs.tabBar().setDrawBase(False)
         follow_theme(self._search, "room", self._free_space)

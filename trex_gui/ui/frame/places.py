@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QTabBar, QTabWidget, QWidget
 
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import follow_theme, scaled_font, theme
-from trex_gui.ui.widgets.builders import Margins, column, named
+from trex_gui.ui.widgets.builders import column, named
 from trex_gui.ui.widgets.painted import Painter
 
 _NARROW = 1100  # pixels for column and page, below which only icons are shown
@@ -177,9 +177,9 @@ class Place(QWidget):
         self.setObjectName(name)
         self.title = title
 
-    def add_tabs(self, *above: QWidget, margins: Margins = 0) -> None:
+    def add_tabs(self, *above: QWidget) -> None:
         """Add the tabs below the widgets in `above`, also in the order of the Tab key."""
         name = self.objectName().replace("Page", "Tabs")
         self.tabs = named(QTabWidget(self), name, accessible=self.title)
         self.tabs.setDocumentMode(True)
-        column(*above, (self.tabs, 1), into=self, margins=margins, spacing=8)
+        column(*above, (self.tabs, 1), into=self, margins=(16, 16, 16, 0), spacing=8)
