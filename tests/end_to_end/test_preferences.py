@@ -95,6 +95,12 @@ def test_recent_files_open_again(window: WindowDriver, tmp_path: Path) -> None:
     assert "no longer there" in window.text("bannerText")
     assert [action.toolTip() for action in recent(window)] == [str(recording)]
 
+    poses = tmp_path / "walk & turn.ppr"
+    poses.write_text("low = [1, 2, 3, 4, 5, 6, 7, 8]\n")
+    window.window.files.recent.add("aracna", "poses", poses)
+    choose_recent(window, "walk && turn")
+    window.wait_for_text("bannerText", "walk & turn.ppr was opened.")
+
     window.connect_to_demo("aracna")
     choose_recent(window, "run.trexrec")
     assert "disconnect, then open it again" in window.text("bannerText")

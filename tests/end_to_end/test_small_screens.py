@@ -156,8 +156,7 @@ def check_other_dialogs(window: WindowDriver, screen: QRect) -> None:
 
 def test_windows_of_aracna_fit(screen: QRect, window: WindowDriver) -> None:
     window.program.device_manager.switch_to("aracna", lambda: None)
-    window.window.files.recent.add("aracna", "poses", Path("/robot/walk.ppr"))
-    window.wait(lambda: window.has("aracna_startRecent"))
+    window.wait_for_files()
     check_window(window.window, screen, window.button("aracnaStopButton"))
     window.connect_to_demo("aracna")
     check_pages(window, screen, "aracnaStopButton", "aracnaDemoPanel")

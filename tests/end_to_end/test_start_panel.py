@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, contextmanager
-from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QRect
@@ -87,31 +86,6 @@ def test_port_that_is_plugged_in_is_offered_and_connected(
     assert button.sizeHint().width() < panel.width() / 2
     button.click()
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
-
-
-def test_recent_files_are_offered_and_open(window: WindowDriver, tmp_path: Path) -> None:
-    recent = window.window.files.recent
-    group = window.find(QWidget, "startFiles")
-    poses = tmp_path / "walk & turn.ppr"
-    poses.write_text("low = [1, 2, 3, 4, 5, 6, 7, 8]\n")
-    for number in range(6):
-        recent.add("trex", "settings", tmp_path / f"{number}.txt")
-    recent.add("aracna", "poses", poses)
-
-    def shown() -> dict[str, QPushButton]:
-        buttons = group.findChildren(QPushButton)
-        recent = [one for one in buttons if one.objectName() == "startRecent" and one.isVisible()]
-        return {Path(one.toolTip()).name: one for one in recent}
-
-    window.wait(shown)
-    assert list(shown()) == ["walk & turn.ppr", "5.txt", "4.txt"]
-    assert shown()["walk & turn.ppr"].text().startswith("walk && turn.ppr")
-
-    shown()["5.txt"].click()
-    window.wait_for_text("bannerText", "5.txt is no longer there")
-    window.wait(lambda: "3.txt" in shown())
-    shown()["walk & turn.ppr"].click()
-    window.wait_for_text("bannerText", "walk & turn.ppr was opened.")
 
 
 @pytest.mark.usefixtures("computer")

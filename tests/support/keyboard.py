@@ -77,9 +77,7 @@ _INSIDE_WITHOUT_LETTER = (
 _NAMED_WITHOUT_LETTER = {
     "lineButton",  # in a menu with a letter
     "aracna_startPort",  # one for each port
-    "aracna_startRecent",  # one for each file
     "startPort",
-    "startRecent",
     "stopRecordingButton",  # over every page, and in a menu
 }
 

@@ -19,9 +19,7 @@ from trex_gui.ui.theme.theme import set_look, set_text_color
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import ElidedLabel, Muted, PageHead
 
-_WIDEST_BUTTON = 26  # characters
 _MOST_PORTS = 4
-_MOST_FILES = 3
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,27 +99,20 @@ class StartPanel(QWidget):
             button.setToolTip(ui.plain(text))
             ui.column(Muted(text, card), (button, 0, Qt.AlignmentFlag.AlignLeft), into=card)
 
-        recent = ui.named(ui.Card(title_of(tr("&Files:")), self), f"{prefix}startFiles")
-        self._files = [ui.button(recent, f"{prefix}startRecent") for _ in range(_MOST_FILES)]
-        for at, button in enumerate(self._files):
-            button.clicked.connect(partial(self._on_file_clicked, at))
+        files = ui.named(ui.Card(title_of(tr("&Files:")), self), f"{prefix}startFiles")
         opening = [
-            ui.button(
-                recent, f"{prefix}start_{key}", text, on_click=partial(workspace.trigger, key)
-            )
+            ui.button(files, f"{prefix}start_{key}", text, on_click=partial(workspace.trigger, key))
             for key, text in texts.files
         ]
-        for button in (*self._files, *opening):
+        for button in opening:
             set_look(button, "link")
-        ui.row(*self._files, *opening, 1, into=recent)
+        ui.row(*opening, 1, into=files)
         right = ui.column((plugged, 1), silent, other, margins=0, spacing=12)
         top = ui.row((wirings, 2), (right, 1), margins=0, spacing=16)
-        ui.column(head, (top, 1), recent, into=self, margins=0, spacing=12)
+        ui.column(head, (top, 1), files, into=self, margins=0, spacing=12)
         frame.connection.connecting.connect(self._on_connecting)
         frame.ports.changed.connect(self._on_ports_changed)
-        frame.files.recent.changed.connect(self._on_recent_changed)
         self._on_ports_changed()
-        self._on_recent_changed()
 
     def _wirings(self, ways: Sequence[StartWay]) -> QWidget:
         """Return a card with the drawing of each way, and buttons to select one of several."""
@@ -170,16 +161,6 @@ class StartPanel(QWidget):
                 row.show_port(port, is_preferred=port == preferred)
 
     @Slot()
-    def _on_recent_changed(self) -> None:
-        metrics, files = self.fontMetrics(), self._frame.files.recent.entries[:_MOST_FILES]
-        room, end = metrics.averageCharWidth() * _WIDEST_BUTTON, Qt.TextElideMode.ElideRight
-        for button, file in zip_longest(self._files, files):
-            button.setVisible(file is not None)
-            if file is not None:
-                button.setText(ui.no_mnemonic(metrics.elidedText(file.path.name, end, room)))
-                button.setToolTip(ui.plain(str(file.path)))
-
-    @Slot()
     def _on_connecting(self) -> None:
         """Focus the places, because Qt gives the focus of a hidden page to any other widget."""
         focused = self._frame.focusWidget()
@@ -191,6 +172,3 @@ class StartPanel(QWidget):
         port, ports = self._ports[at], self._frame.ports
         is_known = port.device != ports.plugins[0].key
         self._frame.connection.connect_to(port if is_known else ports.lead_to(port, self._device))
-
-    def _on_file_clicked(self, at: int) -> None:
-        self._frame.files.open_recent(self._frame.files.recent.entries[at])
