@@ -191,6 +191,14 @@ def no_ports(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture
+def computer(monkeypatch: pytest.MonkeyPatch) -> list[ListPortInfo]:
+    """The serial ports that this computer is taken to have. Ask for it before the window."""
+    present: list[ListPortInfo] = []
+    monkeypatch.setattr(list_ports, "comports", lambda: list(present))
+    return present
+
+
+@pytest.fixture
 def board() -> Board:
     return Board()
 

@@ -18,14 +18,6 @@ from trex_gui.ui.frame.wiring_sketch import WiringSketch
 from trex_gui.ui.theme.theme import theme
 
 
-@pytest.fixture
-def computer(monkeypatch: pytest.MonkeyPatch) -> list[ListPortInfo]:
-    """The serial ports that this computer is taken to have."""
-    present: list[ListPortInfo] = []
-    monkeypatch.setattr("trex_gui.ui.devices.ports.list_ports.comports", lambda: list(present))
-    return present
-
-
 @pytest.mark.usefixtures("computer")
 def test_panel_with_each_wiring_is_shown_while_nothing_is_connected(window: WindowDriver) -> None:
     status = window.open_page("boardPage")

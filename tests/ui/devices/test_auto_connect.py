@@ -18,14 +18,6 @@ from trex_gui.ui.notifier import Remedy
 FACTORY = ConnectionSettings("")
 
 
-@pytest.fixture
-def computer(monkeypatch: pytest.MonkeyPatch) -> list[ListPortInfo]:
-    """The serial ports that this computer is taken to have."""
-    present: list[ListPortInfo] = []
-    monkeypatch.setattr("trex_gui.ui.devices.ports.list_ports.comports", lambda: list(present))
-    return present
-
-
 def adapter(url: str, number: str, socket: str = "1-2") -> ListPortInfo:
     info = ListPortInfo(url, skip_link_detection=True)
     info.vid, info.pid, info.serial_number, info.location = 0x0403, 0x6001, number, socket

@@ -13,14 +13,6 @@ from trex_gui.devices.trex.plugin import TREX
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 
 
-@pytest.fixture
-def computer(monkeypatch: pytest.MonkeyPatch) -> list[ListPortInfo]:
-    """The serial ports that this computer is taken to have."""
-    present: list[ListPortInfo] = []
-    monkeypatch.setattr("trex_gui.ui.devices.ports.list_ports.comports", lambda: list(present))
-    return present
-
-
 def port(device: str, description: str = "n/a") -> ListPortInfo:
     info = ListPortInfo(device, skip_link_detection=True)
     info.description = description

@@ -26,9 +26,7 @@ class DeviceManager(QObject):
     stop_reported = Signal(str)
 
     def __init__(
-        self,
-        makers: Mapping[str, Callable[[], Controller]],
-        scanner: DeviceScanner,
+        self, makers: Mapping[str, Callable[[], Controller]], scanner: DeviceScanner
     ) -> None:
         """Use the first kind of device until another kind is selected.
 

@@ -84,10 +84,7 @@ class DeviceScanner(QObject):
     simulators_changed = Signal()  # `can_search` of the port of a simulated device
 
     def __init__(
-        self,
-        plugins: Sequence[DevicePlugin] = (),
-        *,
-        timeouts: Timeouts | None = None,
+        self, plugins: Sequence[DevicePlugin] = (), *, timeouts: Timeouts | None = None
     ) -> None:
         """Search for these kinds of devices. See `core.discovery.scan` for the order."""
         super().__init__()

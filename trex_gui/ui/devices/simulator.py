@@ -145,10 +145,7 @@ class DemoDevice(QObject, Generic[SnapshotT]):
     rejected = Signal(str)  # why the simulator rejected a control line, for the user
 
     def __init__(
-        self,
-        simulator: Simulator,
-        read: Callable[[str], SnapshotT],
-        parent: QObject | None = None,
+        self, simulator: Simulator, read: Callable[[str], SnapshotT], parent: QObject | None = None
     ) -> None:
         """Operate the device in `simulator`. `read` parses the JSON that `show` reports."""
         super().__init__(parent)

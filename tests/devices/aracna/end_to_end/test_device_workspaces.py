@@ -100,14 +100,6 @@ DEMO_TREX, DEMO_ARACNA = "Demo TReX (no hardware)", "Demo Aracna (no hardware)"
 NONE = "Not connected"
 
 
-@pytest.fixture
-def computer(monkeypatch: pytest.MonkeyPatch) -> list[ListPortInfo]:
-    """Serial ports of this computer; a test plugs adapters in. Ask for it before the window."""
-    ports: list[ListPortInfo] = []
-    monkeypatch.setattr("serial.tools.list_ports.comports", lambda: ports)
-    return ports
-
-
 def choose(window: RobotWindow, label: str) -> None:
     """Choose an entry of the list of ports."""
     combo = window.combo("portCombo")

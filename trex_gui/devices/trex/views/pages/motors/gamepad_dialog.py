@@ -13,13 +13,7 @@ from trex_gui.devices.trex.model.setup.wiring import Side
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.views.robot_view import RobotView
 from trex_gui.gamepad.pads import Pad, PadState
-from trex_gui.gamepad.profile import (
-    WIDEST_DEAD_ZONE,
-    Axis,
-    GamepadProfile,
-    Style,
-    default_profile,
-)
+from trex_gui.gamepad.profile import WIDEST_DEAD_ZONE, Axis, GamepadProfile, Style, default_profile
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.bar import NO_VALUE
 from trex_gui.ui.widgets.behaviour import ReusedDialog
