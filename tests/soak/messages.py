@@ -13,9 +13,8 @@ from tests.devices.trex.serve.test_codec import REQUESTS
 from tests.devices.trex.serve.test_server import CONNECTED, LossyNetwork, ServedDriver
 from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, SetAuxiliary, SetMotor, SetMotors
 from trex_gui.devices.trex.protocol.driving import Drive
-from trex_gui.devices.trex.serve.codec import encode_request
+from trex_gui.devices.trex.serve.codec import Alive, encode_request
 from trex_gui.devices.trex.serve.lease import Party, Role
-from trex_gui.devices.trex.serve.messages import Alive
 from trex_gui.devices.trex.session.messages import AskLease, SendPacket
 
 _MOVES = SetMotor | SetMotors | SetAuxiliary | Arm | Heartbeat

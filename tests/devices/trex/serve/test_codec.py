@@ -50,13 +50,18 @@ from trex_gui.devices.trex.protocol.framing import Malformed
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.raw_packets import RawPacket
 from trex_gui.devices.trex.serve.codec import (
+    Alive,
+    Hello,
+    Leave,
+    Refused,
+    Tick,
+    Welcome,
     decode_report,
     decode_request,
     encode_report,
     encode_request,
     with_head,
 )
-from trex_gui.devices.trex.serve.messages import Alive, Hello, Leave, Refused, Tick, Welcome
 from trex_gui.devices.trex.session.messages import (
     AskLease,
     Batch,

@@ -27,8 +27,7 @@ from trex_gui.devices.trex.cli.users import add_user
 from trex_gui.devices.trex.driving.requests import Arm, SetMotor
 from trex_gui.devices.trex.open_board import MotorsStoppedError
 from trex_gui.devices.trex.protocol.driving import Drive
-from trex_gui.devices.trex.serve.codec import encode_request
-from trex_gui.devices.trex.serve.messages import VERSION, Hello
+from trex_gui.devices.trex.serve.codec import VERSION, Hello, encode_request
 from trex_gui.devices.trex.serve.network import key, open_client
 from trex_gui.devices.trex.serve.robots import Robots, _row_of
 from trex_gui.devices.trex.session.messages import AskLease

@@ -35,9 +35,8 @@ from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.protocol.framing import Framing, Malformed
 from trex_gui.devices.trex.protocol.raw_packets import RawPacket
-from trex_gui.devices.trex.serve.codec import LARGEST_REQUEST, decode_report, encode_request
-from trex_gui.devices.trex.serve.lease import LEASE_TIMEOUT, Party, Role
-from trex_gui.devices.trex.serve.messages import (
+from trex_gui.devices.trex.serve.codec import (
+    LARGEST_REQUEST,
     VERSION,
     Alive,
     Hello,
@@ -45,7 +44,10 @@ from trex_gui.devices.trex.serve.messages import (
     Refused,
     Tick,
     Welcome,
+    decode_report,
+    encode_request,
 )
+from trex_gui.devices.trex.serve.lease import LEASE_TIMEOUT, Party, Role
 from trex_gui.devices.trex.serve.server import MOST_JOBS, MOST_REQUESTS, BoardServer
 from trex_gui.devices.trex.session.messages import (
     AskLease,

@@ -1,4 +1,4 @@
-"""Encoding of requests and reports as bytes.
+"""Messages between server and clients, and their encoding as bytes.
 
 A message is the name of its type and its fields, in MessagePack. Decoding checks the type of each
 field, and accepts only the types in the tables of this module.
@@ -6,7 +6,7 @@ field, and accepts only the types in the tables of this module.
 
 import math
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from enum import Enum, IntEnum, StrEnum
 from functools import cache
 from typing import Any, get_args
@@ -48,10 +48,58 @@ from trex_gui.devices.trex.protocol.flags import Status, UartError, seven_bits
 from trex_gui.devices.trex.protocol.framing import Malformed
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.protocol.raw_packets import RawPacket
-from trex_gui.devices.trex.serve.messages import ClientRequest, ServerReport
-from trex_gui.devices.trex.session.messages import BoardReport, BoardRequest, ProbeProgress, Written
+from trex_gui.devices.trex.session.messages import (
+    BoardReport,
+    BoardRequest,
+    ProbeProgress,
+    ToBoard,
+    Written,
+)
 from trex_gui.devices.trex.session.messages import Report as SessionReport
 from trex_gui.devices.trex.session.messages import Request as SessionRequest
+
+VERSION = 1  # of the messages; a server refuses clients with another version
+
+
+@dataclass(frozen=True, slots=True)
+class Hello:
+    """Request: the first message of a client."""
+
+    version: int
+    program: str  # name and version, for the log
+
+
+@dataclass(frozen=True, slots=True)
+class Alive:
+    """Request: the client still runs."""
+
+
+@dataclass(frozen=True, slots=True)
+class Leave:
+    """Request: the last message of a client."""
+
+
+@dataclass(frozen=True, slots=True)
+class Welcome:
+    """Report: a client was accepted. The newest reports of the session follow."""
+
+    name: str  # of the board, as it is served
+
+
+@dataclass(frozen=True, slots=True)
+class Tick:
+    """Report: nothing else to report, but the server still runs."""
+
+
+@dataclass(frozen=True, slots=True)
+class Refused:
+    """Report: the last message to a client that is not, or no longer, served."""
+
+    reason: str
+
+
+ClientRequest = Hello | Alive | Leave
+ServerReport = Welcome | Tick | Refused
 
 LARGEST_REQUEST = 8192
 """Bytes. A `Write` of every parameter and calibration, with their old values, has 3000."""
@@ -87,6 +135,11 @@ _ERRORS: dict[str, type[Any]] = {
         TrexRequestError,
     )
 }
+
+
+def inner_request(request: Request) -> Request:
+    """Return a request without the number of the board that it is for."""
+    return request.request if isinstance(request, ToBoard) else request
 
 
 def encode_request(request: Request, *head: float) -> bytes:
@@ -140,7 +193,7 @@ def _codec() -> cattrs.Converter:
     for flags in (Status, UartError):
         codec.register_structure_hook(flags, lambda bits, kind: kind(_strict(int)(bits, int)))
     codec.register_unstructure_hook(Model, lambda model: model.key)
-    codec.register_structure_hook(Model, lambda key, _: _model(key))
+    codec.register_structure_hook(Model, lambda key, _: device_table().model(key))
     codec.register_unstructure_hook(LineSettings, lambda line: line.to_wire())
     codec.register_structure_hook(LineSettings, lambda wire, _: LineSettings.from_wire(wire))
     codec.register_unstructure_hook(
@@ -199,8 +252,7 @@ def _settings(url: str, name: str, packed: str, *group: object) -> ConnectionSet
     return replace(ConnectionSettings(url, name=name).unpacked(packed), group=numbers)
 
 
-def _model(key: object) -> Model:
-    return next(model for model in device_table().models if model.key == key)
+_FIELD = str | int | float
 
 
 def _error_form(error: StudioError | None) -> Any:
@@ -213,7 +265,7 @@ def _error_form(error: StudioError | None) -> Any:
     return [kind, code, *map(_field_form, error.fields)]
 
 
-def _field_form(field: object) -> str | int | float:
+def _field_form(field: object) -> _FIELD:
     if isinstance(field, int | float):
         return field
     return " ".join(map(str, field)) if isinstance(field, tuple) else str(field)
@@ -225,15 +277,11 @@ def _error_of(form: Any) -> StudioError | None:
             return None
         case ["Rejected", str(result), str(what)]:
             return Rejected(what, ResultCode[result])
-        case [str(kind), str(code), *fields] if all(map(_is_field, fields)):
+        case [str(kind), str(code), *fields] if all(isinstance(one, _FIELD) for one in fields):
             arguments = [ErrorCode[code], *fields] if code else fields
             error: StudioError = _ERRORS[kind](*arguments)
             return error
     raise ValueError("no error")
-
-
-def _is_field(value: object) -> bool:
-    return isinstance(value, str | int | float)
 
 
 def _outcome_form(outcome: Outcome, codec: cattrs.Converter) -> Any:

@@ -25,8 +25,8 @@ from trex_gui.devices.trex.driving.requests import (
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexInternalError, TrexRequestError
-from trex_gui.devices.trex.serve.codec import decode_report, encode_request
-from trex_gui.devices.trex.serve.messages import (
+from trex_gui.devices.trex.protocol.raw_packets import RawPacket
+from trex_gui.devices.trex.serve.codec import (
     VERSION,
     Alive,
     ClientRequest,
@@ -36,6 +36,9 @@ from trex_gui.devices.trex.serve.messages import (
     ServerReport,
     Tick,
     Welcome,
+    decode_report,
+    encode_request,
+    inner_request,
 )
 from trex_gui.devices.trex.serve.network import ClientLink
 from trex_gui.devices.trex.session.messages import (
@@ -56,7 +59,6 @@ from trex_gui.devices.trex.session.messages import (
     SelectBoard,
     SendPacket,
     SetWatched,
-    ToBoard,
     Traffic,
     Write,
     Written,
@@ -211,7 +213,7 @@ class RemoteSession:
             request = self._inbox.get(0.0)
 
     def _handle(self, request: Request) -> None:
-        match _inner(request):
+        match inner_request(request):
             case Close():
                 raise Closing
             case SetWatched() as watched:
@@ -221,21 +223,17 @@ class RemoteSession:
             case Stop():
                 self._waiting = None
                 self._pass_on(request)
-            case _ if isinstance(request, LeaseRequest) or self._may_pass(request):
+            case SendPacket(packet=RawPacket(is_query=True)):
+                self._pass_on(request)
+            case _ if isinstance(request, LeaseRequest) or self._lease.is_mine:
                 self._pass_on(request)
             case SetMotor() | SetMotors() | SetAuxiliary() if self._waiting is not None:
                 self._waiting.requests.append(request)  # after an `Arm`
             case Arm() | Write() | SelectBoard() | ProbeNumber() | Reload() | SendPacket():
                 self._wait_for_lease(request)
 
-    def _may_pass(self, request: Request) -> bool:
-        inner = _inner(request)
-        if isinstance(inner, SendPacket) and inner.packet.is_query:
-            return True
-        return self._lease.is_mine
-
     def _pass_on(self, request: Request) -> None:
-        inner = _inner(request)
+        inner = inner_request(request)
         if isinstance(inner, Heartbeat):
             request = Heartbeat()
         if isinstance(inner, Stop):
@@ -259,7 +257,7 @@ class RemoteSession:
         waiting, self._waiting = self._waiting, None
         code = ErrorCode.OTHER_DRIVES if self._lease.may_drive else ErrorCode.MAY_NOT_DRIVE
         for request in waiting.requests if waiting else ():
-            if number := getattr(_inner(request), "id", 0):
+            if number := getattr(inner_request(request), "id", 0):
                 self._emit(Outcome(number, error=TrexRequestError(code)))
             elif isinstance(request, Arm):
                 self._emit(MotorsStopped(code, confirmed=True))
@@ -387,8 +385,3 @@ class RemoteSession:
                 self._pass_on(request)
         elif report.driver or not report.may_drive:
             self._reject_waiting()
-
-
-def _inner(request: Request) -> Request:
-    """Return a request without the number of the board that it is for."""
-    return request.request if isinstance(request, ToBoard) else request

@@ -7,10 +7,9 @@ method may be called from any thread. A stop never waits for a client.
 import logging
 import threading
 from collections import Counter, deque
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import count
-from typing import Any, TypeVar
 
 from trex_gui.core.errors import BadRequest, StudioError
 from trex_gui.core.session import Closed, Outcome
@@ -30,22 +29,21 @@ from trex_gui.devices.trex.protocol.framing import Framing
 from trex_gui.devices.trex.protocol.raw_packets import RawPacket, packets_of
 from trex_gui.devices.trex.serve.codec import (
     LARGEST_REQUEST,
-    Report,
-    Request,
-    decode_request,
-    encode_report,
-    with_head,
-)
-from trex_gui.devices.trex.serve.lease import LEASE_TIMEOUT, Lease, Party, Role
-from trex_gui.devices.trex.serve.messages import (
     VERSION,
     Alive,
     Hello,
     Leave,
     Refused,
+    Report,
+    Request,
     Tick,
     Welcome,
+    decode_request,
+    encode_report,
+    inner_request,
+    with_head,
 )
+from trex_gui.devices.trex.serve.lease import LEASE_TIMEOUT, Lease, Party, Role
 from trex_gui.devices.trex.session.messages import (
     AskLease,
     Batch,
@@ -69,8 +67,6 @@ from trex_gui.devices.trex.session.messages import (
 )
 
 log = logging.getLogger(__name__)
-
-NumberedT = TypeVar("NumberedT", bound=Any)
 
 _MOST_WAITING = 32  # client requests that one stop confirms
 MOST_REQUESTS = 600  # of a user in a second: a window that drives sends some 120
@@ -99,9 +95,8 @@ class _Client:
     sent: int = 0
     sent_at: float = 0.0
     watched: SetWatched = _WATCHES
-    jobs: deque[Job | ToBoard] = field(
-        default_factory=deque
-    )  # that wait until the job in flight is done
+    # Jobs that wait until the job in flight is done
+    jobs: deque[Job | ToBoard] = field(default_factory=deque)
     in_flight: int = 0  # id of the job that the session has; 0 without a job
 
 
@@ -152,7 +147,7 @@ class BoardServer:
             if self.lease.seconds_left(now) <= 0 and self.lease.holder is not None:
                 log.warning("no heartbeat of %s: the motors are stopped", self.lease.holder.user)
                 self._end_lease(self.lease.holder)
-            for client in list(self._clients.values()):
+            for client in self._all:
                 if now - client.heard_at > _CLIENT_TIMEOUT:
                     self._remove(client)
                 elif now - client.sent_at >= _TICK_INTERVAL:
@@ -181,14 +176,14 @@ class BoardServer:
             if isinstance(request, Hello):
                 self._welcome(party, request, counter, sent, now)
                 return
-            client = self._clients.get(party)
+            client, inner = self._clients.get(party), inner_request(request)
             if client is None:
                 self._refuse("unknown client")
             elif counter <= (client.stopped if isinstance(request, Stop) else client.counter):
                 self._refuse("replayed")
-            elif counter < client.stopped and isinstance(_inner(request), _STALE | Heartbeat):
+            elif counter < client.stopped and isinstance(inner, _STALE | Heartbeat):
                 self._refuse("overtaken by a stop")
-            elif isinstance(request, ToBoard) and isinstance(request.request, Arm | Heartbeat):
+            elif isinstance(request, ToBoard) and isinstance(inner, Arm | Heartbeat):
                 self._refuse("malformed")
             else:
                 client.heard_at, client.echo = now, sent - now
@@ -215,7 +210,7 @@ class BoardServer:
     @property
     def shows_traffic(self) -> bool:
         """True if any client shows the bytes on the line."""
-        return any(client.watched.traffic for client in list(self._clients.values()))
+        return any(client.watched.traffic for client in self._all)
 
     @property
     def parties(self) -> set[Party]:
@@ -225,8 +220,7 @@ class BoardServer:
 
     @property
     def users(self) -> tuple[str, ...]:
-        """The users of the clients."""
-        return tuple(client.party.user for client in list(self._clients.values()))
+        return tuple(client.party.user for client in self._all)
 
     def floods(self, user: str) -> bool:
         """Count a request. True if its user sends too many to decode, which would delay all."""
@@ -361,13 +355,13 @@ class BoardServer:
         """Request a client's next job if none is in flight. Queued jobs end with its lease."""
         if client.jobs and not client.in_flight:
             request = client.jobs.popleft()
-            job = request.request if isinstance(request, ToBoard) else request
+            job = inner_request(request)
             assert isinstance(job, Job)  # noqa: S101 - nothing else is queued
             if isinstance(job, SendPacket) and job.packet.moves:
                 self._pending_stop = 0
             client.in_flight = own = next(self._ids)
             self._outcomes[own] = [(client.party, job.id)]
-            job = _numbered(job, own)
+            job = replace(job, id=own)
             self._request(replace(request, request=job) if isinstance(request, ToBoard) else job)
 
     def _drop_jobs(self, party: Party) -> None:
@@ -375,7 +369,7 @@ class BoardServer:
         if (client := self._clients.get(party)) is not None:
             jobs, client.jobs = client.jobs, deque()
             for job in jobs:
-                self._reject(client, job.request if isinstance(job, ToBoard) else job)
+                self._reject(client, inner_request(job))
 
     def _change(self, change: Callable[[], bool]) -> None:
         """Change the lease. Stop the motors of the old driver before the new driver may arm."""
@@ -422,10 +416,10 @@ class BoardServer:
         if number:
             may_drive = client.party.role >= Role.DRIVE
             code = ErrorCode.OTHER_DRIVES if may_drive else ErrorCode.MAY_NOT_DRIVE
-            outcome = Outcome(number, error=TrexRequestError(code))
-            self._post(client, encode_report(outcome), client.heard_at)
+            report: Report = Outcome(number, error=TrexRequestError(code))
         else:
-            self._post(client, encode_report(self._lease_for(client)), client.heard_at)
+            report = self._lease_for(client)
+        self._post(client, encode_report(report), client.heard_at)
 
     def _cut(self, packet: RawPacket) -> RawPacket:
         """Parse a packet for this line. Return it unchanged if it is not exactly one packet."""
@@ -502,7 +496,7 @@ class BoardServer:
             self._report_written(outcome.value, [party for party, _ in waiting], board)
         for party, number in waiting[:_MOST_WAITING]:
             if client := self._clients.get(party):
-                own = _numbered(outcome, number)
+                own = replace(outcome, id=number)
                 report = own if board is None else OfBoard(board, own)
                 self._post(client, encode_report(report), now)
         for client in self._clients.values():
@@ -549,9 +543,9 @@ class BoardServer:
     def _lease_state(self) -> tuple[object, ...]:
         return self.lease.holder, self.lease.number, tuple(self.lease.waiting)
 
-    def _report_lease(self, only: Iterable[_Client] = ()) -> None:
+    def _report_lease(self, only: Sequence[_Client] = ()) -> None:
         now = self._clock()
-        for client in list(only or self._clients.values()):
+        for client in only or self._all:
             self._post(client, encode_report(self._lease_for(client)), now)
 
     @property
@@ -575,15 +569,6 @@ def _is_for(report: Report, watched: SetWatched) -> bool:
     if isinstance(report, Traffic):
         return watched.traffic
     return watched.watched or not isinstance(report, Batch)
-
-
-def _inner(request: Request) -> Request:
-    """Return a request without the number of the board that it is for."""
-    return request.request if isinstance(request, ToBoard) else request
-
-
-def _numbered(message: NumberedT, number: int) -> NumberedT:
-    return replace(message, id=number)
 
 
 def _speed(setpoint: Setpoint) -> int:

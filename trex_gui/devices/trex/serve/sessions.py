@@ -1,11 +1,10 @@
 """Session of a board on a line of this computer, or on a server."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Protocol
 
 from trex_gui.core.errors import PortUnavailable
-from trex_gui.core.session import Closed, Inbox
+from trex_gui.core.session import Inbox
 from trex_gui.core.translation import tr, tr_noop
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.urls import is_served
@@ -22,12 +21,8 @@ class BoardSession(Protocol):
     def run(self) -> None: ...
 
 
-@dataclass(frozen=True, slots=True)
-class _Unavailable:
-    _emit: Callable[[Report], None]
-
-    def run(self) -> None:
-        self._emit(Closed(PortUnavailable(tr(NEEDS_EXTRA))))
+def _refuse(_settings: ConnectionSettings) -> Transport:
+    raise PortUnavailable(tr(NEEDS_EXTRA))
 
 
 def session_at(
@@ -47,5 +42,5 @@ def session_at(
             RemoteSession,
         )
     except ImportError:
-        return _Unavailable(emit)
+        return TrexSession(settings, inbox, emit, _refuse, may_move=may_move)
     return RemoteSession(settings, inbox, emit, clock, may_move=may_move)
