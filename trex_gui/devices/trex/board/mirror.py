@@ -9,8 +9,7 @@ from operator import or_
 from trex_gui.core.events import Event, EventKind
 from trex_gui.core.session import Closed, Outcome
 from trex_gui.core.translation import Number, tr
-from trex_gui.devices.trex.board.errors import ErrorCounts
-from trex_gui.devices.trex.board.events import StatusEvents, read_event
+from trex_gui.devices.trex.board.errors import ErrorCounts, StatusEvents, read_event
 from trex_gui.devices.trex.board.memory import BoardMemory
 from trex_gui.devices.trex.board.quality import ConnectionQuality, SpikeFilter
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve

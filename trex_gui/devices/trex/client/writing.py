@@ -332,11 +332,6 @@ class _Work:
                     break
         return last, keys
 
-    def _record_stored(self, key: str) -> None:
-        """Read the stored value after a write that could not be verified."""
-        with contextlib.suppress(*_FAILURES):
-            self.stored(WriteResult(key, self._stored(key)))
-
     def _stored(self, key: str) -> int | Calibration:
         if isinstance(key, CalibrationKey):
             return agreed(self._request, GetCalibration(key.channel), has_crc=self.has_crc)
@@ -412,7 +407,8 @@ class _Work:
                 self.fatal_error = _if_fatal(error)
                 self.unknown.add(key)
                 if isinstance(error, TrexError) and error.code in _NOT_VERIFIED:
-                    self._record_stored(key)
+                    with contextlib.suppress(*_FAILURES):
+                        self.stored(WriteResult(key, self._stored(key)))
             else:
                 self.stored(result)
             if self._sent > 1 or (self._sent and result.error is not None):

@@ -238,14 +238,26 @@ class MotorDriver:
         self.output.report(MotorsStopped(ErrorCode.NO_HEARTBEAT, confirmed))
 
     def serve(self) -> bool:
-        """Send setpoints if they are due. Return whether the line was used.
+        """Send, repeat or refresh setpoints if they are due. Return whether the line was used.
 
         Raises:
             NoReply, BadReply: the echo of a setpoint is corrupted. The setpoint is sent again.
         """
         if self.seconds_to_drive() > 0:
             return False
-        self._drive()
+        setpoints = self.output.pop_setpoints(self._now())
+        if not setpoints:
+            self._refresh()
+            return True
+        try:
+            for command in packets(setpoints):
+                self.client.request(command)
+        except BadRequest as error:
+            self.output.retry.clear()
+            log.warning("an invalid setpoint was dropped: %s", error)
+        except (NoReply, BadReply):
+            self.output.setpoints.put_back(setpoints)
+            raise
         return True
 
     def seconds_to_next(self) -> float:
@@ -270,22 +282,6 @@ class MotorDriver:
         """True if queries that one damaged bit turns into a motor command are left out."""
         return (self.output.may_move or self.output.is_armed) and not self._is_quiet()
 
-    def _drive(self) -> None:
-        """Send the newest setpoints, repeat unconfirmed setpoints, or refresh all."""
-        setpoints = self.output.pop_setpoints(self._now())
-        if not setpoints:
-            self._refresh()
-            return
-        try:
-            for command in packets(setpoints):
-                self.client.request(command)
-        except BadRequest as error:
-            self.output.retry.clear()
-            log.warning("an invalid setpoint was dropped: %s", error)
-        except (NoReply, BadReply):
-            self.output.setpoints.put_back(setpoints)
-            raise
-
     def _refresh(self, *, is_waiting: bool = False) -> None:
         """Send every setpoint again: speeds only if the board has not stopped its motors."""
         refresh = self.output.refresh
@@ -302,9 +298,7 @@ class MotorDriver:
             self._take_statuses([latched] if latched else [])
             self.output.record_status(latched, stops_on_error=True)
             if not latched.is_whole:
-                refresh.record_sent(
-                    self._now()
-                )  # else a refresh is due at once, and polls never have a turn
+                refresh.record_sent(self._now())  # else it is due at once, before any poll
                 return
         for command in refresh.speeds():
             self.client.send(command)

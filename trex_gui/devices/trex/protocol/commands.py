@@ -56,14 +56,12 @@ class Command(ABC, Generic[ReplyT_co]):
         return b""
 
     @classmethod
-    def from_packet(cls, opcode: int, data: bytes) -> Self:
+    def from_packet(cls, _opcode: int, _data: bytes, /) -> Self:
         """Decode a command from its packet. BadRequest if the data does not fit the command."""
-        del opcode, data
         return cls()
 
-    def reply_size(self, head: bytes = b"") -> int:
-        """Return the length of the reply in bytes, judging by its `head`. 0: no reply."""
-        del head
+    def reply_size(self, _head: bytes = b"", /) -> int:
+        """Return the length of a reply in bytes, judging by its first bytes. 0: no reply."""
         return self.fixed_reply
 
     @abstractmethod
@@ -108,7 +106,7 @@ class GetSignature(Command[Signature]):
 
     opcodes = (0x81,)
 
-    def reply_size(self, head: bytes = b"") -> int:
+    def reply_size(self, head: bytes = b"", /) -> int:
         """Return 7, or 9 once the two bytes after `TReX` identify a TReX Jr."""
         models = device_table().models
         known = (model.signature_size for model in models if head.startswith(model.signature))
@@ -192,8 +190,7 @@ class _ChannelQuery(Command[ReplyT_co]):
         return bytes([self.mask])
 
     @classmethod
-    def from_packet(cls, opcode: int, data: bytes) -> Self:
-        del opcode
+    def from_packet(cls, _opcode: int, data: bytes, /) -> Self:
         command = cls(data[0])
         command.data()
         return command
@@ -203,8 +200,7 @@ class _ChannelQuery(Command[ReplyT_co]):
         """The requested channels, lowest first: the order of the reply."""
         return channels_in(self.mask)
 
-    def reply_size(self, head: bytes = b"") -> int:
-        del head
+    def reply_size(self, _head: bytes = b"", /) -> int:
         return self.reply_of_channel * len(self.channels)
 
 
@@ -252,8 +248,7 @@ class GetCurrent(Command[int]):
         return self.opcodes[_motor_index(self.motor)]
 
     @classmethod
-    def from_packet(cls, opcode: int, data: bytes) -> Self:
-        del data
+    def from_packet(cls, opcode: int, _data: bytes, /) -> Self:
         return cls(cls.opcodes.index(opcode) + 1)
 
     def parse(self, reply: bytes) -> int:
@@ -279,8 +274,7 @@ class GetCalibration(_ChannelCommand[Calibration]):
     fixed_reply = 8
 
     @classmethod
-    def from_packet(cls, opcode: int, data: bytes) -> Self:
-        del data
+    def from_packet(cls, opcode: int, _data: bytes, /) -> Self:
         return cls(opcode - cls.opcodes[0] + 1)
 
     def parse(self, reply: bytes) -> Calibration:
@@ -314,8 +308,7 @@ class GetParameter(Command[int]):
         return bytes([seven_bits(self.number, tr("parameter number"))])
 
     @classmethod
-    def from_packet(cls, opcode: int, data: bytes) -> Self:
-        del opcode
+    def from_packet(cls, _opcode: int, data: bytes, /) -> Self:
         return cls(data[0])
 
     def parse(self, reply: bytes) -> int:
@@ -358,7 +351,7 @@ class SetCalibration(_ChannelCommand[ResultCode]):
         return self.calibration.encode() + FORMAT_BYTES
 
     @classmethod
-    def from_packet(cls, opcode: int, data: bytes) -> Self:
+    def from_packet(cls, opcode: int, data: bytes, /) -> Self:
         calibration = Calibration.from_data(_without_format_bytes(data))
         return cls(opcode - cls.opcodes[0] + 1, calibration)
 
@@ -380,14 +373,11 @@ class SetParameter(Command[ResultCode]):
 
     def data(self) -> bytes:
         number = seven_bits(self.number, tr("parameter number"))
-        value = seven_bits(self.value, tr("parameter value"))
-        return bytes([number, value]) + FORMAT_BYTES
+        return bytes([number, seven_bits(self.value, tr("parameter value"))]) + FORMAT_BYTES
 
     @classmethod
-    def from_packet(cls, opcode: int, data: bytes) -> Self:
-        del opcode
-        number, value = _without_format_bytes(data)
-        return cls(number, value)
+    def from_packet(cls, _opcode: int, data: bytes, /) -> Self:
+        return cls(*_without_format_bytes(data))
 
     def parse(self, reply: bytes) -> ResultCode:
         return _result(reply)
@@ -427,7 +417,7 @@ class DriveMotor(_MotorCommand):
         return bytes([seven_bits(self.drive.speed, "speed")])
 
     @classmethod
-    def from_packet(cls, opcode: int, data: bytes) -> Self:
+    def from_packet(cls, opcode: int, data: bytes, /) -> Self:
         drive = Drive(Direction(opcode & 0b11), data[0])
         return cls((opcode >> 3 & 1) + 1, drive, bool(opcode & 0b100))
 
@@ -456,10 +446,9 @@ class DriveBoth(_MotorCommand):
         return bytes(seven_bits(drive.speed, "speed") for drive in (self.motor1, self.motor2))
 
     @classmethod
-    def from_packet(cls, opcode: int, data: bytes) -> Self:
-        motor1 = Drive(Direction(opcode & 0b11), data[0])
+    def from_packet(cls, opcode: int, data: bytes, /) -> Self:
         motor2 = Drive(Direction(opcode >> 2 & 0b11), data[1])
-        return cls(motor1, motor2, opcode >= 0xE0)
+        return cls(Drive(Direction(opcode & 0b11), data[0]), motor2, opcode >= 0xE0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -480,7 +469,7 @@ class DriveAuxiliary(_MotorCommand):
         return bytes([seven_bits(self.speed, tr("speed of the auxiliary motor"))])
 
     @classmethod
-    def from_packet(cls, opcode: int, data: bytes) -> Self:
+    def from_packet(cls, opcode: int, data: bytes, /) -> Self:
         return cls(data[0], opcode == cls.opcodes[1])
 
 

@@ -88,8 +88,10 @@ class DeviceTable:
         raise BadRequest(tr("the models are {0}, not {1!r}").format(known, key))
 
 
-def read_table(text: str) -> DeviceTable:
-    data = tomllib.loads(text)
+@cache
+def device_table() -> DeviceTable:
+    """Return the table that is shipped with the program. It is read only once."""
+    data = tomllib.loads(resource("trex_parameters.toml").read_text(encoding="utf-8"))
     models = tuple(
         Model(
             key=key,
@@ -119,12 +121,6 @@ def read_table(text: str) -> DeviceTable:
         ),
         rows=tuple(data["parameter"]),
     )
-
-
-@cache
-def device_table() -> DeviceTable:
-    """Return the table that is shipped with the program. It is read only once."""
-    return read_table(resource("trex_parameters.toml").read_text(encoding="utf-8"))
 
 
 @cache

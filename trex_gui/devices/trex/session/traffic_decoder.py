@@ -15,12 +15,11 @@ from trex_gui.devices.trex.protocol.framing import (
     Malformed,
     NeedData,
     Packet,
-    PacketParser,
     Reply,
     ReplyParser,
 )
 from trex_gui.devices.trex.protocol.parameters import parameter_number
-from trex_gui.devices.trex.protocol.raw_packets import RawPacket, may_move
+from trex_gui.devices.trex.protocol.raw_packets import may_move, packets_of
 from trex_gui.devices.trex.session.polling import SAFETY_PARAMETERS
 
 _POLLED = frozenset(range(0x82, 0x90)) | {0xFF}
@@ -92,8 +91,8 @@ class TrexDecoder(Decoder):
         if not transaction.sent:
             return tr("unsolicited bytes")
         packets = _packets(transaction.sent, _polynomial(transaction.settings))
-        said = "; ".join(RawPacket(packet).words(self.board) for packet in packets)
-        packet = packets[-1]
+        said = "; ".join(packet.words(self.board) for packet in packets)
+        packet = packets[-1].packet
         if isinstance(packet, Malformed):
             return said
         match _reply(packet, transaction):
@@ -115,10 +114,7 @@ class TrexDecoder(Decoder):
         return f"{said} → {fault}"
 
 
-@lru_cache(maxsize=256)  # polls repeat the same few packets
-def _packets(sent: bytes, polynomial: int | None) -> tuple[Packet | Malformed, ...]:
-    parser = PacketParser(polynomial)
-    return (*parser.feed(sent), *parser.flush())
+_packets = lru_cache(maxsize=256)(packets_of)  # polls repeat the same few packets
 
 
 def last_exchange(
@@ -127,7 +123,7 @@ def last_exchange(
     """Return the last packet that was sent, and its reply. `None` if missing."""
     if not transaction.sent:
         return None, None
-    packet = _packets(transaction.sent, _polynomial(transaction.settings))[-1]
+    packet = _packets(transaction.sent, _polynomial(transaction.settings))[-1].packet
     return packet, None if isinstance(packet, Malformed) else _reply(packet, transaction)
 
 
