@@ -325,9 +325,7 @@ def test_bits_after_a_corrupted_reply_are_doubtful_without_a_crc(watched: Watche
     watched.read(state())
     watched.sample(LatchedStatus(1.0, Status.MOTOR2_FAULT, NO_UART))
     watched.sample(
-        Control(1.0, by_serial=True),
-        LatchedStatus(1.0, Status.MOTOR1_FAULT, NO_UART),
-        corrupted=1,
+        Control(1.0, by_serial=True), LatchedStatus(1.0, Status.MOTOR1_FAULT, NO_UART), corrupted=1
     )
     assert watched.board.errors.entries[0].is_doubtful
     inputs = watched.board.inputs(1.0)

@@ -23,12 +23,7 @@ class MeasuredLine:
     ) -> list[bool | None]:
         """Let time pass with these shares of failures; return each new judgement."""
         judged: list[bool | None] = []
-        shares = {
-            "requests": 1.0,
-            "missing": missing,
-            "corrupted": corrupted,
-            "unsolicited": stray,
-        }
+        shares = {"requests": 1.0, "missing": missing, "corrupted": corrupted, "unsolicited": stray}
         for _ in range(round(seconds * 30)):
             self.time += 1 / 30
             for name, share in shares.items():
@@ -49,8 +44,7 @@ def test_nothing_is_claimed_before_enough_was_measured() -> None:
 
 
 @pytest.mark.parametrize(
-    "failures",
-    [{"missing": 0.026}, {"corrupted": 0.026}, {"missing": 0.016, "corrupted": 0.01}],
+    "failures", [{"missing": 0.026}, {"corrupted": 0.026}, {"missing": 0.016, "corrupted": 0.01}]
 )
 def test_share_of_lost_transactions_is_measured(failures: dict[str, float]) -> None:
     line = MeasuredLine()

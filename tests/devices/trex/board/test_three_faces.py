@@ -148,10 +148,7 @@ def note_by_library(bench: Bench) -> None:
 
 @pytest.mark.parametrize(
     "face",
-    [
-        lambda bench: run_command(bench, "set", "serial_timeout", "7"),
-        note_by_library,
-    ],
+    [lambda bench: run_command(bench, "set", "serial_timeout", "7"), note_by_library],
     ids=["set", "library"],
 )
 def test_faces_without_a_window_know_the_adapter(

@@ -142,9 +142,7 @@ def test_late_reply_during_next_request_is_discarded(stage: Stage) -> None:
     assert client.counters.unsolicited == 1
 
 
-def test_burst_of_late_replies_is_rejected(
-    stage: Stage,
-) -> None:
+def test_burst_of_late_replies_is_rejected(stage: Stage) -> None:
     client = silenced(stage, 3)
     # An adapter that stood still gives all of it back while the next question waits.
     stage.line.timeline.at(

@@ -12,12 +12,7 @@ from trex_gui.devices.trex.client.reading import DeviceState, read_everything
 from trex_gui.devices.trex.client.writing import WriteResult, write_all
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import Command, ReplyT_co, SetParameter
-from trex_gui.devices.trex.protocol.errors import (
-    ErrorCode,
-    OtherBoard,
-    Skipped,
-    TrexNoReplyError,
-)
+from trex_gui.devices.trex.protocol.errors import ErrorCode, OtherBoard, Skipped, TrexNoReplyError
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.simulator.firmware import Board

@@ -217,12 +217,7 @@ class Attempt:
             settings = replace(settings, device_number=device_number)
         self.stage.line.host = settings.line
         client = self.stage.client(settings)
-        self.results = write_all(
-            client.request,
-            case.specs,
-            case.parameters,
-            case.calibrations,
-        )
+        self.results = write_all(client.request, case.specs, case.parameters, case.calibrations)
         return self
 
     def at(self, moment: float, action: Callable[[], None]) -> "Attempt":

@@ -89,8 +89,7 @@ def test_noisy_line_with_crc_yields_no_wrong_value() -> None:
 
 
 @pytest.mark.parametrize(
-    ("readings", "value"),
-    [([5, 5], 5), ([9, 5, 5], 5), ([5, 9, 5, 5], 5), ([9, 8, 5, 5], 5)],
+    ("readings", "value"), [([5, 5], 5), ([9, 5, 5], 5), ([5, 9, 5, 5], 5), ([9, 8, 5, 5], 5)]
 )
 def test_value_counts_when_two_readings_in_a_row_agree(
     stage: Stage, readings: list[int], value: int

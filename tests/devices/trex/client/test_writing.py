@@ -276,9 +276,7 @@ def written_keys(sent: bytes | bytearray) -> list[str]:
     return [spec.key for spec in specs if spec is not None]
 
 
-def test_settings_needing_power_cycle_are_written_last(
-    stage: Stage,
-) -> None:
+def test_settings_needing_power_cycle_are_written_last(stage: Stage) -> None:
     wanted = [(spec.key, stage.board.eeprom[spec.key]) for spec in SPECS.readable]
     wanted.reverse()
     results = write_all(
@@ -438,11 +436,7 @@ def test_other_calibration_that_was_hit_is_restored(stage: Stage, hit: int) -> N
     before = read_everything(stage.client().request)
     divert(stage, b"\xa0", bytes([hit]))
     (result,) = write_all(
-        stage.client().request,
-        SPECS,
-        [],
-        [(CalibrationKey.RC_CHANNEL_1, LEARNED)],
-        before=before,
+        stage.client().request, SPECS, [], [(CalibrationKey.RC_CHANNEL_1, LEARNED)], before=before
     )
     assert result.error is None
     after = read_everything(stage.client().request)

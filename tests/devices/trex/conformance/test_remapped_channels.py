@@ -94,9 +94,7 @@ def test_remapped_values_match_motor_targets(trex: Trex, mix: str, flip: str) ->
     assert trex.show()["aux"]["target_speed"] == third & 0x7F  # "lower six bits", a slip
 
 
-def test_inverted_robot_applies_raw_channel_1_to_motor_2(
-    trex: Trex,
-) -> None:
+def test_inverted_robot_applies_raw_channel_1_to_motor_2(trex: Trex) -> None:
     """CMD10 0x87: "in contrast to the raw value for channel 1"."""
     trex.start("rc")
     trex.connect(c1="2000us", c4="1000us")

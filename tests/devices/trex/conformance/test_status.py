@@ -4,10 +4,7 @@ import pytest
 
 from tests.devices.trex.conformance.trex import Trex
 
-OVER_LIMIT = [
-    pytest.param(1, 0x20, id="bit 5 motor 1"),
-    pytest.param(2, 0x80, id="bit 7 motor 2"),
-]
+OVER_LIMIT = [pytest.param(1, 0x20, id="bit 5 motor 1"), pytest.param(2, 0x80, id="bit 7 motor 2")]
 FAULT = [pytest.param(1, 0x10, id="bit 4 motor 1"), pytest.param(2, 0x40, id="bit 6 motor 2")]
 
 

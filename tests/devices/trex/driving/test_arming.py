@@ -162,9 +162,7 @@ def test_requested_motor_command_never_follows_stop(stage: Stage) -> None:
         assert is_stopped(stage.board)
 
 
-def test_stops_during_confirmation_get_outcome_on_port_loss(
-    stage: Stage,
-) -> None:
+def test_stops_during_confirmation_get_outcome_on_port_loss(stage: Stage) -> None:
     def mute() -> Request:
         stage.line.faults.mute = True
         return Stop(7)

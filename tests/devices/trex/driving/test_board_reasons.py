@@ -145,11 +145,7 @@ def test_reasons_follow_from_what_the_board_reports(
         (BoardInputs(), "on", "with packets"),
         (BoardInputs(mode=Mode.RC), "on", "with packets"),
         (BoardInputs(mode=Mode.RC, by_serial=False), "with packets", "on"),
-        (
-            BoardInputs(mode=Mode.RC, by_serial=False, safe_start=HELD),
-            "with packets",
-            "fast flash",
-        ),
+        (BoardInputs(mode=Mode.RC, by_serial=False, safe_start=HELD), "with packets", "fast flash"),
     ],
 )
 def test_leds_show_who_controls_and_safe_start(board: BoardInputs, red: str, green: str) -> None:

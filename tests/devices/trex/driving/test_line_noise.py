@@ -267,10 +267,7 @@ def test_stop_is_confirmed_when_board_responds_again(stage: Stage) -> None:
     assert isinstance(outcomes(stage.reports)[1].error, NoReply)
     assert not among(stage.reports, NotResponding)
     assert among(stage.reports, MotorsStopped) == [MotorsStopped(None, confirmed=True)]
-    assert set(moving(stage.transport.sent[mark[0] :])) <= {
-        *STOP,
-        *BRAKES,
-    }
+    assert set(moving(stage.transport.sent[mark[0] :])) <= {*STOP, *BRAKES}
     assert is_stopped(stage.board)
 
 

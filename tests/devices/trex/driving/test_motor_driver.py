@@ -11,11 +11,7 @@ from trex_gui.core.errors import NoReply, PortUnavailable
 from trex_gui.core.session import Outcome
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.client.telemetry import StatusReader
-from trex_gui.devices.trex.driving.motor_driver import (
-    DRIVE_INTERVAL,
-    MotorDriver,
-    stop_together,
-)
+from trex_gui.devices.trex.driving.motor_driver import DRIVE_INTERVAL, MotorDriver, stop_together
 from trex_gui.devices.trex.driving.motor_output import Arming, Motion, MotorOutput, OutputEvent
 from trex_gui.devices.trex.driving.requests import (
     Arm,

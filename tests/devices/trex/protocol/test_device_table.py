@@ -43,13 +43,7 @@ def test_baud_rates_are_in_order_of_their_codes() -> None:
 
 @pytest.mark.parametrize(
     ("prescaler", "wire", "hertz"),
-    [
-        (0, 0x3F, 19531),
-        (1, 0x3F, 2441),
-        (2, 0x3F, 610),
-        (3, 0x3F, 153),
-        (3, 0x7F, 76),
-    ],
+    [(0, 0x3F, 19531), (1, 0x3F, 2441), (2, 0x3F, 610), (3, 0x3F, 153), (3, 0x7F, 76)],
 )
 def test_pwm_frequency_follows_prescaler_and_maximum(prescaler: int, wire: int, hertz: int) -> None:
     assert round(device_table().pwm.frequency(prescaler, wire)) == hertz

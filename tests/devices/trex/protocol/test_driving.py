@@ -3,10 +3,7 @@
 import pytest
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.trex.protocol.commands import (
-    STOP,
-    DriveMotor,
-)
+from trex_gui.devices.trex.protocol.commands import STOP, DriveMotor
 from trex_gui.devices.trex.protocol.driving import Direction, Drive
 from trex_gui.devices.trex.protocol.framing import Framing
 

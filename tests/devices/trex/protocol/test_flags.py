@@ -97,11 +97,7 @@ def test_count_converts_to_pulse_width_or_voltage(
 
 @pytest.mark.parametrize(
     ("source", "physical", "count"),
-    [
-        (InputSource.RC, 1500, 3750),
-        (InputSource.ANALOG, 5, 1023),
-        (InputSource.ANALOG, 0, 0),
-    ],
+    [(InputSource.RC, 1500, 3750), (InputSource.ANALOG, 5, 1023), (InputSource.ANALOG, 0, 0)],
 )
 def test_pulse_width_or_voltage_converts_to_count(
     source: InputSource, physical: float, count: int

@@ -3,12 +3,7 @@
 import pytest
 
 from trex_gui.core.errors import describe
-from trex_gui.devices.trex.protocol.errors import (
-    ErrorCode,
-    Rejected,
-    ResultCode,
-    TrexBadReplyError,
-)
+from trex_gui.devices.trex.protocol.errors import ErrorCode, Rejected, ResultCode, TrexBadReplyError
 
 
 def test_every_code_has_a_sentence() -> None:

@@ -42,11 +42,7 @@ from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError
         (GetUartErrors(), "60", UartError.FORMAT | UartError.CRC),
         (GetRawChannels(0x13), "35 0e ff ff 9b 0a", {1: 3637, 2: None, 5: 2715}),
         (GetRawChannels(0x08), "fe ff", {4: 0xFFFE}),
-        (
-            GetRawChannels(),
-            "01 00 02 00 03 00 04 00 05 00",
-            {1: 1, 2: 2, 3: 3, 4: 4, 5: 5},
-        ),
+        (GetRawChannels(), "01 00 02 00 03 00 04 00 05 00", {1: 1, 2: 2, 3: 3, 4: 4, 5: 5}),
         (GetRawChannels(0), "", {}),
         (GetRemappedChannels(), "00 7f ff 01 81", {1: 0, 2: 127, 3: -127, 4: 1, 5: -1}),
         (GetRemappedChannels(0x06), "64 e4", {2: 100, 3: -100}),
@@ -89,13 +85,7 @@ def test_signature_gives_model_and_firmware(
 
 
 @pytest.mark.parametrize(
-    ("head", "size"),
-    [
-        (b"", 7),
-        (b"TReXJ", 7),
-        (b"TReXJr", 9),
-        (b"TReX1.0", 7),
-    ],
+    ("head", "size"), [(b"", 7), (b"TReXJ", 7), (b"TReXJr", 9), (b"TReX1.0", 7)]
 )
 def test_signature_has_nine_bytes_only_for_trex_jr(head: bytes, size: int) -> None:
     assert GetSignature().reply_size(head) == size

@@ -11,13 +11,7 @@ from trex_gui.devices.trex.protocol.commands import (
     GetRawChannels,
     GetSignature,
 )
-from trex_gui.devices.trex.protocol.framing import (
-    Framing,
-    Malformed,
-    NeedData,
-    Reply,
-    ReplyParser,
-)
+from trex_gui.devices.trex.protocol.framing import Framing, Malformed, NeedData, Reply, ReplyParser
 
 
 def test_parser_needs_what_is_missing_of_the_reply() -> None:

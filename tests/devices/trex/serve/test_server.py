@@ -339,11 +339,7 @@ def test_watcher_gets_no_lease(served: ServedDriver) -> None:
 
 @pytest.mark.parametrize(
     "request_",
-    [
-        SetMotor(7, Drive.at(50)),
-        SetMotor(1, Drive(Direction.FORWARD, 128)),
-        SetAuxiliary(-1),
-    ],
+    [SetMotor(7, Drive.at(50)), SetMotor(1, Drive(Direction.FORWARD, 128)), SetAuxiliary(-1)],
 )
 def test_impossible_setpoint_is_refused(served: ServedDriver, request_: object) -> None:
     served.send("alice", AskLease(), request_)

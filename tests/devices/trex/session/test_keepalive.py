@@ -11,12 +11,7 @@ from tests.support.virtual import Stage
 from trex_gui.core.session import Outcome
 from trex_gui.core.transport.serial_port import latency_of
 from trex_gui.devices.trex.client.telemetry import Control, Currents, LatchedStatus, ModeSample, Raw
-from trex_gui.devices.trex.driving.requests import (
-    Arm,
-    Heartbeat,
-    SetMotor,
-    Stop,
-)
+from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, SetMotor, Stop
 from trex_gui.devices.trex.protocol.commands import GetParameter, GetRawChannels
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import UartError
@@ -24,11 +19,7 @@ from trex_gui.devices.trex.protocol.framing import Framing
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_number
 from trex_gui.devices.trex.session.messages import NotResponding, Write
-from trex_gui.devices.trex.session.polling import (
-    silence,
-    survives_a_loss,
-    too_slow,
-)
+from trex_gui.devices.trex.session.polling import silence, survives_a_loss, too_slow
 
 
 def opening(baud: int) -> float:

@@ -66,10 +66,7 @@ class Place(Stage):
     def __init__(self, old: ConnectionSettings = OLD, *, echo: bool = False) -> None:
         number = 7 if old.device_number is None else old.device_number
         board = a_board(
-            number,
-            old.line.to_wire(),
-            crc7_polynomial=old.polynomial & 0x7F,
-            uart_error_shutdown=0,
+            number, old.line.to_wire(), crc7_polynomial=old.polynomial & 0x7F, uart_error_shutdown=0
         )
         super().__init__(board, echo=echo)
         self.old = old
@@ -157,9 +154,7 @@ def test_board_reconnects_on_rs232_side() -> None:
 
 
 @pytest.mark.parametrize(
-    ("expected", "echo"),
-    [((), False), ((replace(OLD, line=CRC),), True)],
-    ids=["here", "anywhere"],
+    ("expected", "echo"), [((), False), ((replace(OLD, line=CRC),), True)], ids=["here", "anywhere"]
 )
 def test_board_reconnects_when_echo_changes(
     expected: tuple[ConnectionSettings, ...], *, echo: bool
@@ -331,9 +326,7 @@ def look(place: Place, seen: list[bool]) -> None:
 
 
 @some_or_all_lines
-def test_stop_retry_at_old_settings_starts_no_motor(
-    lines: list[LineSettings],
-) -> None:
+def test_stop_retry_at_old_settings_starts_no_motor(lines: list[LineSettings]) -> None:
     """Motors were driven, and the stop that is sent again and again is not proved."""
     for line in lines:
         if line.stop_bits == 2 or line == OLD.line:

@@ -23,12 +23,7 @@ from trex_gui.devices.trex.driving.setpoints import SetpointSlots
 from trex_gui.devices.trex.protocol.commands import DriveAuxiliary, DriveBoth, DriveMotor, GetMode
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
-from trex_gui.devices.trex.session.messages import (
-    Reload,
-    Request,
-    SetReconnectCandidates,
-    Write,
-)
+from trex_gui.devices.trex.session.messages import Reload, Request, SetReconnectCandidates, Write
 from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
 from trex_gui.devices.trex.session.request_queue import BoardQueue, TrexRequestQueue
 
@@ -131,10 +126,7 @@ def test_newest_setpoint_wins_with_two_motor_messages() -> None:
     both = SetMotors((SetMotor(1, Drive.at(9)), SetMotor(2, Drive.at(-9))))
     older, newer = SetMotor(2, Drive.at(50)), SetMotor(1, Drive.at(7))
     setpoints = collected(older, both, newer).motors.setpoints.pop()
-    assert setpoints == [
-        newer,
-        SetMotor(2, Drive.at(-9)),
-    ]
+    assert setpoints == [newer, SetMotor(2, Drive.at(-9))]
     assert not collected(both, Stop(1)).motors.setpoints
 
 

@@ -151,9 +151,7 @@ def test_poll_rates_are_met_and_not_exceeded(*, wanted: dict[Topic, float], shar
 
 
 @modest
-@given(
-    times=st.lists(st.floats(0, 10), min_size=1, max_size=30).map(sorted),
-)
+@given(times=st.lists(st.floats(0, 10), min_size=1, max_size=30).map(sorted))
 def test_wait_ends_when_topic_is_due(*, times: list[float]) -> None:
     schedule = Schedule()
     schedule.start(rates(InputSource.RC), 0.0)

@@ -47,9 +47,7 @@ MOVES, RATE = 1_500, 1000  # of a hand, a second: a line carries fifty packets i
 
 
 @pytest.mark.parametrize("baud", [1200, 19200, 115200])
-def test_drag_sends_newest_positions_and_delivers_last_one(
-    baud: int,
-) -> None:
+def test_drag_sends_newest_positions_and_delivers_last_one(baud: int) -> None:
     stage, settings = staged(baud)
     start = 1.0 + 4.0 * 1200 / baud
     for move in range(MOVES):
@@ -207,9 +205,7 @@ def test_stop_on_rs232_side_survives_corrupted_echo(board: Board) -> None:
 # --- Motors that may be moving ----------------------------------------------------------
 
 
-def test_motors_left_running_are_stopped_before_reading(
-    stage: Stage,
-) -> None:
+def test_motors_left_running_are_stopped_before_reading(stage: Stage) -> None:
     stage.board.serial.drive(1, MotorDirection.FORWARD, 100)
     reports = run_for(stage, 1.0, may_move=True)
     sent = commands(stage.transport.sent)

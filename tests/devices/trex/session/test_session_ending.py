@@ -57,11 +57,7 @@ GONE = PortUnavailable("The line is gone. Plug it in again.")
 
 @pytest.mark.parametrize(
     "setpoint",
-    [
-        SetMotor(1, Drive.at(100)),
-        SetMotor(2, Drive.at(-100), accelerate=True),
-        SetAuxiliary(100),
-    ],
+    [SetMotor(1, Drive.at(100)), SetMotor(2, Drive.at(-100), accelerate=True), SetAuxiliary(100)],
     ids=str,
 )
 def test_driven_motors_are_stopped_on_close(stage: Stage, setpoint: Request) -> None:

@@ -21,12 +21,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.devices.trex.protocol.line_settings import Detection
-from trex_gui.devices.trex.session.messages import (
-    Connected,
-    GuardianChanged,
-    NotResponding,
-    Write,
-)
+from trex_gui.devices.trex.session.messages import Connected, GuardianChanged, NotResponding, Write
 
 SETPOINT = SetMotor(1, Drive.at(60))
 
@@ -125,8 +120,7 @@ def test_take_over_is_not_taken_for_a_line_that_corrupts_bytes(stage: Stage) -> 
 
 
 def test_motors_are_stopped_where_nothing_replaces_a_lost_guardian(
-    stage: Stage,
-    monkeypatch: pytest.MonkeyPatch,
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
 
     def lose_guardians() -> None:

@@ -49,9 +49,7 @@ def test_analog_channels_read_zero_until_first_average(analog: Channels) -> None
     assert ticks(analog, 1) == [(512,) * 5]
 
 
-def test_channels_get_first_pulse_at_different_ticks(
-    rc: Channels,
-) -> None:
+def test_channels_get_first_pulse_at_different_ticks(rc: Channels) -> None:
     seen = ticks(rc, PERIOD)
     assert seen[-1] == (3750,) * 5
     firsts = [next(tick for tick, raw in enumerate(seen) if raw[index]) for index in range(5)]

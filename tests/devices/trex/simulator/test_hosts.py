@@ -33,9 +33,7 @@ def requested(url: str, **settings: Any) -> bytes:
 
 
 @needs_pty
-def test_reopened_port_discards_bytes_queued_by_slow_host(
-    start_simulator: Start,
-) -> None:
+def test_reopened_port_discards_bytes_queued_by_slow_host(start_simulator: Start) -> None:
     simulator = start_simulator()
     with serial.Serial(simulator.url, 50) as port:
         port.write(b"\xff" * 200)  # 40 s of bytes

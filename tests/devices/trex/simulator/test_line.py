@@ -323,12 +323,7 @@ def test_drop_unsent_discards_queued_bytes(warm: SimulatedBoards) -> None:
 # --- Seeds ----------------------------------------------------------------------------
 
 
-def heard(
-    seed: int,
-    lines: tuple[str, ...],
-    packet: str,
-    mode: str = "serial",
-) -> bytes:
+def heard(seed: int, lines: tuple[str, ...], packet: str, mode: str = "serial") -> bytes:
     """Ask the same question forty times; return all that came."""
     line = SimulatedBoards([Board(mode=mode, seed=seed)], seed=seed)
     for text in lines:

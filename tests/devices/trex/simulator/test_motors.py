@@ -2,11 +2,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.matrix import examples
-from trex_gui.devices.trex.simulator.motors import (
-    Motor,
-    MotorDirection,
-    MotorSettings,
-)
+from trex_gui.devices.trex.simulator.motors import Motor, MotorDirection, MotorSettings
 
 BRAKE, REVERSE, FORWARD = MotorDirection.BRAKE, MotorDirection.REVERSE, MotorDirection.FORWARD
 
@@ -95,7 +91,7 @@ def test_lower_setpoint_applies_over_current_limit() -> None:
             st.integers(0, 255),
         ),
         max_size=20,
-    ),
+    )
 )
 def test_speed_never_leaves_its_range(
     steps: list[tuple[bool, MotorDirection, int, int, int]],

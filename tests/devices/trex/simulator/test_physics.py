@@ -47,9 +47,7 @@ def physics() -> MotorPhysics:
 
 
 @models
-def test_start_current_falls_from_stall_to_free_current(
-    constants: Constants,
-) -> None:
+def test_start_current_falls_from_stall_to_free_current(constants: Constants) -> None:
     physics = MotorPhysics(constants, 0.01, seed=0)
     currents = []
     for _ in range(round(1 / TICK)):

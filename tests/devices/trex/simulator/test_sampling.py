@@ -13,10 +13,7 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 PLAIN = LineSettings()
 modest = examples(40)
 settings = st.builds(
-    LineSettings,
-    st.sampled_from(baud_rates()),
-    st.sampled_from(Detection),
-    st.sampled_from((1, 2)),
+    LineSettings, st.sampled_from(baud_rates()), st.sampled_from(Detection), st.sampled_from((1, 2))
 )
 
 
@@ -138,12 +135,7 @@ def test_receiver_does_not_wait_for_second_stop_bit() -> None:
 
 
 @modest
-@given(
-    sender=settings,
-    own=settings,
-    data=st.binary(max_size=20),
-    gap=st.floats(0, 3),
-)
+@given(sender=settings, own=settings, data=st.binary(max_size=20), gap=st.floats(0, 3))
 def test_received_bytes_are_valid_and_spaced_in_time(
     sender: LineSettings, own: LineSettings, data: bytes, gap: float
 ) -> None:
