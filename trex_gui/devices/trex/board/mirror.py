@@ -359,7 +359,10 @@ class BoardMirror:
         is_known = before is not None and before.parameters == state.parameters
         is_new = is_other and not (is_known and url == report.settings.url)
         if occasion is ReadReason.SELECTED and before is not None:
-            self._select(f"{url} {_identity(before)}", f"{url} {_identity(state)}", state)
+            left, selected = f"{url} {_identity(before)}", f"{url} {_identity(state)}"
+            self.errors.select(left, selected)
+            self._joint[left] = self.is_joint
+            self.is_joint = self._joint.pop(selected, _is_joint(state))
         elif occasion.power_cycled or (opened and not may_be_same):
             self.is_joint = _is_joint(state)
         if occasion is not ReadReason.RELOADED:
@@ -392,12 +395,6 @@ class BoardMirror:
             is_simulated=bool(report.settings.name),
             adapter=self.adapter,
         )
-
-    def _select(self, before: str, board: str, state: DeviceState) -> None:
-        """Switch to another board on the line, and save the state of the board `before`."""
-        self.errors.select(before, board)
-        self._joint[before] = self.is_joint
-        self.is_joint = self._joint.pop(board, _is_joint(state))
 
     def _handle_batch(self, batch: Batch, now: float, utc: datetime) -> Iterator[BoardEvent]:
         """Handle samples. A stop by the board is yielded before the samples that show it."""

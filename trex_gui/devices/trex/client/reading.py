@@ -279,10 +279,10 @@ def read_everything(
 
     def read_passes() -> DeviceState:
         progress(0, 1, "signature")
-        passes: list[Requester] = [read] if has_crc else [read, read_again]
-        for number, requester in enumerate(passes):
-            state = _read_pass(requester, progress, number, len(passes))
-        return state
+        if has_crc:
+            return _read_pass(read, progress, 0, 1)
+        _read_pass(read, progress, 0, 2)
+        return _read_pass(read_again, progress, 1, 2)
 
     try:
         return read_passes()

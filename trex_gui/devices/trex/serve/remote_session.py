@@ -135,8 +135,7 @@ class RemoteSession:
         self._close()
         for number in self._unanswered - {_LAST_STOP}:
             self._emit(Outcome(number, error=error or NoReply(self._lost_text)))
-        last = self._closed or Closed(error, self._may_move)
-        self._emit(last)
+        self._emit(self._closed or Closed(error, self._may_move))
 
     # --- Beginning and end --------------------------------------------------------------
 
@@ -230,7 +229,10 @@ class RemoteSession:
             case SetMotor() | SetMotors() | SetAuxiliary() if self._waiting is not None:
                 self._waiting.requests.append(request)  # after an `Arm`
             case Arm() | Write() | SelectBoard() | ProbeNumber() | Reload() | SendPacket():
-                self._wait_for_lease(request)
+                if self._waiting is None:
+                    self._waiting = _Waiting([], self._clock() + _ANSWER)
+                    self._send(AskLease())
+                self._waiting.requests.append(request)
 
     def _pass_on(self, request: Request) -> None:
         inner = inner_request(request)
@@ -245,12 +247,6 @@ class RemoteSession:
             self._unanswered.add(number)
         self._may_move = self._may_move or isinstance(inner, SetpointRequest)
         self._send(request)
-
-    def _wait_for_lease(self, request: Request) -> None:
-        if self._waiting is None:
-            self._waiting = _Waiting([], self._clock() + _ANSWER)
-            self._send(AskLease())
-        self._waiting.requests.append(request)
 
     def _reject_waiting(self) -> None:
         """Report that another client drives, or that this client may not drive."""

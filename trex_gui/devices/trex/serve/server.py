@@ -18,7 +18,6 @@ from trex_gui.devices.trex.driving.requests import (
     Heartbeat,
     MotorsStopped,
     SetAuxiliary,
-    Setpoint,
     SetpointRequest,
     Stop,
     packets,
@@ -26,7 +25,7 @@ from trex_gui.devices.trex.driving.requests import (
 )
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError, TrexRequestError
 from trex_gui.devices.trex.protocol.framing import Framing
-from trex_gui.devices.trex.protocol.raw_packets import RawPacket, packets_of
+from trex_gui.devices.trex.protocol.raw_packets import packets_of
 from trex_gui.devices.trex.serve.codec import (
     LARGEST_REQUEST,
     VERSION,
@@ -47,6 +46,7 @@ from trex_gui.devices.trex.serve.lease import LEASE_TIMEOUT, Lease, Party, Role
 from trex_gui.devices.trex.session.messages import (
     AskLease,
     Batch,
+    BoardReport,
     Connected,
     GuardianChanged,
     HandOver,
@@ -129,14 +129,12 @@ class BoardServer:
         self._outcomes: dict[int, list[tuple[Party, int]]] = {}
         self._pending_stop = 0  # id of a stop, until something that may move a motor follows it
         self._seconds: dict[str, tuple[int, int]] = {}  # by user: second, and its requests
-        self._newest: dict[type, Report] = {}  # reports that a new client gets
+        # Reports that a new client gets, by board (`None`: the first) and type
+        self._newest: dict[int | None, dict[type, BoardReport]] = {None: {}}
         self._watched_stops: dict[int, Callable[[Outcome], None]] = {}  # by id
         self._lease_stop = 0  # id of the stop at the end of a lease
-        # Speeds since the last stop, by board (0: the first) and motor; then as last reported
-        self._speeds: dict[int, dict[int, int]] = {}
-        self._reported_speeds: dict[int, SetpointsChanged] = {}
-        self._others: dict[int, Connected | None] = {}  # other boards of the line, by number
-        self._silent: dict[int, NotResponding] = {}  # other boards that do not respond
+        # Speeds since the last stop, by board (`None`: the first) and motor
+        self._speeds: dict[int | None, dict[int, int]] = {}
 
     # --- Time ---------------------------------------------------------------------------
 
@@ -249,14 +247,9 @@ class BoardServer:
         if former is not None:
             self._remove(former)
         self._clients[party] = client
-        news: list[Report] = [
-            Welcome(self.name),
-            self._lease_for(client),
-            *self._newest.values(),
-            *(OfBoard(number, one) for number, one in self._others.items() if one is not None),
-            *(OfBoard(number, one) for number, one in self._silent.items()),
-            *(OfBoard(number, one) for number, one in self._reported_speeds.items() if number),
-        ]
+        news: list[Report] = [Welcome(self.name), self._lease_for(client)]
+        for board, newest in self._newest.items():
+            news += [_of_board(board, one) for one in newest.values()]
         for report in news:
             self._post(client, encode_report(report), now)
         self._update_watched()
@@ -303,13 +296,14 @@ class BoardServer:
     ) -> None:
         """Handle a request for a board. `number` selects among several, `None` is the first."""
         if isinstance(request, ToBoard):
-            if request.number in self._others or request.number in self._first:
+            if request.number in self._newest or request.number == self._first:
                 self._serve_board(client, request.request, age, request.number)
             else:
                 self._reject(client, request.request)
             return
-        if isinstance(request, SendPacket):
-            request = SendPacket(request.id, self._cut(request.packet))
+        if isinstance(request, SendPacket):  # parsed for this line, if it is exactly one packet
+            cut = packets_of(request.packet.packet.raw, self.polynomial)
+            request = SendPacket(request.id, cut[0] if len(cut) == 1 else request.packet)
         if not self._may_send(client, request):
             self._reject(client, request)
         elif isinstance(request, Job):
@@ -323,20 +317,22 @@ class BoardServer:
             self._request(Heartbeat())  # in the time of this computer
         elif number is not None and isinstance(request, SetpointRequest):
             self._pending_stop = 0
-            self._record_speeds(0 if number in self._first else number, request)
+            self._record_speeds(None if number == self._first else number, request)
             self._request(ToBoard(number, request))
         else:
             self._forward(client, request)
 
-    def _record_speeds(self, board: int, request: SetpointRequest) -> None:
-        speeds = {one.motor: _speed(one) for one in setpoints_in(request)}
-        self._speeds.setdefault(board, {}).update(speeds)
+    def _record_speeds(self, board: int | None, request: SetpointRequest) -> None:
+        for one in setpoints_in(request):
+            speed = one.speed if isinstance(one, SetAuxiliary) else one.drive.signed
+            self._speeds.setdefault(board, {})[one.motor] = speed
 
     @property
-    def _first(self) -> tuple[int, ...]:
-        """The number of the first of several boards. Empty for a single board."""
-        connected = self._newest.get(Connected)
-        return connected.settings.group[:1] if isinstance(connected, Connected) else ()
+    def _first(self) -> int | None:
+        """The number of the first of several boards. `None` for a single board."""
+        connected = self._newest[None].get(Connected)
+        group = connected.settings.group if isinstance(connected, Connected) else ()
+        return group[0] if group else None
 
     def _may_send(self, client: _Client, request: Request) -> bool:
         if isinstance(request, Stop):
@@ -399,7 +395,7 @@ class BoardServer:
         if not isinstance(request, Stop):
             self._pending_stop = 0
             if isinstance(request, SetpointRequest):
-                self._record_speeds(0, request)
+                self._record_speeds(None, request)
             self._request(request)
             return
         self._speeds.clear()
@@ -420,11 +416,6 @@ class BoardServer:
         else:
             report = self._lease_for(client)
         self._post(client, encode_report(report), client.heard_at)
-
-    def _cut(self, packet: RawPacket) -> RawPacket:
-        """Parse a packet for this line. Return it unchanged if it is not exactly one packet."""
-        cut = packets_of(packet.packet.raw, self.polynomial)
-        return cut[0] if len(cut) == 1 else packet
 
     def _update_watched(self) -> None:
         self._request(SetWatched(any(client.watched.watched for client in self._clients.values())))
@@ -448,29 +439,32 @@ class BoardServer:
                 case OfBoard(number=number, report=Outcome() as outcome):
                     self._report_outcome(outcome, now, number)
                     return
-                case OfBoard(number=number, report=Connected() as board):
-                    self._others[number] = replace(board, occasion=ReadReason.OPENED)
-                    self._silent.pop(number, None)
-                case OfBoard(number=number, report=NotResponding() as silence):
-                    self._silent[number] = silence
-                case Connected():
-                    self.polynomial = report.settings.framing.polynomial
-                    first = replace(report, occasion=ReadReason.OPENED)
-                    lasting = {GuardianChanged, SetpointsChanged} & self._newest.keys()
-                    kept = {kind: self._newest[kind] for kind in lasting}
-                    self._newest = {Connected: first, **kept}
-                    others = report.settings.group[1:]
-                    self._others = {one: self._others.get(one) for one in others}
-                case GuardianChanged() | NotResponding() | SetpointsChanged():
-                    self._newest[type(report)] = report
                 case MotorsStopped() | OfBoard(report=MotorsStopped()):
                     self._speeds.clear()
                 case Batch():
                     self._report_setpoints()
                 case Closed():
-                    self._newest, self._others = {Closed: report}, {}
-                    self._silent, self._reported_speeds = {}, {}
+                    self._newest = {None: {Closed: report}}
+                case OfBoard(number=number, report=state):
+                    self._record_state(number, state)
+                case Connected() | GuardianChanged() | NotResponding() | SetpointsChanged():
+                    self._record_state(None, report)
             self._post_all(report, (one for one in self._all if _is_for(report, one.watched)))
+
+    def _record_state(self, board: int | None, report: BoardReport) -> None:
+        """Record a report for clients that connect later, if it describes the present state."""
+        newest = self._newest.setdefault(board, {})
+        match report:
+            case Connected():
+                lasting = {GuardianChanged, SetpointsChanged} & newest.keys()
+                opened = replace(report, occasion=ReadReason.OPENED)
+                self._newest[board] = {Connected: opened, **{one: newest[one] for one in lasting}}
+                if board is None:
+                    self.polynomial = report.settings.framing.polynomial
+                    boards = (None, *report.settings.group[1:])
+                    self._newest = {one: self._newest.get(one, {}) for one in boards}
+            case GuardianChanged() | NotResponding() | SetpointsChanged():
+                newest[type(report)] = report
 
     def _report_lease_stop(self, *, confirmed: bool) -> None:
         """Report the stop at the end of a lease. A new holder gets only an unconfirmed stop."""
@@ -479,12 +473,11 @@ class BoardServer:
         self._post_all(MotorsStopped(ErrorCode.LEASE_LOST, confirmed), others)
 
     def _report_setpoints(self) -> None:
-        for board in (0, *self._others):
+        for board, newest in list(self._newest.items()):
             get = self._speeds.get(board, {}).get
             setpoints = SetpointsChanged((get(1, 0), get(2, 0), get(3, 0)))
-            if setpoints != self._reported_speeds.get(board, SetpointsChanged()):
-                self._reported_speeds[board] = setpoints
-                self.report(OfBoard(board, setpoints) if board else setpoints)
+            if setpoints != newest.get(SetpointsChanged, SetpointsChanged()):
+                self.report(_of_board(board, setpoints))
 
     def _report_outcome(self, outcome: Outcome, now: float, board: int | None = None) -> None:
         """Pass an outcome on to waiting clients. Request the next job of its client.
@@ -496,8 +489,7 @@ class BoardServer:
             self._report_written(outcome.value, [party for party, _ in waiting], board)
         for party, number in waiting[:_MOST_WAITING]:
             if client := self._clients.get(party):
-                own = replace(outcome, id=number)
-                report = own if board is None else OfBoard(board, own)
+                report = _of_board(board, replace(outcome, id=number))
                 self._post(client, encode_report(report), now)
         for client in self._clients.values():
             if client.in_flight == outcome.id:
@@ -506,18 +498,14 @@ class BoardServer:
 
     def _report_written(self, written: Written, writers: list[Party], board: int | None) -> None:
         """Report the stored settings of a board to all clients except the writers."""
-        connected = self._newest.get(Connected) if board is None else self._others.get(board)
+        connected = self._newest.get(board, {}).get(Connected)
         if not isinstance(connected, Connected):
             return
         connected = replace(connected, state=written.state, settings=written.settings)
+        self._newest[board][Connected] = connected
         reloaded = replace(connected, occasion=ReadReason.RELOADED)
         others = (one for one in self._all if one.party not in writers)
-        if board is None:
-            self._newest[Connected] = connected
-            self._post_all(reloaded, others)
-        else:
-            self._others[board] = connected
-            self._post_all(OfBoard(board, reloaded), others)
+        self._post_all(_of_board(board, reloaded), others)
 
     def end(self, error: StudioError | None, *, may_move: bool) -> None:
         """Report to every client that the line was closed, and remove all clients."""
@@ -562,6 +550,10 @@ class BoardServer:
         self._send(client.party, with_head(form, client.sent, now, client.echo + now))
 
 
+def _of_board(board: int | None, report: BoardReport) -> Report:
+    return report if board is None else OfBoard(board, report)
+
+
 def _is_for(report: Report, watched: SetWatched) -> bool:
     """Return whether a client with these `watched` settings gets a report."""
     if isinstance(report, OfBoard):
@@ -569,10 +561,6 @@ def _is_for(report: Report, watched: SetWatched) -> bool:
     if isinstance(report, Traffic):
         return watched.traffic
     return watched.watched or not isinstance(report, Batch)
-
-
-def _speed(setpoint: Setpoint) -> int:
-    return setpoint.speed if isinstance(setpoint, SetAuxiliary) else setpoint.drive.signed
 
 
 def _is_possible(request: SetpointRequest) -> bool:

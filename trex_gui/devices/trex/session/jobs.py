@@ -145,7 +145,8 @@ class JobServer:
             if packet.writes:
                 self._reader.expect_changes()
             raise
-        if packet.device_number in self._own_numbers:
+        stored = self._reader.state.parameters.get(ParameterKey.DEVICE_NUMBER)
+        if packet.device_number in {None, stored, line.client.settings.device_number}:
             self._report_cleared(reply.value)
         if packet.writes:
             self._read_after_write()
@@ -161,12 +162,6 @@ class JobServer:
         )
         if places:
             self._line.liveness.expect(places)
-
-    @property
-    def _own_numbers(self) -> set[int | None]:
-        """Device numbers of packets to the board that was read. `None` for compact packets."""
-        stored = self._reader.state.parameters.get(ParameterKey.DEVICE_NUMBER)
-        return {None, stored, self._line.client.settings.device_number}
 
     def _report_cleared(self, value: object) -> None:
         """Report bits that a user's packet has read, and so cleared."""

@@ -164,7 +164,11 @@ class TrexSession:
                 # A line that was just opened may have swallowed the expected echo.
                 self._start(client)
         except (NoReply, BadReply) as error:
-            raise self._why_not_found(client, error) from error
+            if self._is_stop_wanted():  # before any further probe
+                raise explain(self._settings, echo=client.echo, error=error) from error
+            raise diagnose(
+                client, error, progress=self._report_probe, cancelled=self._is_stop_wanted
+            ) from error
         for board in self._boards[1:]:
             self._start_other(board, client)
         self._requests.is_ready = True
@@ -196,12 +200,6 @@ class TrexSession:
         lines.append(board.line)
         board.reader = BoardReader(board.line)
         board.jobs = JobServer(board.line, board.reader)
-
-    def _why_not_found(self, client: TrexClient, error: StudioError) -> StudioError:
-        """Diagnose why no board was found, unless motors have to be stopped first."""
-        if self._is_stop_wanted():
-            return explain(self._settings, echo=client.echo, error=error)
-        return diagnose(client, error, progress=self._report_probe, cancelled=self._is_stop_wanted)
 
     def _is_stop_wanted(self) -> bool:
         self._boards[0].line.collect()

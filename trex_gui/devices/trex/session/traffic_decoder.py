@@ -1,6 +1,6 @@
 """Meaning of the bytes between a host and a TReX, for the traffic log."""
 
-from functools import cache, lru_cache
+from functools import lru_cache
 
 from trex_gui.core.texts import hex_text
 from trex_gui.core.translation import tr
@@ -24,12 +24,6 @@ from trex_gui.devices.trex.session.polling import SAFETY_PARAMETERS
 
 _POLLED = frozenset(range(0x82, 0x90)) | {0xFF}
 """Command bytes of the values that a session polls, and of the null command."""
-
-
-@cache
-def _read_again() -> frozenset[int]:
-    """Return the numbers of the parameters that a session polls."""
-    return frozenset(map(parameter_number, SAFETY_PARAMETERS))
 
 
 class TrexDecoder(Decoder):
@@ -58,7 +52,7 @@ class TrexDecoder(Decoder):
                 return False
             command, data = sent[2] | 0x80, sent[3:]
         if command in GetParameter.opcodes and data:
-            return data[0] in _read_again()
+            return data[0] in map(parameter_number, SAFETY_PARAMETERS)
         return command in _POLLED
 
     def may_move(self, sent: bytes) -> bool:
