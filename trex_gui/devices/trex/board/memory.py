@@ -207,7 +207,6 @@ class BoardMemory:
             self._change(lambda record: record.accepting(stored, source, now))
 
     def record_trial(self, trial: TimeoutTrial) -> None:
-        """Save the user's trial of the serial timeout of this board."""
         self._change(lambda record: replace(record, trial=trial))
 
     def set_notes(self, notes: Mapping[str, str]) -> None:

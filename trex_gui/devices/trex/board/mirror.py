@@ -130,7 +130,6 @@ class SafeStart:
     def update(
         self, state: DeviceState, newest: Newest, inputs: BoardInputs | None, *, joint: bool
     ) -> None:
-        """Update the estimate from the newest samples."""
         values, currents = _commands(state, newest, joint=joint), newest.get(Currents)
         flows = currents is not None and max(currents.counts) > NOISE_COUNTS
         if not values or (inputs is not None and inputs.lacks_signal):
@@ -196,7 +195,6 @@ class BoardMirror:
 
     @property
     def control_text(self) -> str:
-        """Sentence about the source of control, or an empty text."""
         if self.state is None or self.serial_controls is None:
             return ""
         return who_controls(self.state.mode, self.serial_controls, joint=self.is_joint)
@@ -241,7 +239,6 @@ class BoardMirror:
 
     @property
     def silence_remedy(self) -> str:
-        """Remedy for the loss of a driven board, in sentences."""
         text = ""
         if self.last is not None and (wire := self.last.parameters.get(_TIMEOUT)):
             text = self.last.specs[_TIMEOUT].text(wire)

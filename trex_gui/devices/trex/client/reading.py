@@ -81,7 +81,6 @@ class DeviceState:
 
     @property
     def stops_on_error(self) -> bool:
-        """True if the board stops its motors on a serial error."""
         return bool(self.parameters.get(ParameterKey.UART_ERROR_SHUTDOWN))
 
     @property

@@ -76,7 +76,6 @@ class WriteResult:
 
     @property
     def channel(self) -> int | None:
-        """The channel of a calibration. `None` for a parameter."""
         return CALIBRATION_KEYS[self.key].channel if self.key in CALIBRATION_KEYS else None
 
 

@@ -147,7 +147,6 @@ class MotorDriver:
         return run.is_confirmed or is_over or (not run.clean and run.aborts())
 
     def finish_stop(self, run: StopRun) -> None:
-        """Report the result."""
         confirmed = run.is_confirmed
         self._take_statuses(run.latched)
         self._is_quiet()
@@ -161,7 +160,6 @@ class MotorDriver:
         return run.is_confirmed
 
     def final_stop(self, *, careful: bool = False) -> StopRun:
-        """Return a final stop, for `stop_together`."""
         return self._stop(_ATTEMPTS, is_final=True, is_careful=careful)
 
     def takeover_stop(self) -> StopRun:
@@ -217,7 +215,6 @@ class MotorDriver:
             self._send_stop()
 
     def due_stop(self) -> StopRun | None:
-        """Return the stop that is due, or `None`."""
         output, now = self.output, self._now()
         if output.stops:
             stops = output.pop_stops()
@@ -261,7 +258,6 @@ class MotorDriver:
         return True
 
     def seconds_to_next(self) -> float:
-        """Return the seconds until a stop or a setpoint is due."""
         now = self._now()
         return min(
             self.output.seconds_to_heartbeat_timeout(now),

@@ -157,7 +157,6 @@ class LineQuality:
         self._damaged_at: int | None = None
 
     def observe(self, counters: Counters, *, has_crc: bool) -> None:
-        """Update the quality from the counters of failed transactions."""
         self.answers = counters.replies
         self._has_crc = has_crc
         self._is_observed = True

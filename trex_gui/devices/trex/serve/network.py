@@ -10,17 +10,14 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+import zenoh
 
 from trex_gui.core.errors import BadRequest, PortUnavailable
 from trex_gui.core.translation import tr
 from trex_gui.core.transport.urls import LOCAL_USER, Address
 from trex_gui.devices.trex.serve.lease import User
-
-if TYPE_CHECKING:
-    from types import ModuleType
-
-    import zenoh
 
 _MOST_SCOUTED = 32
 _DEAD_MS = 4000  # without a message of the engine; then a connection counts as ended
@@ -31,7 +28,7 @@ def key(name: str, *parts: str) -> str:
     return "/".join((_ROOT, name, *parts))
 
 
-def open_client(address: Address) -> "zenoh.Session":
+def open_client(address: Address) -> zenoh.Session:
     """Connect to a server.
 
     Raises:
@@ -49,35 +46,32 @@ def open_client(address: Address) -> "zenoh.Session":
         config["transport/auth/usrpwd"] = {"user": address.user, "password": address.secret}
     if authority := os.environ.get("TREX_TLS_CA"):
         config["transport/link/tls/root_ca_certificate"] = authority
-    engine = _engine()
     try:
-        session: zenoh.Session = engine.open(_config(config))
-    except engine.ZError as error:
+        return zenoh.open(_config(config))
+    except zenoh.ZError as error:
         text = tr(
             "No board is served at {0}:{1}, or not to this user. Check that trexcmd serve runs "
             "there, the user in the address (trex://USER@…), and its secret (TREX_SECRET)."
         )
         raise PortUnavailable(text.format(address.host, address.port)) from error
-    return session
 
 
-def get(session: "zenoh.Session", *parts: str, seconds: float) -> list[bytes]:
+def get(session: zenoh.Session, *parts: str, seconds: float) -> list[bytes]:
     """Return the replies to a query of a key that arrive within `seconds`."""
     try:
         replies = session.get(key(*parts), timeout=seconds)
-    except _engine().ZError:  # the session was closed
+    except zenoh.ZError:  # the session was closed
         return []
     return [reply.ok.payload.to_bytes() for reply in replies if reply.ok]
 
 
 def scout(seconds: float) -> tuple[Address, ...]:
     """Return the computers on the local network that reply within `seconds`."""
-    engine = _engine()
     found: dict[Address, None] = {}
     config = _config({"scouting/multicast/enabled": True})
     try:
-        scouting = engine.scout(what="peer", config=config)
-    except engine.ZError:  # no network
+        scouting = zenoh.scout(what="peer", config=config)
+    except zenoh.ZError:  # no network
         return ()
     try:
         end = time.monotonic() + seconds
@@ -92,7 +86,7 @@ def scout(seconds: float) -> tuple[Address, ...]:
                     if kind in {"tcp", "tls"} and len(found) < _MOST_SCOUTED:
                         found[Address.of_host(where.split("?")[0])] = None
     finally:
-        scouting.stop()
+        scouting.stop()  # type: ignore[no-untyped-call]
     return tuple(found)
 
 
@@ -140,7 +134,7 @@ def open_server(
     folder: Path,
     *,
     tls: tuple[Path, Path] | None = None,
-) -> "zenoh.Session":
+) -> zenoh.Session:
     """Listen for clients. `tls` are the files of certificate and key.
 
     The engine reads the secrets from a file in `folder`, which only this program may use.
@@ -178,23 +172,17 @@ def open_server(
             "dictionary_file": str(secrets),
         }
         config["access_control"] = _access(name, users)
-    engine = _engine()
     try:
-        session: zenoh.Session = engine.open(_config(config))
-    except engine.ZError as error:
+        return zenoh.open(_config(config))
+    except zenoh.ZError as error:
         text = tr("{0} cannot be listened at: {1}")
         raise PortUnavailable(text.format(", ".join(listen), error)) from error
-    return session
 
 
-def declare_publisher(session: "zenoh.Session", name: str) -> "zenoh.Publisher":
+def declare_publisher(session: zenoh.Session, name: str) -> zenoh.Publisher:
     """Return a publisher that drops no messages and sends each at once, without batching."""
-    engine = _engine()
-    block = engine.CongestionControl.BLOCK
-    publisher: zenoh.Publisher = session.declare_publisher(
-        name, congestion_control=block, express=True
-    )
-    return publisher
+    block = zenoh.CongestionControl.BLOCK
+    return session.declare_publisher(name, congestion_control=block, express=True)
 
 
 _MESSAGES = {
@@ -248,14 +236,8 @@ def _access(name: str, users: Sequence[User]) -> dict[str, Any]:
     }
 
 
-def _config(settings: dict[str, Any]) -> "zenoh.Config":
-    config: zenoh.Config = _engine().Config()
+def _config(settings: dict[str, Any]) -> zenoh.Config:
+    config = zenoh.Config()
     for name, value in settings.items():
         config.insert_json5(name, json.dumps(value))
     return config
-
-
-def _engine() -> "ModuleType":
-    import zenoh  # noqa: PLC0415 - takes a moment
-
-    return zenoh

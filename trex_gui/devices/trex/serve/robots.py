@@ -68,7 +68,6 @@ class Robots:
         return results | dict.fromkeys(others, tr("It did not answer."))
 
     def _at(self, address: Address) -> list[dict[str, Any]]:
-        """Return the boards that a host serves."""
         try:
             answers = self._get(address, "*", "info", seconds=_ANSWER_S)
         except PortUnavailable:
@@ -128,9 +127,7 @@ def require_network() -> None:
 
 def _network() -> Any:
     try:
-        import zenoh  # noqa: F401, PLC0415 - an extra
-
-        from trex_gui.devices.trex.serve import network  # noqa: PLC0415
+        from trex_gui.devices.trex.serve import network  # noqa: PLC0415 - an extra
     except ImportError as error:
         raise PortUnavailable(tr(NEEDS_EXTRA)) from error
     return network

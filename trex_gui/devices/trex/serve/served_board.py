@@ -8,7 +8,9 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+import zenoh
 
 from trex_gui.core.host import Host
 from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
@@ -34,9 +36,6 @@ from trex_gui.devices.trex.session.messages import (
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.settings.board_records import utc_now
 
-if TYPE_CHECKING:
-    import zenoh
-
 log = logging.getLogger(__name__)
 
 _RETRY_S = 1.0  # between two attempts to open the line
@@ -49,7 +48,7 @@ _MOST_WAITING = 300  # messages for a client that does not receive them: some fi
 class _Outbox:
     """Sends messages to one client. Only its own thread waits for the client."""
 
-    def __init__(self, session: "zenoh.Session", name: str, full: Callable[[], None]) -> None:
+    def __init__(self, session: zenoh.Session, name: str, full: Callable[[], None]) -> None:
         self._messages: deque[bytes | None] = deque()
         self._ready = threading.Condition()
         self._full = full
@@ -242,15 +241,13 @@ class ServedBoard:
         role = self._roles.get(user)
         return None if role is None else Party(client, user, role)
 
-    def _on_request(self, sample: "zenoh.Sample") -> None:
+    def _on_request(self, sample: zenoh.Sample) -> None:
         party = self._party(sample.key_expr)
         if party in self._present:
             self.server.handle(party, bytes(sample.payload))
 
-    def _on_client(self, sample: "zenoh.Sample") -> None:
+    def _on_client(self, sample: zenoh.Sample) -> None:
         """Add a client that has connected, or remove a client whose connection ended."""
-        import zenoh  # noqa: PLC0415 - an extra
-
         party = self._party(sample.key_expr)
         if party is None:
             return
@@ -286,12 +283,10 @@ class ServedBoard:
         log.warning("%s takes its messages too slowly", party.user)
         threading.Thread(target=self.server.remove, args=(party,), daemon=True).start()
 
-    def _on_query(self, query: "zenoh.Query") -> None:
+    def _on_query(self, query: zenoh.Query) -> None:
         query.reply(key(self.name, "info"), json.dumps(self.info()))
 
-    def _on_stop(self, query: "zenoh.Query") -> None:
-        """Stop the motors for a user, and reply with the outcome."""
-
+    def _on_stop(self, query: zenoh.Query) -> None:
         def reply(outcome: Outcome) -> None:
             text = "" if outcome.error is None else str(outcome.error)
             query.reply(query.key_expr, json.dumps({"name": self.name, "error": text}))
@@ -308,7 +303,7 @@ class ServedBoard:
             error = self._last.error or TrexNoReplyError(ErrorCode.CLOSED)
             reply(Outcome(0, error=error))
 
-    def _on_matching(self, status: "zenoh.MatchingStatus") -> None:
+    def _on_matching(self, status: zenoh.MatchingStatus) -> None:
         self._is_subscribed = status.matching
 
     def info(self) -> dict[str, Any]:

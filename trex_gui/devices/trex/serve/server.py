@@ -156,7 +156,6 @@ class BoardServer:
     # --- Clients ------------------------------------------------------------------------
 
     def handle(self, party: Party, data: bytes) -> None:
-        """Handle a message of a client."""
         if len(data) > LARGEST_REQUEST:
             self._refuse("too large")
             return

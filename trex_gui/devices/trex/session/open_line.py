@@ -190,7 +190,6 @@ class OpenLine:
         self.batcher.flush(self.client.counters, self.now())
 
     def flush_if_due(self, now: float) -> None:
-        """Report the samples of a display frame."""
         if self.batcher.seconds_to_next(now) <= 0:
             self.flush()
 

@@ -23,8 +23,6 @@ from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
 
 @dataclass(slots=True, eq=False)
 class BoardQueue:
-    """The requests for one board."""
-
     output: MotorOutput
     _liveness: LivenessMonitor
     report: Callable[[Outcome], None]

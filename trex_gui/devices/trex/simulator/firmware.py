@@ -263,7 +263,6 @@ class Board:
         return self._checked(self.memory.set(number, value, self.mode))
 
     def calibration(self, channel: int) -> Calibration:
-        """Return the calibration of a channel (1-5) for the current mode."""
         return self.eeprom.calibration(self.mode.source, channel)
 
     def set_calibration(self, channel: int, calibration: Calibration) -> ResultCode:

@@ -122,7 +122,6 @@ class MotorPhysics:
 
     @property
     def current(self) -> float:
-        """The last reading in A."""
         return self.reading * self._unit
 
     @property
