@@ -2,9 +2,9 @@
 
 import json
 import logging
+import queue
 import tempfile
 import threading
-from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -49,9 +49,9 @@ class _Outbox:
     """Sends messages to one client. Only its own thread waits for the client."""
 
     def __init__(self, session: zenoh.Session, name: str, full: Callable[[], None]) -> None:
-        self._messages: deque[bytes | None] = deque()
-        self._ready = threading.Condition()
+        self._messages = queue.Queue[bytes | None](_MOST_WAITING)
         self._full = full
+        self._is_over = False  # the client does not receive its messages
         self._publisher = declare_publisher(session, name)
         self._thread = threading.Thread(target=self._run, daemon=True)
         self._thread.start()
@@ -63,22 +63,14 @@ class _Outbox:
 
     def put(self, message: bytes | None) -> None:
         """Queue a message. `None` ends the thread after the messages before it."""
-        with self._ready:
-            if len(self._messages) >= _MOST_WAITING:
-                self._messages.clear()
-                message = None
-                self._full()
-            self._messages.append(message)
-            self._ready.notify()
+        try:
+            self._messages.put_nowait(message)
+        except queue.Full:
+            self._is_over = True
+            self._full()
 
     def _run(self) -> None:
-        while True:
-            with self._ready:
-                while not self._messages:
-                    self._ready.wait()
-                message = self._messages.popleft()
-            if message is None:
-                break
+        while (message := self._messages.get()) is not None and not self._is_over:
             try:
                 self._publisher.put(message)
             except Exception:  # the client is gone
