@@ -2,22 +2,12 @@
 
 import pytest
 
-from tests.devices.trex.conformance.trex import Trex, only
-
-
-def check_signature(trex: Trex) -> None:
-    assert bytes.fromhex(trex.ask("81")) == b"TReX" + trex.variant.firmware.encode()
+from tests.devices.trex.conformance.trex import Trex
 
 
 def test_signature_is_name_and_firmware_version(trex: Trex) -> None:
-    """CMD10 0x81: major byte, '.', minor byte."""
-    check_signature(trex)
-
-
-@only(firmware="1.0")
-def test_firmware_1_0_has_documented_signature(trex: Trex) -> None:
-    """CMD10 0x81: "TReX1.0"."""
-    check_signature(trex)
+    """CMD10 0x81: major byte, '.', minor byte, such as "TReX1.0"."""
+    assert bytes.fromhex(trex.ask("81")) == b"TReX" + trex.variant.firmware.encode()
 
 
 @pytest.mark.parametrize(

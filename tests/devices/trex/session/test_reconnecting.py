@@ -506,46 +506,41 @@ NOW = ConnectionSettings("/dev/ttyUSB0", name="adapter", timeouts=Timeouts(extra
 FACTORY = {spec.key: spec.default for spec in parameters_of("trex", "1.2").readable}
 
 
-def test_factory_settings_leave_line_unchanged() -> None:
-    assert after_power_cycle(NOW, FACTORY, "1.2") == NOW
-
-
 @pytest.mark.parametrize("baud", baud_rates())
 @pytest.mark.parametrize("detection", list(Detection))
 def test_stored_uart_settings_become_line_settings(baud: int, detection: Detection) -> None:
     line = LineSettings(baud, detection, 2)
     coming = after_power_cycle(NOW, {"uart_settings": line.to_wire()}, "1.2")
-    assert coming is not None
-    assert coming.line == line
-    assert (coming.url, coming.name, coming.timeouts) == (NOW.url, NOW.name, NOW.timeouts)
+    assert coming == replace(NOW, line=line)
 
 
-def test_old_firmware_runs_38400_baud_at_half_rate() -> None:
-    stored = {"uart_settings": LineSettings(38400).to_wire()}
-    coming = after_power_cycle(NOW, stored, "1.1")
-    assert coming is not None
-    assert coming.line.baud == 19200
+CRC_19200 = LineSettings(19200, Detection.CRC7)
 
 
-def test_stored_polynomial_regains_its_highest_bit() -> None:
-    stored = {"uart_settings": LineSettings(19200, Detection.CRC7).to_wire()}
-    coming = after_power_cycle(NOW, {**stored, "crc7_polynomial": 0x15}, "1.2")
-    assert coming is not None
-    assert coming.polynomial == 0x95
-    assert coming.framing.polynomial == 0x95
-
-
-def test_stored_device_number_is_used_only_when_addressed() -> None:
-    stored = {"device_number": 9}
-    assert after_power_cycle(NOW, stored, "1.2") == NOW
-    addressed = ConnectionSettings("/dev/ttyUSB0", device_number=7)
-    coming = after_power_cycle(addressed, stored, "1.2")
-    assert coming is not None
-    assert coming.device_number == 9
-
-
-def test_invalid_uart_settings_predict_no_line() -> None:
-    assert after_power_cycle(NOW, {"uart_settings": 0x0F}, "1.2") is None
+@pytest.mark.parametrize(
+    ("link", "stored", "firmware", "coming"),
+    [
+        (NOW, FACTORY, "1.2", NOW),
+        (NOW, {"uart_settings": LineSettings(38400).to_wire()}, "1.1", NOW),
+        (
+            NOW,
+            {"uart_settings": CRC_19200.to_wire(), "crc7_polynomial": 0x15},
+            "1.2",
+            replace(NOW, line=CRC_19200, polynomial=0x95),
+        ),
+        (NOW, {"device_number": 9}, "1.2", NOW),
+        (replace(NOW, device_number=7), {"device_number": 9}, "1.2", replace(NOW, device_number=9)),
+        (NOW, {"uart_settings": 0x0F}, "1.2", None),
+    ],
+    ids=["factory", "half rate", "highest bit of polynomial", "not addressed", "number", "invalid"],
+)
+def test_stored_values_apply_after_power_cycle(
+    link: ConnectionSettings,
+    stored: dict[str, int],
+    firmware: str,
+    coming: ConnectionSettings | None,
+) -> None:
+    assert after_power_cycle(link, stored, firmware) == coming
 
 
 def test_unchanged_line_has_no_reconnect_candidates() -> None:

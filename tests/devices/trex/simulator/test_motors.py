@@ -1,3 +1,4 @@
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -57,27 +58,19 @@ def test_zero_gain_turns_motor_off_over_current_limit() -> None:
     assert motor.speed == 100
 
 
-def test_zero_current_limit_disables_limiter() -> None:
+@pytest.mark.parametrize(
+    ("direction", "speed", "limit", "gain", "current", "left"),
+    [(FORWARD, 100, 0, 127, 255, 100), (BRAKE, 127, 1, 5, 255, 127), (FORWARD, 10, 1, 1, 3, 9)],
+    ids=["no limit", "brake command", "lower setpoint"],
+)
+def test_limiter_leaves_brakes_and_lower_setpoints(
+    direction: MotorDirection, speed: int, limit: int, gain: int, current: int, left: int
+) -> None:
     motor = Motor()
     motor.set(FORWARD, 100)
-    assert not motor.update(MotorSettings(current_limit=0, current_limit_p=127), 255)
-    assert motor.speed == 100
-
-
-def test_brake_command_works_over_current_limit() -> None:
-    motor = Motor()
-    motor.set(FORWARD, 100)
-    motor.accelerate(BRAKE, 127)
-    motor.update(MotorSettings(current_limit=1, current_limit_p=5), 255)
-    assert (motor.direction, motor.speed) == (BRAKE, 127)
-
-
-def test_lower_setpoint_applies_over_current_limit() -> None:
-    motor = Motor()
-    motor.set(FORWARD, 100)
-    motor.accelerate(FORWARD, 10)
-    motor.update(MotorSettings(current_limit=1, current_limit_p=1), 3)
-    assert motor.speed == 9
+    motor.accelerate(direction, speed)
+    is_over = motor.update(MotorSettings(current_limit=limit, current_limit_p=gain), current)
+    assert (motor.direction, motor.speed, is_over) == (direction, left, limit > 0)
 
 
 @examples(30)
