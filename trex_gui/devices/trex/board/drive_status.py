@@ -107,10 +107,8 @@ def drive_statuses(now: DriveInputs) -> tuple[DriveStatus, ...]:
         return (_lost(now),)
     if now.link is DriveBlocker.SILENT:
         return (_silent(now),)
-    if now.link is not None:
-        return (_status(Reason(now.link)),)
-    if now.board is None:
-        return (_status(Reason(DriveBlocker.UNKNOWN)),)
+    if now.link is not None or now.board is None:
+        return (_status(Reason(now.link or DriveBlocker.UNKNOWN)),)
     reasons = [*board_reasons(now.board), *_own_reasons(now, by_serial=now.board.by_serial)]
     return tuple(_status(one, now.board) for one in worst_first(reasons))
 

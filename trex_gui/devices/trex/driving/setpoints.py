@@ -36,8 +36,6 @@ current limiter.
 
 _REFRESHED = 1000  # undamaged replies in a row after which refreshing ends
 
-_MOTORS = (1, 2)
-
 
 class SetpointSlots:
     """Queue with one slot per motor. A new setpoint replaces the queued one."""
@@ -256,7 +254,7 @@ class SetpointRefresh:
         motor gets its own. The auxiliary motor gets none unless an earlier packet may have started
         it: damage to its speed would be more dangerous than no packet.
         """
-        motors = (self._setpoints.get(one, SetMotor(one, Drive.brake())) for one in _MOTORS)
+        motors = (self._setpoints.get(one, SetMotor(one, Drive.brake())) for one in (1, 2))
         idle = [one for one in motors if is_idle(one)]
         auxiliary = self._setpoints.get(SetAuxiliary.motor, SetAuxiliary(0))
         if self._auxiliary_at_risk and is_idle(auxiliary):

@@ -280,8 +280,7 @@ class ParameterSpec:
         if self.kind is ParameterKind.CHANNELS:
             meant = self._wire_of_channels(wanted)
         elif self.kind is ParameterKind.ACCELERATION and (time := _TIME.fullmatch(wanted)):
-            number = decimal(time[1])
-            meant = self._wire_of_time(number / 1000 if time[2] else number)
+            meant = self._wire_of_time(decimal(time[1]) / (1000 if time[2] else 1))
         else:
             meant = self._wire_of_number(wanted)
         if meant is None or meant not in self.valid:

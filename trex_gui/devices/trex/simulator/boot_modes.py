@@ -157,9 +157,7 @@ class LearningMode:
 
     def _learn_neutrals(self) -> None:
         limit = _UNSTEADY[self._board.mode.source]
-        for channel, watched in self._watched.items():
-            if watched.settle(limit):
-                self._learned.add(channel)
+        self._learned = {one for one, watched in self._watched.items() if watched.settle(limit)}
         self._start(_Step.NEUTRALS_SHOWN)
 
     def _learn_extremes(self) -> None:

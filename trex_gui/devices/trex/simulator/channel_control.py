@@ -101,10 +101,8 @@ class ChannelControl:
 
     def remapped(self, *, mix: bool) -> tuple[int, ...]:
         """Return the reply to 0x87, -127 to 127. The first two values are of motors 1 and 2."""
-        raw = self._channels.raw
-        setup = self.setup
-        plain = setup.remapped(raw)
-        flip = setup.is_switched(4, raw[3])
+        raw, setup = self._channels.raw, self.setup
+        plain, flip = setup.remapped(raw), setup.is_switched(4, raw[3])
         joint = self._memory.is_joint
         return *motor_values(plain, mix=mix, flip=flip, joint=joint), *plain[2:]
 

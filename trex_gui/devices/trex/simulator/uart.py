@@ -6,6 +6,7 @@ This module shares nothing with `protocol.commands`: it is written from the docu
 
 from collections import deque
 from collections.abc import Callable
+from dataclasses import astuple
 
 from trex_gui.core.simulator.sampling import ReceiveError
 from trex_gui.devices.trex.protocol.calibration import INVALID_RAW, Calibration
@@ -231,13 +232,12 @@ def _get_raw(board: Board, _command: int, data: bytes) -> bytes:
 
 def _get_remapped(board: Board, _command: int, data: bytes) -> bytes:
     remapped = board.remapped
-    values = [remapped[index] for index in _selected(data)]
+    values = (remapped[index] for index in _selected(data))
     return bytes(abs(value) | (0x80 if value < 0 else 0) for value in values)
 
 
 def _get_calibration(board: Board, command: int, _data: bytes) -> bytes:
-    stored = board.calibration(command - 0x90 + 1)
-    values = (stored.minimum, stored.neutral, stored.maximum, stored.deadband)
+    values = astuple(board.calibration(command - 0x90 + 1))
     return b"".join(value.to_bytes(2, "little") for value in values)
 
 
@@ -257,10 +257,7 @@ def _require_format_bytes(data: bytes) -> None:
 def _set_calibration(board: Board, command: int, data: bytes) -> bytes:
     _require_format_bytes(data)
     # Inferred: low and high byte carry seven bits each, since no data byte exceeds 127.
-    minimum, neutral, maximum, deadband = (
-        data[index] + 128 * data[index + 1] for index in range(0, 8, 2)
-    )
-    calibration = Calibration(minimum, neutral, maximum, deadband)
+    calibration = Calibration(*(data[index] + 128 * data[index + 1] for index in range(0, 8, 2)))
     return bytes([board.set_calibration(command - 0xA0 + 1, calibration)])
 
 
