@@ -84,9 +84,9 @@ WINDOW_PACKAGES = (
 )
 QT_PACKAGES = OFFSCREEN_PACKAGES + WINDOW_PACKAGES
 
-# Programs that tests want, and the packages that hold them: what is exported as code is compiled
-# there, and a message bus says that the screen is locked. Tests of compilers skip without them.
-TEST_PROGRAMS = {"gcc": "gcc", "g++": "g++", "dbus-daemon": "dbus"}
+# Programs that tests want, and the packages that hold them: exported sketches are compiled there,
+# and a message bus says that the screen is locked. Tests of sketches skip without a compiler.
+TEST_PROGRAMS = {"g++": "g++", "dbus-daemon": "dbus"}
 
 # pip builds the project with these from `.venv/`, where the constraints hold, instead of in an
 # isolated environment, where they do not.

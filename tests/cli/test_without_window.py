@@ -47,7 +47,7 @@ _LINES = [
     "history",
     "provision board.txt",  # ends with the input
     "calibration get",
-    "export board.txt --as c",
+    "export board.txt --as python",
     "restore-defaults",
     "motor 1 20 --seconds 0.1",
     "stop",

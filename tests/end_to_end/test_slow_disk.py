@@ -220,7 +220,7 @@ def test_window_saves_nothing_itself(
     calibration = window.find_only(ChangeMenu)
     recorder = workspace.recordings.recorder
     saves: dict[str, Callable[[Path], object]] = {
-        "code.c": lambda path: workspace.files.shown.export_file(path, Language.C),
+        "code.py": lambda path: workspace.files.shown.export_file(path, Language.PYTHON),
         "board.txt": workspace.files.shown.save_file,
         "calibrations.txt": calibration.save_file,
         "a.trexrec": recorder.start,

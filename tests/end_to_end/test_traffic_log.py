@@ -199,7 +199,6 @@ def test_rows_are_shown_in_detail_copied_and_saved(
     page.view.setFocus()
     for key, text in (
         ("P", 'write(bytes.fromhex("81"))'),
-        ("C", "{0x81}, 1, 7)"),
         ("A", "{0x81};"),
     ):
         modifiers = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier

@@ -1,4 +1,4 @@
-"""Source code in C, in Python and for Arduino, from Jinja templates."""
+"""Source code in Python and for Arduino, from Jinja templates."""
 
 import unicodedata
 from enum import Enum
@@ -18,15 +18,14 @@ class Language(Enum):
 
     ARDUINO = "arduino"
     PYTHON = "python"
-    C = "c"
 
     @property
     def title(self) -> str:
-        return {"arduino": "Arduino sketch"}.get(self.value, f"{self.value.capitalize()} program")
+        return "Arduino sketch" if self is Language.ARDUINO else "Python program"
 
     @property
     def suffix(self) -> str:
-        return {"arduino": ".ino", "python": ".py", "c": ".c"}[self.value]
+        return ".ino" if self is Language.ARDUINO else ".py"
 
 
 def render(name: str, **values: object) -> str:
@@ -49,7 +48,7 @@ def _template(name: str) -> "Template":
 
 
 def plain(text: str) -> str:
-    """Return one line of printable ASCII for a comment or a string in C, C++ and Python.
+    """Return one line of printable ASCII for a comment or a string in C++ and Python.
 
     It contains no `/*`, `*/`, quote, backslash or trigraph (`??/`). Other characters become the
     nearest letter or `?`.
@@ -68,7 +67,7 @@ _ASCII = str.maketrans({"µ": "u", "μ": "u", "−": "-", "–": "-", "—": "-"
 
 
 def _aligned(rows: str) -> str:
-    """Align the comments of rows of C code, and drop empty comments."""
+    """Align the comments of rows of C++ code, and drop empty comments."""
     pairs = [line.partition(" // ")[::2] for line in rows.splitlines()]
     width = min(max(len(code) for code, _ in pairs), _COMMENT_COLUMN)
     lines = [f"{code:{width}} // {comment}" if comment else code for code, comment in pairs]

@@ -42,7 +42,7 @@ TREX = DevicePlugin(
             "history:history", "List the snapshots of settings saved before each change."
         ),
         "calibration": _command("calibration:calibration", "Show or store channel calibrations."),
-        "export": _command("files:export", "Write the settings as C, Python or an Arduino sketch."),
+        "export": _command("files:export", "Write the settings as Python or an Arduino sketch."),
         "restore-defaults": _command(
             "parameters:restore_defaults", "Reset all parameters to factory defaults."
         ),

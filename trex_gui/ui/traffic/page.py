@@ -94,7 +94,6 @@ class TrafficPage(View):
         for name, text, shortcut, then in (
             ("Copy", tr("&Copy"), QKeySequence.StandardKey.Copy, self._copy_rows),
             ("CopyPython", tr("Copy as &Python"), "Ctrl+Shift+P", code(Language.PYTHON)),
-            ("CopyC", tr("Copy as C (&POSIX)"), "Ctrl+Shift+C", code(Language.C)),
             (
                 "CopyArduino",
                 tr("Copy as &Arduino sketch"),

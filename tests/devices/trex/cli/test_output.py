@@ -29,7 +29,7 @@ def test_board_is_exported_in_each_language(
 
 
 def test_export_to_unwritable_path_fails(trexcmd: RunCommand, tmp_path: Path) -> None:
-    result = trexcmd("export", "--as", "c", str(tmp_path / "missing" / "board.c"), exits=1)
+    result = trexcmd("export", "--as", "python", str(tmp_path / "missing" / "board.py"), exits=1)
     assert "missing" in result.stderr
 
 

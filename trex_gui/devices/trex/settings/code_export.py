@@ -1,4 +1,4 @@
-"""Export settings as a C, Python or Arduino program, each from its Jinja template."""
+"""Export settings as a Python or Arduino program, each from its Jinja template."""
 
 import textwrap
 from collections.abc import Iterator
@@ -26,7 +26,7 @@ _SOURCE_LETTERS = {mode.source: mode.value for mode in Mode if mode.is_serial}
 
 
 def file_name(settings: Settings, language: Language) -> str:
-    """Return a name for the exported file, such as `trex_board.c`.
+    """Return a name for the exported file, such as `trex_board.py`.
 
     The Arduino environment requires `trex_board.ino` in a folder `trex_board`.
     """

@@ -58,6 +58,6 @@ if __name__ == "__main__":
         word, a, b = line.split()
         try:
             obey(module, trex, word, int(a), int(b))
-        except module.StudioError as error:
+        except module.TrexError as error:
             say(error)
         say("done")

@@ -34,7 +34,6 @@ LONG_TIMEOUT = 10
 still for longer than the second that a board never needs."""
 
 WARNINGS = ("-Wall", "-Wextra", "-Werror")
-C = ("gcc", "-std=c99", "-pedantic", *WARNINGS)
 # The oldest that cores for Arduino boards ask for.
 CPP = ("g++", "-std=gnu++11", *WARNINGS, f"-I{HERE / 'arduino'}")
 
@@ -204,15 +203,10 @@ class Program:
 
 def compile_(command: Sequence[str]) -> None:
     """Run a compiler, whose warnings are errors; the test is skipped where there is none."""
-    need(command[0])
+    if shutil.which(command[0]) is None:
+        pytest.skip(f"{command[0]} is not installed, which compiles exported programs")
     done = subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
     assert done.returncode == 0, done.stderr
-
-
-def need(compiler: str) -> None:
-    """Skip the test on a machine without this compiler."""
-    if shutil.which(compiler) is None:
-        pytest.skip(f"{compiler} is not installed, which compiles exported programs")
 
 
 def exported(
@@ -252,11 +246,6 @@ def made_ready(
             python = (sys.executable, "-W", "error")
             obey = (*python, str(HERE / "obey.py"), str(path))
             return Program((*python, str(path)), obey, ("--drive",))
-        case Language.C:
-            program, obeying = str(folder / "program"), str(folder / "obey")
-            compile_([*C, str(path), "-o", program])
-            compile_([*C, f'-DSKETCH="{path}"', *some, str(HERE / "c" / "obey.c"), "-o", obeying])
-            return Program((program,), (obeying,), ("--drive",))
         case Language.ARDUINO:
             text = path.read_text(encoding="ascii")
             assert "#define TREX_DRIVE_DEMO 0 " in text

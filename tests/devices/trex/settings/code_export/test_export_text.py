@@ -16,7 +16,6 @@ from tests.devices.trex.settings.code_export.programs import (
     HERE,
     LANGUAGE_NAMES,
     LANGUAGES,
-    C,
     compile_,
     link,
     settings_for,
@@ -61,14 +60,6 @@ def without_version(text: str) -> str:
             export_code(settings_for(link()), link(), Language.ARDUINO),
         ),
         (
-            "trexjr_board.c",
-            export_code(
-                settings_for(link(expanded=True, crc=True), "trexjr"),
-                link(expanded=True, crc=True),
-                Language.C,
-            ),
-        ),
-        (
             "trexjr_board.py",
             export_code(
                 settings_for(link(expanded=True, crc=True), "trexjr", device_number=42),
@@ -77,7 +68,7 @@ def without_version(text: str) -> str:
             ),
         ),
     ],
-    ids=["arduino", "c", "python"],
+    ids=["arduino", "python"],
 )
 def test_exported_text_matches_golden_file(name: str, text: str, tmp_path: Path) -> None:
     assert_matches_golden(without_version(text), HERE / "golden" / f"{name}.txt", tmp_path)
@@ -226,15 +217,15 @@ def test_invalid_values_are_reported_and_left_out(language: Language) -> None:
 
 def test_unknown_parameter_and_baud_rate_are_rejected() -> None:
     with pytest.raises(BadRequest, match="serial_timeoot"):
-        export_code(Settings(TREX, "1.2", {"serial_timeoot": 1}), link(), Language.C)
+        export_code(Settings(TREX, "1.2", {"serial_timeoot": 1}), link(), Language.PYTHON)
     with pytest.raises(BadRequest, match="12345"):
-        export_code(factory(), link(baud=12345), Language.C)
+        export_code(factory(), link(baud=12345), Language.PYTHON)
 
 
 def test_file_is_named_after_board_and_language() -> None:
     names = [file_name(factory("trexjr"), language) for language in Language]
-    assert names == ["trexjr_board.ino", "trexjr_board.py", "trexjr_board.c"]
-    assert file_name(factory(), Language.C) == "trex_board.c"
+    assert names == ["trexjr_board.ino", "trexjr_board.py"]
+    assert file_name(factory(), Language.PYTHON) == "trex_board.py"
 
 
 @pytest.mark.parametrize("model", [TREX, TREX_JR], ids=["trex", "trexjr"])
@@ -281,8 +272,6 @@ def test_code_compiles_with_special_characters_in_names(language: Language, tmp_
     match language:
         case Language.PYTHON:
             compile(text, "odd", "exec")
-        case Language.C:
-            compile_([*C, "-fsyntax-only", str(path)])
         case Language.ARDUINO:
             includes = ["-I", str(HERE / "arduino"), "-include", "Arduino.h"]
             warnings = ["-Wall", "-Wextra", "-Werror"]

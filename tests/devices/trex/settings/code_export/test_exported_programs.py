@@ -8,7 +8,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -22,13 +22,11 @@ from tests.devices.trex.settings.code_export.programs import (
     WANTED,
     Board,
     Boards,
-    C,
     Program,
     compile_,
     exported,
     link,
     made_ready,
-    need,
     obedient,
     settings_for,
 )
@@ -46,9 +44,6 @@ if sys.platform == "win32":
     pytest.skip("has no pseudo-terminals", allow_module_level=True)
 
 every_language = pytest.mark.parametrize("language", LANGUAGES, ids=LANGUAGE_NAMES)
-on_a_computer = pytest.mark.parametrize(
-    "language", [Language.PYTHON, Language.C], ids=["python", "c"]
-)
 
 
 @pytest.fixture(scope="module")
@@ -321,12 +316,11 @@ def test_board_that_stops_replying_is_reported(
 
 
 @pytest.mark.slow
-@on_a_computer
-def test_echo_is_not_taken_for_reply(language: Language, boards: Boards, tmp_path: Path) -> None:
+def test_echo_is_not_taken_for_reply(boards: Boards, tmp_path: Path) -> None:
     line = link(crc=True)
     board = boards.board(line, "trex", "--echo")  # bytes without time would collide
     settings = settings_for(line)
-    seen, _ = watched(made_ready(tmp_path, settings, line, language), board)
+    seen, _ = watched(made_ready(tmp_path, settings, line, Language.PYTHON), board)
     assert board.has(settings)
     assert {(20, 0), (0, 20)} <= seen
     assert becomes(lambda: board.braking, (127, 127))
@@ -346,11 +340,8 @@ def test_baud_rate_and_stop_bits_are_set_on_port(
 
 
 @pytest.mark.slow
-@on_a_computer
-def test_wrong_usage_and_missing_port_have_own_exit_codes(
-    language: Language, tmp_path: Path
-) -> None:
-    program = made_ready(tmp_path, settings_for(link()), link(), language)
+def test_wrong_usage_and_missing_port_have_own_exit_codes(tmp_path: Path) -> None:
+    program = made_ready(tmp_path, settings_for(link()), link(), Language.PYTHON)
     missing = program.run(str(tmp_path / "no-port"))
     assert missing.returncode == 1
     assert "no-port" in missing.stdout
@@ -365,11 +356,7 @@ def test_wrong_usage_and_missing_port_have_own_exit_codes(
 # --- What compilers say of the text
 
 
-def text_of_c(folder: Path, settings: Settings, line: ConnectionSettings) -> None:
-    compile_([*C, "-fsyntax-only", str(exported(folder, settings, line, Language.C))])
-
-
-def text_of_arduino(folder: Path, settings: Settings, line: ConnectionSettings) -> None:
+def check_that_sketch_compiles(folder: Path, settings: Settings, line: ConnectionSettings) -> None:
     sketch = exported(folder, settings, line, Language.ARDUINO)
     main = str(HERE / "arduino" / "main.cpp")
     # The newest standard too, which newer cores ask for.
@@ -378,9 +365,8 @@ def text_of_arduino(folder: Path, settings: Settings, line: ConnectionSettings) 
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("compiled", [text_of_c, text_of_arduino])
 @pytest.mark.parametrize("part", ["nothing", "parameters", "calibrations", "left out"])
-def test_partial_settings_compile(part: str, compiled: Callable[..., None], tmp_path: Path) -> None:
+def test_partial_settings_compile(part: str, tmp_path: Path) -> None:
     full = settings_for(link())
     settings = Settings(
         full.product,
@@ -394,29 +380,12 @@ def test_partial_settings_compile(part: str, compiled: Callable[..., None], tmp_
         CALIBRATIONS if part == "calibrations" else {},
     )
     for expanded in (False, True):
-        compiled(tmp_path, settings, link(expanded=expanded, crc=expanded))
+        check_that_sketch_compiles(tmp_path, settings, link(expanded=expanded, crc=expanded))
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("compiled", [text_of_c, text_of_arduino])
 @pytest.mark.parametrize("stop_bits", [1, 2])
 @pytest.mark.parametrize("detection", list(Detection), ids=lambda value: value.name.lower())
-def test_all_line_formats_compile(
-    detection: Detection, stop_bits: int, compiled: Callable[..., None], tmp_path: Path
-) -> None:
+def test_all_line_formats_compile(detection: Detection, stop_bits: int, tmp_path: Path) -> None:
     line = ConnectionSettings("unused", LineSettings(9600, detection, stop_bits))
-    compiled(tmp_path, settings_for(line), line)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("baud", [14400, 28800, 76800])
-def test_unsupported_baud_rate_is_a_compile_error(baud: int, tmp_path: Path) -> None:
-    if sys.platform != "linux":
-        pytest.skip("other systems have other rates")
-    need("gcc")
-    path = exported(tmp_path, settings_for(link(baud=baud)), link(baud=baud), Language.C)
-    done = subprocess.run(
-        [*C, "-fsyntax-only", str(path)], capture_output=True, text=True, check=False
-    )
-    assert done.returncode != 0
-    assert f"termios has no {baud} baud here" in done.stderr
+    check_that_sketch_compiles(tmp_path, settings_for(line), line)
