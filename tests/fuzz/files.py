@@ -47,9 +47,8 @@ from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.history import BOUND_FILE, SettingsHistory
-from trex_gui.devices.trex.settings.reader import MOST_FINDINGS, read_settings
-from trex_gui.devices.trex.settings.repair import accept_proposals, repair_values
-from trex_gui.devices.trex.settings.rules import lint
+from trex_gui.devices.trex.settings.reader import MOST_FINDINGS, read_settings, repair_values
+from trex_gui.devices.trex.settings.rules import accept_proposals, lint
 from trex_gui.devices.trex.settings.writer import write_settings
 from trex_gui.devices.trex.simulator.memory import Eeprom, EepromError
 from trex_gui.gamepad.pads import Pad, PadState

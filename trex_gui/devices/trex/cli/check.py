@@ -14,9 +14,8 @@ from trex_gui.devices.trex.protocol.device_table import Model, device_table
 from trex_gui.devices.trex.settings.conversion import Conversion, conversion_lines, convert
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_in_place import amend
-from trex_gui.devices.trex.settings.reader import read_settings
-from trex_gui.devices.trex.settings.repair import accept_proposals, repair_text, repair_values
-from trex_gui.devices.trex.settings.rules import LintFinding, lint
+from trex_gui.devices.trex.settings.reader import read_settings, repair_values
+from trex_gui.devices.trex.settings.rules import LintFinding, accept_proposals, lint
 from trex_gui.devices.trex.settings.writer import write_settings
 
 
@@ -42,7 +41,7 @@ class _Checked:
             self.settings = self.conversion.settings
         if fix:
             self.settings, accepted = accept_proposals(self.settings)
-            self.repairs += tuple(map(repair_text, accepted))
+            self.repairs += tuple(f"{found.proposal}: {found.message}" for found in accepted)
         self.warnings = lint(self.settings)
 
     def lines(self) -> list[str]:

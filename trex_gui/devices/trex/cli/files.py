@@ -1,7 +1,6 @@
 """Settings files of the command line, and commands that use them but change no board."""
 
 import sys
-from collections.abc import Iterable
 from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
@@ -21,7 +20,6 @@ from trex_gui.devices.trex.settings.code_export import export_code
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import Settings, settings_of
 from trex_gui.devices.trex.settings.reader import read_settings
-from trex_gui.devices.trex.settings.repair import repair_values
 from trex_gui.devices.trex.settings.writer import write_settings
 from trex_gui.version import __version__
 
@@ -38,21 +36,13 @@ def content_of(file: str) -> bytes:
     return load(Path(file))
 
 
-def read_file(file: str, *, fix: bool = False) -> Settings:
-    """Return the settings of a file and report its warnings. `fix` repairs single values."""
+def read_file(file: str) -> Settings:
+    """Return the settings of a file and report its warnings."""
     with refusals():
-        data = content_of(file)
-        text, repairs = repair_values(data, name_of(file)) if fix else (data, ())
-        say_repairs(file, repairs)
-        settings, findings = read_settings(text, name_of(file))
+        settings, findings = read_settings(content_of(file), name_of(file))
     for finding in findings:
         say(f"{name_of(file)}: {finding}")
     return settings
-
-
-def say_repairs(file: str, repairs: Iterable[str]) -> None:
-    for line in repairs:
-        say(f"{name_of(file)}: repaired: {line}")
 
 
 def save_file(file: str, text: str) -> None:

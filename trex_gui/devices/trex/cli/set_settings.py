@@ -1,6 +1,5 @@
 """Command set-settings: write a settings file to one or several boards on one line."""
 
-from collections.abc import Collection
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -33,7 +32,6 @@ from trex_gui.devices.trex.cli.files import (
     name_of,
     print_comparison,
     read_file,
-    say_repairs,
     visible,
 )
 from trex_gui.devices.trex.client.client import TrexClient
@@ -51,7 +49,6 @@ from trex_gui.devices.trex.settings.comparison import (
 from trex_gui.devices.trex.settings.conversion import conversion_lines
 from trex_gui.devices.trex.settings.conversion import convert as convert_settings
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.repair import accept_proposals, repair_text
 from trex_gui.devices.trex.settings.rules import Context
 
 
@@ -70,7 +67,6 @@ def _read_numbers(text: str) -> tuple[int, ...]:
 @link_options
 @click.argument("file", type=FILE)
 @click.option("--dry-run", is_flag=True, help="Show what would change, and write nothing.")
-@click.option("--fix", is_flag=True, help="Repair the settings first, as check-settings does.")
 @click.option(
     "--convert", is_flag=True, help="Take a file of the other model, or of newer firmware."
 )
@@ -87,7 +83,6 @@ def set_settings(
     file: str,
     *,
     dry_run: bool,
-    fix: bool,
     convert: bool,
     force: bool,
     devices: tuple[int, ...] | None,
@@ -108,20 +103,17 @@ def set_settings(
     With --devices every board is read and checked before the first is written. The first error
     ends it: boards that come later are unchanged.
     """
-    wanted = read_file(file, fix=fix)
+    wanted = read_file(file)
     chosen = link_settings(options)
     command = shell_words("trexcmd", "set-settings", file)
-    kept = () if devices is None else REACH
-    review = partial(
-        _review, file, dry_run=dry_run, fix=fix, convert=convert, force=force, kept=kept
-    )
+    review = partial(_review, file, dry_run=dry_run, convert=convert, force=force)
     if devices is None:
         with open_line_to_change(chosen) as (client, rates):
             state, rows = review(wanted, client, rates)
             if rows:
                 _write(client, chosen, state, command, rows)
         return
-    wanted = wanted.without(kept)
+    wanted = wanted.without(REACH)
     work = []
     for number in devices:
         say(f"Device {number}:")
@@ -142,10 +134,8 @@ def _review(
     rates: frozenset[int] | None,
     *,
     dry_run: bool,
-    fix: bool,
     convert: bool,
     force: bool,
-    kept: Collection[str],
 ) -> tuple[DeviceState, list[ComparisonRow]]:
     """Report the changes to the board. Return the state of the board, and the rows to write."""
     state = read_board(client)
@@ -158,13 +148,8 @@ def _review(
     stored = board_settings(state)
     result = compare(stored, wanted)
     after = settings_after(stored, ((row.key, row.after) for row in result.rows))
-    context = Context(port_rates=rates, used_by_line=client.settings.line)
-    if fix:
-        after, accepted = accept_proposals(after, context, kept=kept)
-        say_repairs(file, map(repair_text, accepted))
-        result = compare(stored, after)
     say(f"{result.summary()}.")
-    warn(after, context)
+    warn(after, Context(port_rates=rates, used_by_line=client.settings.line))
     if dry_run:
         print_comparison(result)
         return state, []

@@ -19,7 +19,7 @@ from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS
 from trex_gui.devices.trex.protocol.parameters import ParameterKind
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.notes import note_line_key, note_lines
-from trex_gui.devices.trex.settings.reader import read_settings
+from trex_gui.devices.trex.settings.reader import BYTE_ORDER_MARK, read_settings
 from trex_gui.devices.trex.settings.writer import (
     calibration_line,
     calibration_text,
@@ -30,7 +30,6 @@ from trex_gui.devices.trex.settings.writer import (
 )
 from trex_gui.devices.trex.settings.yaml_subset import LINE_END, compose
 
-BYTE_ORDER_MARK = "\ufeff"
 _SMALLEST_GAP = 2  # spaces that the writer leaves between a value and its comment
 
 _COMMA_AFTER = re.compile(r"(?:\s|#[^\r\n]*[\r\n])*,")

@@ -25,6 +25,7 @@ from trex_gui.devices.trex.settings.document import Settings, specs_for
 from trex_gui.devices.trex.settings.notes import read_notes
 from trex_gui.devices.trex.settings.yaml_subset import compose, line_of, shortened
 
+BYTE_ORDER_MARK = "\ufeff"
 MOST_FINDINGS = 100  # a file with more is no settings file; further errors are only counted
 _QUANTITIES = {ParameterKind.NUMBER, ParameterKind.ACCELERATION, ParameterKind.PWM_MAXIMUM}
 _INTEGER = re.compile(r"[-+]?(?:0|[1-9][0-9]{0,17})|0[xX][0-9A-Fa-f]{1,16}")
@@ -82,7 +83,27 @@ def read_settings(
     return settings, findings
 
 
-class TextFix(NamedTuple):
+def repair_values(data: bytes, name: str) -> tuple[str, tuple[str, ...]]:
+    """Repair invalid values in a text if their meaning is clear.
+
+    A value with a unit or in words is replaced with its wire value, a number outside its range
+    with the nearest limit, and a misspelt product with its name. Ambiguous values stay.
+    Return the text and one line for each repair.
+
+    Raises:
+        SettingsError: `data` is not the text of a settings file.
+    """
+    body = decode(data, name)
+    reader = _Reader()
+    reader.read(compose(body, name), {})
+    fixes = sorted(reader.fixes)
+    for fix in reversed(fixes):
+        body = body[: fix.start] + fix.text + body[fix.end :]
+    mark = BYTE_ORDER_MARK if data.startswith(BYTE_ORDER_MARK.encode()) else ""
+    return mark + body, tuple(f"line {fix.line}: {fix.message}" for fix in fixes)
+
+
+class _Fix(NamedTuple):
     """An invalid part of a text, and the text that replaces it."""
 
     start: int
@@ -90,20 +111,6 @@ class TextFix(NamedTuple):
     text: str
     line: int
     message: str  # `serial_timeout: 1.5 s becomes 15 (1.5 s)`
-
-
-def text_fixes(content: str, name: str) -> tuple[TextFix, ...]:
-    """Return fixes for invalid values, in the order of the text.
-
-    A value with a unit or in words is replaced with its wire value, a number outside its range
-    with the nearest limit, and a misspelt product with its name. Ambiguous values are not fixed.
-
-    Raises:
-        SettingsError: the text is not valid YAML.
-    """
-    reader = _Reader()
-    reader.read(compose(content, name), {})
-    return tuple(sorted(reader.fixes))
 
 
 class _Entry(NamedTuple):
@@ -114,7 +121,7 @@ class _Entry(NamedTuple):
 @dataclass(slots=True)
 class _Reader:
     findings: list[Finding] = field(default_factory=list)
-    fixes: list[TextFix] = field(default_factory=list)
+    fixes: list[_Fix] = field(default_factory=list)
     left_out: int = 0
     parameters: dict[str, int] = field(default_factory=dict)
     calibrations: dict[CalibrationKey, Calibration] = field(default_factory=dict)
@@ -133,7 +140,7 @@ class _Reader:
         if isinstance(value, ScalarNode) and (value.style or "'") in "'\"":
             message = tr("{0}: {1} becomes {2}").format(key, _shown(value), meaning)
             start, end = value.start_mark.index, value.end_mark.index
-            self.fixes.append(TextFix(start, end, text, entry.line, message))
+            self.fixes.append(_Fix(start, end, text, entry.line, message))
 
     def sorted_findings(self) -> tuple[Finding, ...]:
         """Return the findings by line. Findings about the whole file come last."""

@@ -65,6 +65,26 @@ def lint(settings: Settings, context: Context = _NOTHING_MORE) -> tuple[LintFind
     )
 
 
+def accept_proposals(settings: Settings) -> tuple[Settings, tuple[LintFinding, ...]]:
+    """Apply the changes that the rules propose. Return settings and accepted findings.
+
+    A change can cause a new finding, so the rules run again. Each rule changes a setting only once.
+    """
+    accepted: dict[tuple[str, tuple[str, ...]], LintFinding] = {}
+    for _ in RULES:
+        new = {
+            (found.rule, found.keys): found
+            for found in lint(settings)
+            if found.change and (found.rule, found.keys) not in accepted
+        }
+        if not new:
+            break
+        accepted |= new
+        changes = {key: wire for found in new.values() for key, wire in found.change.items()}
+        settings = replace(settings, parameters={**settings.parameters, **changes})
+    return settings, tuple(accepted.values())
+
+
 def _proposal_text(case: "_Case", change: Mapping[str, int]) -> str:
     names: dict[str, list[str]] = {}
     for key, wire in change.items():

@@ -11,8 +11,8 @@ from trex_gui.core.files import Finding, SettingsError, decode, load, save
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft, diff_against_draft
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.edit_in_place import BYTE_ORDER_MARK, amend
-from trex_gui.devices.trex.settings.reader import read_settings
+from trex_gui.devices.trex.settings.edit_in_place import amend
+from trex_gui.devices.trex.settings.reader import BYTE_ORDER_MARK, read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 from trex_gui.ui.files import Content
 from trex_gui.ui.runtime import new_timer

@@ -12,8 +12,7 @@ from PySide6.QtWidgets import QPlainTextEdit, QTextEdit, QWidget
 from trex_gui.core.files import SettingsError, Severity
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
-from trex_gui.devices.trex.settings.edit_in_place import BYTE_ORDER_MARK
-from trex_gui.devices.trex.settings.repair import repair_values
+from trex_gui.devices.trex.settings.reader import BYTE_ORDER_MARK, repair_values
 from trex_gui.devices.trex.settings.yaml_subset import LINE_END
 from trex_gui.devices.trex.views.findings_list import FindingsList
 from trex_gui.ui.theme.icons import icon
