@@ -67,11 +67,7 @@ def test_snapshot_lists_time_board_adapter_and_reason(history: SettingsHistory) 
     assert (snapshot.adapter, snapshot.reason) == ("FT232R (ttyUSB0)", "Apply")
 
 
-@pytest.mark.parametrize("at_once", [2, 2000])
-def test_newest_snapshot_is_first_even_within_one_second(
-    history: SettingsHistory, monkeypatch: pytest.MonkeyPatch, at_once: int
-) -> None:
-    monkeypatch.setattr("trex_gui.devices.trex.settings.history._SORTED_AT_ONCE", at_once)
+def test_newest_snapshot_is_first_even_within_one_second(history: SettingsHistory) -> None:
     paths = [take(history, minutes, serial_timeout=minutes) for minutes in (2, 0, 1, 1, 1)]
     listed = [snapshot.path for snapshot in history.snapshots()]
     assert listed == [paths[0], paths[4], paths[3], paths[2], paths[1]]

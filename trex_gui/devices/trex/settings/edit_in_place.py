@@ -1,7 +1,7 @@
 """Change values in a settings file without touching the rest of the text.
 
 The round trip of ruamel.yaml retains comments and order, but not spaces around colons, margins,
-mappings in braces over several lines, `+5`, `? key`, comments after `...` or line ends. Therefore
+mappings in braces over several lines, `+5`, comments after `...` or line ends. Therefore
 the text is edited at the positions of ruamel.yaml's nodes.
 """
 
@@ -32,8 +32,6 @@ from trex_gui.devices.trex.settings.yaml_subset import LINE_END, compose
 
 _SMALLEST_GAP = 2  # spaces that the writer leaves between a value and its comment
 
-_COMMA_AFTER = re.compile(r"(?:\s|#[^\r\n]*[\r\n])*,")
-
 
 def amend(text: str, settings: Settings, name: str = "settings") -> str:
     """Return the text of a settings file, changed to hold `settings`. Errors call it `name`.
@@ -42,7 +40,8 @@ def amend(text: str, settings: Settings, name: str = "settings") -> str:
     updated if the program wrote it. The user's comments stay. Notes are changed in place, new
     notes are inserted above their settings. Missing settings are appended. Removed settings, and
     values that the board would reject, become comments. A text that already holds the settings
-    does not change. Line ends and a byte order mark stay.
+    does not change. Line ends and a byte order mark stay. A file that is one mapping in braces can
+    only get other values.
 
     Raises:
         SettingsError: the text cannot be read, or cannot be changed in place.
@@ -94,10 +93,8 @@ class _Document:
         self.entries: dict[str, _Entry] = {}
         for key, value in self.root.value:
             start, end = key.start_mark.index, _end_of(value)
-            before = body[:start].rstrip()
-            first = len(before) - 1 if before.endswith("?") else start
             last = start + len(body[start:end].rstrip())
-            self.entries[str(key.value)] = _Entry(first, last, value)
+            self.entries[str(key.value)] = _Entry(start, last, value)
         self._line_starts = [0, *(found.end() for found in LINE_END.finditer(body))]
         self._line_ends = [*self._line_starts[1:], len(body)]
         # By line: start column, end column, and the text that replaces the range.
@@ -150,26 +147,13 @@ class _Document:
                 self._comments[number] = f"# {new}"
 
     def remove(self, key: str) -> None:
-        """Comment out a setting's lines. In a file in braces, delete the setting and its comma."""
-        entry = self.entries[key]
-        for number in self._lines_of(entry):
-            code, start = self._parts(number)[0], self._line_starts[number]
-            if self.root.flow_style:
-                first = max(entry.start, start)
-                self._edit(first, max(first, min(entry.end, start + len(code))), "")
-            elif code:
-                self._edit(start, start, "# ")
-        comma = _COMMA_AFTER.match(self.body, entry.end)
-        if self.root.flow_style and comma:
-            self._edit(comma.end() - 1, comma.end(), "")
+        """Comment out a setting's lines."""
+        for number in self._lines_of(self.entries[key]):
+            if self._parts(number)[0]:
+                self._edit(self._line_starts[number], self._line_starts[number], "# ")
 
     def append(self, lines: list[str]) -> None:
-        """Add settings and comments at the end. In a file in braces, settings after the product."""
-        if self.root.flow_style:
-            settings = [line.partition("#")[0].rstrip() for line in lines]
-            place = self.entries["product"].end
-            self._edit(place, place, "".join(f", {setting}" for setting in settings if setting))
-            lines = [line for line in lines if line.startswith("#")]
+        """Add settings and comments at the end."""
         if not lines:
             return
         line_end, margin = self._line_end, " " * self.root.start_mark.column

@@ -4,7 +4,6 @@ Comments at the head say when, why and of which board a snapshot was taken. A sm
 the folder sets the number of retained snapshots for all programs. Other files are not touched.
 """
 
-import heapq
 import os
 import re
 from collections.abc import Sequence
@@ -32,8 +31,6 @@ from trex_gui.devices.trex.settings.writer import write_settings
 KEPT = 500  # default number of retained snapshots: one or two megabytes
 _NAME = re.compile(r"(\d{8}T\d{6}Z)-(?:(\d+)-)?[a-z]+-[\d.]+\.txt")
 _TIME = "%Y%m%dT%H%M%SZ"
-_TIME_LENGTH = 16
-_SORTED_AT_ONCE = 2000
 _NO_DATE = datetime.fromtimestamp(0, UTC)
 _HEAD_BYTES = 4096
 _HEAD_LINES = 12
@@ -138,20 +135,39 @@ class SettingsHistory:
                 names = [entry.name for entry in entries]
         except OSError:  # not created yet, or not readable
             return []
-        matches = (match for name in names if (match := _NAME.fullmatch(name)))
-        found = list(map(_order, matches))
-        # A single long `sort` would block every other thread.
-        starts = range(0, len(found), _SORTED_AT_ONCE)
-        pieces = [sorted(found[n : n + _SORTED_AT_ONCE], reverse=True) for n in starts]
-        return list(heapq.merge(*pieces, reverse=True))
+        return sorted(map(_order, filter(None, map(_NAME.fullmatch, names))), reverse=True)
 
     def look_at(self, file: Order, known: Snapshot | None = None) -> Snapshot:
         """Read the head of a snapshot. Return `known` itself if its file has not changed."""
         taken, _, name = file
         path = self.folder / name
-        if known is not None and known.stamp == _stamp(path):
+        problem, stamp, head = "", _stamp(path), list[str]()
+        if known is not None and known.stamp == stamp:
             return known
-        return _look_at(path, taken)
+        try:
+            with open_ordinary(path) as opened:
+                text = opened.read(_HEAD_BYTES).decode("utf-8-sig", "replace")
+            head = [line.rstrip("\r") for line in text.split("\n")[:_HEAD_LINES] if text]
+        except OSError as error:
+            problem = tr("It cannot be read: {0}.").format(error.strerror or error)
+        notes = {found[1]: found[2] for line in head if (found := _NOTE.fullmatch(line))}
+        values = {found[1]: found[2] for line in head if (found := _VALUE.match(line))}
+        number, product = notes.get("device number", ""), values.get("product", "")
+        if not problem and product not in {model.name for model in device_table().models}:
+            problem = tr("It does not say of which board it is.") if head else tr("It is empty.")
+        return Snapshot(
+            path,
+            taken,
+            product,
+            values.get("firmware", ""),
+            int(number) if re.fullmatch("[0-9]{1,3}", number) else None,
+            notes.get("adapter", ""),
+            notes.get("reason", ""),
+            problem,
+            notes.get("name", ""),
+            notes.get("note", ""),
+            stamp,
+        )
 
     def load(self, snapshot: Snapshot) -> Settings:
         """Return the settings in a snapshot.
@@ -237,19 +253,13 @@ class SettingsHistory:
         bound = self.bound()
         if bound.problem or bound.kept is None:
             return
-        try:
-            names = os.listdir(self.folder)  # noqa: PTH208 - ten times faster than paths
-        except OSError:
-            return
-        if len(names) <= bound.kept:  # the usual case, cheaper than checking each name
-            return
         # The file system's clock decides; the name orders snapshots saved at the same time.
         ours = _stamp(own)[0], own.name
-        others = [name for name in names if _NAME.fullmatch(name) and name != own.name]
-        for name in _oldest(others, len(others) + 1 - bound.kept):
-            path = self.folder / name
-            if (_stamp(path)[0], name) < ours and not _look_at(path, _NO_DATE).name:
-                _removed(path)
+        others = [file for file in self.files() if file[2] != own.name]
+        for file in others[bound.kept - 1 :]:
+            found = self.look_at(file)
+            if (found.stamp[0], found.path.name) < ours and not found.name:
+                _removed(found.path)
 
     def _create_folder(self) -> None:
         with explained(self.folder, tr("it cannot be written")):
@@ -266,15 +276,6 @@ def _order(match: re.Match[str]) -> Order:
     except ValueError:  # the digits are not a date
         taken = _NO_DATE
     return taken, int(match[2] or 1), match[0]
-
-
-def _oldest(names: Sequence[str], count: int) -> list[str]:
-    """Return the oldest snapshots, without parsing every name."""
-    if count <= 0:
-        return []
-    last = heapq.nsmallest(count, names)[-1][:_TIME_LENGTH]
-    matches = (_NAME.fullmatch(name) for name in names if name[:_TIME_LENGTH] <= last)
-    return [name for _, _, name in sorted(map(_order, filter(None, matches)))[:count]]
 
 
 def _stamp(path: Path) -> Stamp:
@@ -296,33 +297,3 @@ def _removed(path: Path) -> bool:
 def _no_bound(path: Path, why: str) -> Bound:
     text = tr("{0} {1}: how many snapshots to keep is not known, so none is removed.")
     return Bound(None, text.format(path, why))
-
-
-def _look_at(path: Path, taken: datetime) -> Snapshot:
-    problem, stamp = "", _stamp(path)
-    try:
-        with open_ordinary(path) as file:
-            lines = file.read(_HEAD_BYTES).decode("utf-8-sig", "replace").split("\n")
-        head = [line.rstrip("\r") for line in lines[:_HEAD_LINES]] if lines != [""] else []
-    except OSError as error:
-        head = []
-        problem = tr("It cannot be read: {0}.").format(error.strerror or error)
-    notes = {found[1]: found[2] for line in head if (found := _NOTE.fullmatch(line))}
-    values = {found[1]: found[2] for line in head if (found := _VALUE.match(line))}
-    number = notes.get("device number", "")
-    product = values.get("product", "")
-    if not problem and product not in {model.name for model in device_table().models}:
-        problem = tr("It is empty.") if not head else tr("It does not say of which board it is.")
-    return Snapshot(
-        path,
-        taken,
-        product,
-        values.get("firmware", ""),
-        int(number) if number.isascii() and number.isdigit() and len(number) <= 3 else None,
-        notes.get("adapter", ""),
-        notes.get("reason", ""),
-        problem,
-        notes.get("name", ""),
-        notes.get("note", ""),
-        stamp,
-    )
