@@ -31,13 +31,13 @@ from trex_gui.devices.aracna.model.recordings import RobotPlayback
 from trex_gui.devices.aracna.poses.ppr import read_file, read_ppr, write_ppr
 from trex_gui.devices.aracna.recording import FORMAT as ROBOT_FORMAT
 from trex_gui.devices.trex.bench.files import BenchFileError, from_csv, load_run, to_csv
+from trex_gui.devices.trex.cli.replay import RecordedTraffic
 from trex_gui.devices.trex.model.playback import Playback
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.recording import FORMAT as BOARD_FORMAT
-from trex_gui.devices.trex.replay import RecordedTraffic
 from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
 from trex_gui.devices.trex.settings.board_records import BoardRecord, BoardRecords, utc_now
 from trex_gui.devices.trex.settings.code_export import export_code

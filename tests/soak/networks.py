@@ -22,7 +22,7 @@ from pathlib import Path
 
 from tests.support.simulator import SimulatorProcess
 from trex_gui.core.transport.urls import Address
-from trex_gui.devices.trex.cli.users import add_user
+from trex_gui.devices.trex.cli.serve import add_user
 
 ROOT = Path(__file__).parents[2]
 LIMIT = 0.6  # seconds from the cut to motors that have stopped

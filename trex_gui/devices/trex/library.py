@@ -24,18 +24,9 @@ from trex_gui.devices.trex.board.drive_status import (
 from trex_gui.devices.trex.board.errors import ErrorEntry
 from trex_gui.devices.trex.board.quality import ConnectionQuality
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.client.telemetry import (
-    Control,
-    Currents,
-    Raw,
-    Remapped,
-)
+from trex_gui.devices.trex.client.telemetry import Control, Currents, Raw, Remapped
 from trex_gui.devices.trex.driving.blockers import DriveBlocker, Reason
-from trex_gui.devices.trex.driving.requests import (
-    SetAuxiliary,
-    SetMotor,
-    SetMotors,
-)
+from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor, SetMotors
 from trex_gui.devices.trex.open_board import NOT_OPEN, OpenBoard, OpenSession
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings

@@ -6,13 +6,7 @@ from collections.abc import Callable, Iterator
 from itertools import count
 from typing import Any
 
-from trex_gui.core.errors import (
-    BadRequest,
-    NoReply,
-    PortUnavailable,
-    StudioError,
-    describe,
-)
+from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable, StudioError, describe
 from trex_gui.core.events import Event
 from trex_gui.core.host import host
 from trex_gui.core.session import Close, Closed, Outcome, RequestQueue

@@ -19,7 +19,7 @@ TREX = DevicePlugin(
     workspace=Lazy(f"{_HERE}.views.workspace:TrexWorkspace"),
     tour=Lazy(f"{_HERE}.views.tour:tour_steps"),
     commands={
-        "boards": _command("boards:boards", "List the boards that share a line, by device number."),
+        "boards": _command("status:boards", "List the boards that share a line, by device number."),
         "status": _command(
             "status:status", "Show the state of the board, its measurements and parameters."
         ),

@@ -3,8 +3,7 @@
 import pytest
 
 from tests.devices.trex.bench.runs import run_of
-from trex_gui.devices.trex.bench.figures import LONGEST_GAP, Figures, figures
-from trex_gui.devices.trex.bench.run import End, Profile, Shape
+from trex_gui.devices.trex.bench.run import LONGEST_GAP, End, Figures, Profile, Shape, figures
 
 RATE = 80
 

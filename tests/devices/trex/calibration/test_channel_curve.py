@@ -62,9 +62,7 @@ def test_curve_matches_board_remapping_at_every_raw_count(
 
 
 @pytest.mark.parametrize("calibration", CALIBRATIONS, ids=str)
-def test_drawn_corners_reproduce_every_output(
-    calibration: Calibration,
-) -> None:
+def test_drawn_corners_reproduce_every_output(calibration: Calibration) -> None:
     curve = ChannelCurve(calibration, parabolic=True)
     low, high = 0, 6250
     outputs = [curve.output(raw) for raw in range(low, high + 1)]

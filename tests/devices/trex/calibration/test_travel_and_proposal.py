@@ -266,9 +266,7 @@ THROTTLE = Stick(rest=1100, low=1100, high=1900)
 
 
 @pytest.mark.parametrize("stick", [THROTTLE, Stick(rest=1900, low=1100, high=1900)])
-def test_trim_beyond_throttle_rest_gives_low_auxiliary_speed(
-    stick: Stick,
-) -> None:
+def test_trim_beyond_throttle_rest_gives_low_auxiliary_speed(stick: Stick) -> None:
     found = learn(stick, channel=3, moves=HOLD).calibration
     assert found is not None
     beyond = -250 if stick.rest < 1500 else 250

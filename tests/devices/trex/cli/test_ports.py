@@ -104,13 +104,7 @@ def test_find_without_board_prints_hints(
 
 
 @pytest.mark.parametrize(
-    "words",
-    [
-        ("status",),
-        ("set", "serial_timeout", "5"),
-        ("find",),
-    ],
-    ids=lambda words: words[0],
+    "words", [("status",), ("set", "serial_timeout", "5"), ("find",)], ids=lambda words: words[0]
 )
 def test_command_succeeds_on_line_that_swallows_bytes(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, words: tuple[str, ...]

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.trex.cli.users import add_user, read_users
+from trex_gui.devices.trex.cli.serve import add_user, read_users
 from trex_gui.devices.trex.serve.lease import Role
 
 

@@ -8,8 +8,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
-from trex_gui.devices.trex.bench.figures import figures
-from trex_gui.devices.trex.bench.run import End, Plan, Profile, Run, Shape
+from trex_gui.devices.trex.bench.run import End, Plan, Profile, Run, Shape, figures
 from trex_gui.devices.trex.model.bench import Bench, Phase
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings

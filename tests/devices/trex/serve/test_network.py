@@ -23,7 +23,7 @@ from trex_gui import Trex, TrexLine
 from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable, StudioError
 from trex_gui.core.resource_files import resource
 from trex_gui.core.transport.urls import Address
-from trex_gui.devices.trex.cli.users import add_user
+from trex_gui.devices.trex.cli.serve import add_user
 from trex_gui.devices.trex.driving.requests import Arm, SetMotor
 from trex_gui.devices.trex.open_board import MotorsStoppedError
 from trex_gui.devices.trex.protocol.driving import Drive

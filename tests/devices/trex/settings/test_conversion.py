@@ -75,11 +75,7 @@ def test_older_firmware_loses_its_settings_and_keeps_the_real_baud_rate() -> Non
     newer = convert(settings, TREX, "1.3")
     assert newer.settings.parameters["uart_settings"] == LineSettings(19200).to_wire()
     assert newer.settings.calibrations == settings.calibrations
-    assert [row.fate for row in newer.rows] == [
-        Fate.CHANGED,
-        Fate.CARRIED_OVER,
-        Fate.CARRIED_OVER,
-    ]
+    assert [row.fate for row in newer.rows] == [Fate.CHANGED, Fate.CARRIED_OVER, Fate.CARRIED_OVER]
     assert newer.rows[0].reason == "Firmware 1.0 really runs at 19200 baud when set to 38400."
 
     settings = Settings(TREX, "1.2", {"uart_settings": line.to_wire(), "uart_response_delay": 1})

@@ -86,10 +86,7 @@ def test_number_keeps_its_base_and_width(old: str, wire: int, new: str) -> None:
     assert text == f"product: TReX\ndevice_number: {new}\n"
 
 
-@pytest.mark.parametrize(
-    "comment",
-    ["#off", "# off, for the bench", "# Off", "#", "# 0 s"],
-)
+@pytest.mark.parametrize("comment", ["#off", "# off, for the bench", "# Off", "#", "# 0 s"])
 def test_user_comment_is_left_alone(comment: str) -> None:
     text = amended(f"product: TReX\nserial_timeout: 0 {comment}\n", serial_timeout=5)
     assert text == f"product: TReX\nserial_timeout: 5 {comment}\n"

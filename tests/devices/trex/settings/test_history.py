@@ -18,12 +18,7 @@ from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationK
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.history import (
-    BOUND_FILE,
-    KEPT,
-    Bound,
-    SettingsHistory,
-)
+from trex_gui.devices.trex.settings.history import BOUND_FILE, KEPT, Bound, SettingsHistory
 
 NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
 
@@ -101,9 +96,7 @@ def test_snapshot_saved_meanwhile_by_other_program_is_kept(history: SettingsHist
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="links need a permission there")
-def test_dangling_snapshot_link_does_not_block_new_snapshot(
-    history: SettingsHistory,
-) -> None:
+def test_dangling_snapshot_link_does_not_block_new_snapshot(history: SettingsHistory) -> None:
     history.set_limit(1)
     gone = take(history)
     gone.unlink()
@@ -275,8 +268,7 @@ def test_programs_saving_in_same_second_lose_no_snapshot(history: SettingsHistor
 
 
 @pytest.mark.parametrize(
-    "failing",
-    ["os.fsync", "pathlib.Path.hardlink_to pathlib.Path.replace pathlib.Path.rename"],
+    "failing", ["os.fsync", "pathlib.Path.hardlink_to pathlib.Path.replace pathlib.Path.rename"]
 )
 def test_failed_save_leaves_no_partial_snapshot(
     history: SettingsHistory, monkeypatch: pytest.MonkeyPatch, failing: str

@@ -10,12 +10,7 @@ from trex_gui.core.files import load
 from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.devices.trex.settings.document import (
-    REACH,
-    Settings,
-    serial_defaults,
-    specs_for,
-)
+from trex_gui.devices.trex.settings.document import REACH, Settings, serial_defaults, specs_for
 from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.rules import Context, lint

@@ -95,19 +95,13 @@ def test_unknown_firmware_gives_warning() -> None:
         ("serial_timeout: |\n  5", "serial_timeout: 0 to 127 (off to 12.7 s), not a block of text"),
         ("device_number: 010", "device_number: 0 to 127, not 010"),
         ("device_number: true", "device_number: 0 to 127, not true"),
-        (
-            f"device_number: {'9' * 5000}",
-            f"device_number: 0 to 127, not {'9' * 40}…",
-        ),
+        (f"device_number: {'9' * 5000}", f"device_number: 0 to 127, not {'9' * 40}…"),
         (
             "motor_mode: joint",
             "motor_mode: 0 (independent) or 1 (joint), not joint; joint is written 1",
         ),
         ("uart_error_shutdown: yes", "uart_error_shutdown: 0 (off) or 1 (on), not yes"),
-        (
-            "uart_settings: 0xFFF",
-            f"uart_settings: {UART_RANGE}, not 0xFFF",
-        ),
+        ("uart_settings: 0xFFF", f"uart_settings: {UART_RANGE}, not 0xFFF"),
         (
             "crc7_polynomial: 0x89",
             "crc7_polynomial: 0 to 127 (0x80 to 0xFF), not 0x89; 0x89 is written 9",
@@ -125,10 +119,7 @@ def test_unknown_firmware_gives_warning() -> None:
             "rc_channel_1: 5",
             "rc_channel_1: is written {minimum: …, neutral: …, maximum: …, deadband: …}, not 5",
         ),
-        (
-            "rc_channel_1: {minimum: 1, neutral: 2, maximum: 3}",
-            "rc_channel_1: deadband is missing",
-        ),
+        ("rc_channel_1: {minimum: 1, neutral: 2, maximum: 3}", "rc_channel_1: deadband is missing"),
         (
             "rc_channel_1: {}",
             "rc_channel_1: minimum and neutral and maximum and deadband are missing",

@@ -26,8 +26,7 @@ def state_of(mode: Mode = Mode.SERIAL_RC, **changes: int) -> DeviceState:
 
 
 @pytest.mark.parametrize(
-    ("mode", "source"),
-    [(Mode.SERIAL_RC, InputSource.RC), (Mode.SERIAL_ANALOG, InputSource.ANALOG)],
+    ("mode", "source"), [(Mode.SERIAL_RC, InputSource.RC), (Mode.SERIAL_ANALOG, InputSource.ANALOG)]
 )
 def test_calibrations_belong_to_active_input_source(mode: Mode, source: InputSource) -> None:
     settings = settings_of(state_of(mode))

@@ -1,13 +1,65 @@
-"""replay: a saved transcript against the simulated board."""
+"""replay: a saved transcript on the simulated board, in virtual time."""
 
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import click
 
 from trex_gui.core.cli import CommandFailed, refusals, say
 from trex_gui.core.command_io import FileName
+from trex_gui.core.errors import BadRequest
+from trex_gui.core.files import SettingsError, load
+from trex_gui.core.simulator.line import SimulatedLine
 from trex_gui.core.texts import counted, hex_text
-from trex_gui.devices.trex.replay import RecordedTraffic
+from trex_gui.core.translation import tr
+from trex_gui.core.transport.traffic import Transaction
+from trex_gui.core.transport.transcript import LARGEST, TranscriptRow, read_transcript
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.commands import (
+    GetCalibration,
+    GetCurrent,
+    GetCurrents,
+    GetMode,
+    GetParameter,
+    GetRawChannels,
+    GetRemappedChannels,
+    GetSerialControl,
+    GetSignature,
+    GetStatus,
+    GetUartErrors,
+    SetCalibration,
+    SetParameter,
+    Signature,
+)
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.flags import InputSource, Mode
+from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL, Malformed, Packet, Reply
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_number, parameters_of
+from trex_gui.devices.trex.protocol.raw_packets import packets_of
+from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder, last_exchange
+from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
+from trex_gui.devices.trex.simulator.memory import Eeprom
+
+_MEASURED = (
+    GetRawChannels,
+    GetRemappedChannels,
+    GetCurrent,
+    GetCurrents,
+    GetSerialControl,
+    GetStatus,
+    GetUartErrors,
+)
+"""Queries whose replies depend on sticks, motors and line, so only their size is compared."""
+
+_WAIT = 0.3  # virtual seconds for a reply: the longest write takes 32 ms
+_LONGEST_GAP = 2.0  # virtual seconds between two rows; longer pauses are shortened
+
+_SAMPLE = 50  # rows examined to find the CRC in use
+
+_JUMPERS = {Mode.RC: "rc", Mode.ANALOG: "analog"}
 
 
 @click.command()
@@ -44,3 +96,158 @@ def replay(file: str, everything: bool) -> None:
             else "The simulator replies differently from here on; --all shows every difference."
         )
     click.echo(f"{counted(len(rows), 'transaction')}, no difference.")
+
+
+@dataclass(slots=True)
+class RecordedTraffic:
+    """Transcript, and the initial state of the board according to its replies."""
+
+    rows: Sequence[TranscriptRow]
+    settings: ConnectionSettings = field(default_factory=lambda: ConnectionSettings(""))
+    signature: Signature | None = None
+    mode: Mode = Mode.SERIAL_RC
+    parameters: dict[int, int] = field(default_factory=dict)
+    calibrations: dict[tuple[InputSource, int], Calibration] = field(default_factory=dict)
+    is_echoed: bool = False
+    warnings: list[str] = field(default_factory=list)
+
+    @classmethod
+    def load(cls, path: Path) -> "RecordedTraffic":
+        """Read a transcript file, without the probes of searches.
+
+        Raises:
+            SettingsError: the file is not a traffic log, or has nothing to compare.
+        """
+        text = load(path, tr("traffic logs"), LARGEST).decode("utf-8", "replace")
+        read = read_transcript(text, str(path), TrexDecoder())
+        rows = [row for row in read if not row.is_search]
+        if not any(row.sent for row in rows):
+            message = tr("there is nothing to compare: nothing was sent, except to search")
+            raise SettingsError.of(str(path), message)
+        return cls.of(rows)
+
+    @classmethod
+    def of(cls, rows: Sequence[TranscriptRow]) -> "RecordedTraffic":
+        found = cls(rows)
+        if (polynomial := _polynomial(rows)) is not None:
+            line = LineSettings(detection=Detection.CRC7)
+            found.settings = ConnectionSettings("", line, polynomial=polynomial)
+        answered = [row for row in rows if row.received and row.sent]
+        echoed = [row for row in answered if row.received.startswith(row.sent)]
+        found.is_echoed = len(echoed) * 2 > len(answered)
+        written: set[object] = set()
+        for row in rows:
+            found._learn(row, written)
+        return found
+
+    def _learn(self, row: TranscriptRow, written: set[object]) -> None:
+        """Record values that the file has not changed before this row."""
+        packet, reply = last_exchange(self._transaction(row))
+        if isinstance(packet, Packet) and isinstance(reply, Reply) and reply.raw:
+            self._learn_number(packet.device_number, written)
+        match packet, reply:
+            case Packet(command=GetSignature()), Reply(value=Signature() as signature):
+                self.signature = self.signature or signature
+            case Packet(command=GetMode()), Reply(value=Mode() as mode):
+                self.mode = mode
+            case Packet(command=SetParameter(number=number)), _:
+                written.add(number)
+            case Packet(command=SetCalibration(channel=channel)), _:
+                written.add((self.mode.source, channel))
+            case Packet(command=GetParameter(number=number)), Reply(value=int(value)):
+                if number not in written:
+                    self.parameters.setdefault(number, value)
+            case Packet(command=GetCalibration(channel=channel)), Reply(value=Calibration() as one):
+                if (self.mode.source, channel) not in written:
+                    self.calibrations.setdefault((self.mode.source, channel), one)
+
+    def _learn_number(self, device_number: int | None, written: set[object]) -> None:
+        """Record the device number of a board that has replied."""
+        parameter = parameter_number(ParameterKey.DEVICE_NUMBER)
+        if device_number is not None and parameter not in written:
+            self.parameters.setdefault(parameter, device_number)
+
+    def _transaction(self, row: TranscriptRow) -> Transaction:
+        return Transaction(
+            row.line,
+            row.time,
+            row.sent,
+            row.received,
+            settings=self.settings,
+            echo=self.is_echoed,
+            is_over=True,
+        )
+
+    def text(self) -> str:
+        board = (
+            tr("TReX 1.2, as no signature was read") if self.signature is None else self.signature
+        )
+        count = len(self.parameters)
+        known = tr("1 stored value") if count == 1 else tr("{0} stored values").format(count)
+        return tr("{0}, {1} from the file, others as from the factory").format(board, known)
+
+    def meaning(self, row: TranscriptRow, reply: bytes) -> str:
+        transaction = self._transaction(replace(row, received=reply))
+        return TrexDecoder().decoded(transaction).text
+
+    def replayed(self) -> Iterator[tuple[TranscriptRow, bytes]]:
+        """Yield each row whose reply differs, and the simulator's reply."""
+        line = self._line()
+        first = self.rows[0].time if self.rows else 0.0
+        at, before = line.now, first
+        for row in self.rows:
+            at += min(max(row.time - before, 0.0), _LONGEST_GAP)
+            before = row.time
+            line.advance_to(at)
+            line.receive()
+            if not row.sent:
+                continue
+            line.send(row.sent)
+            received = line.read(max(len(row.received), 1), _WAIT) + line.receive()
+            if self._differs(row, received):
+                yield row, received
+
+    def _differs(self, row: TranscriptRow, received: bytes) -> bool:
+        packet, _ = last_exchange(self._transaction(row))
+        if isinstance(packet, Packet) and isinstance(packet.command, _MEASURED):
+            return len(received) != len(row.received)
+        return received != row.received
+
+    def _line(self) -> SimulatedLine:
+        signature = self.signature
+        model = "trex" if signature is None else signature.model.key
+        firmware = "1.2" if signature is None else signature.firmware
+        eeprom = Eeprom(model)
+        specs = parameters_of(model, firmware)
+        stored = dict(self.parameters)
+        if self.settings.line.has_crc:
+            stored.setdefault(
+                parameter_number(ParameterKey.UART_SETTINGS), self.settings.line.to_wire()
+            )
+            bits = self.settings.polynomial & 0x7F
+            stored.setdefault(parameter_number(ParameterKey.CRC7_POLYNOMIAL), bits)
+        for number, value in stored.items():
+            spec = specs.number(number)
+            if spec is not None and spec.readable:
+                try:
+                    eeprom.write(spec.key, value)
+                except BadRequest as error:
+                    self.warnings.append(
+                        tr("{0}; the simulated board has its default.").format(error)
+                    )
+        for (source, channel), calibration in self.calibrations.items():
+            eeprom.write_calibration(source, channel, calibration)
+        board = Board(model, firmware, eeprom=eeprom, mode=_JUMPERS.get(self.mode, "serial"))
+        return SimulatedBoards([board], echo=self.is_echoed, paced=False)
+
+
+def _polynomial(rows: Sequence[TranscriptRow]) -> int | None:
+    """Return the CRC polynomial that makes most packets readable. `None`: no CRC."""
+    every: tuple[int | None, ...] = (None, DEFAULT_POLYNOMIAL, *range(0x80, 0x100))
+    return min(every, key=lambda polynomial: _damaged(rows[:_SAMPLE], polynomial))
+
+
+def _damaged(rows: Iterable[TranscriptRow], polynomial: int | None) -> int:
+    """Count the sent packets that are malformed with this CRC. `None`: no CRC."""
+    packets = (one for row in rows for one in packets_of(row.sent, polynomial))
+    return sum(isinstance(one.packet, Malformed) for one in packets)

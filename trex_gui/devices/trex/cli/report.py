@@ -16,12 +16,7 @@ from trex_gui.core.report import create_report, save_report
 from trex_gui.core.texts import counted
 from trex_gui.core.transport.traffic import logged
 from trex_gui.core.transport.transcript import TranscriptWriter
-from trex_gui.devices.trex.cli.common import (
-    identify,
-    link_options,
-    link_settings,
-    open_port,
-)
+from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_port
 from trex_gui.devices.trex.cli.status import board_report
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import read_everything

@@ -1,7 +1,9 @@
 """Commands serve and robots, for boards that other computers use over the network."""
 
 import ipaddress
+import secrets
 import socket
+import stat
 import sys
 from pathlib import Path
 from typing import Any
@@ -10,16 +12,14 @@ import click
 
 from trex_gui.core.cli import CommandFailed, Interruption, json_option, print_json, refusals, say
 from trex_gui.core.command_io import FileName
+from trex_gui.core.errors import BadRequest
+from trex_gui.core.files import load, save
 from trex_gui.core.host import host
 from trex_gui.core.resource_files import resource
-from trex_gui.core.transport.urls import (
-    PORT,
-    Address,
-    is_name,
-)
+from trex_gui.core.transport.urls import PORT, Address, is_name
 from trex_gui.devices.trex.cli.common import boards_option, grouped, link_options, link_settings
-from trex_gui.devices.trex.cli.users import ROLES, add_user, read_users
 from trex_gui.devices.trex.library import Trex
+from trex_gui.devices.trex.serve.lease import Role, User
 from trex_gui.devices.trex.serve.robots import Robots, require_network
 
 _SERVICE_FILES = (
@@ -37,6 +37,8 @@ Save these two files (the Debian package has them), then, as root:
   udevadm trigger
 
 {0}"""
+ROLES = {"watch": Role.WATCH, "drive": Role.DRIVE, "own": Role.OWN}
+_SECRET_BYTES = 24
 _EVERYWHERE = "0.0.0.0"  # noqa: S104 - users are checked
 
 
@@ -50,7 +52,12 @@ _EVERYWHERE = "0.0.0.0"  # noqa: S104 - users are checked
     help=f"Where to listen; with users every address at {PORT}, else this computer only.",
 )
 @click.option("--users", "users_file", type=FileName(dir_okay=False), help="File of the users.")
-@click.option("--add-user", metavar="NAME", help="Add a user to the file, print its secret, end.")
+@click.option(
+    "--add-user",
+    "new_user",
+    metavar="NAME",
+    help="Add a user to the file, print its secret, end.",
+)
 @click.option(
     "--role",
     type=click.Choice(list(ROLES)),
@@ -72,7 +79,7 @@ def serve(
     *,
     listen: str | None,
     users_file: str | None,
-    add_user: str | None,
+    new_user: str | None,
     role: str,
     tls: tuple[str, str] | None,
     install: bool,
@@ -89,8 +96,13 @@ def serve(
     if install:
         click.echo(_install_text())
         return
-    if add_user is not None:
-        _add_user(users_file, add_user, role)
+    if new_user is not None:
+        if users_file is None:
+            raise click.UsageError("--add-user needs --users FILE.")
+        with refusals():
+            secret = add_user(Path(users_file), new_user, role)
+        say(f"{new_user} may {role}. The secret, for TREX_SECRET or the file of secrets:")
+        click.echo(secret)
         return
     if not is_name(name):
         raise click.UsageError(f"A name has letters, digits, and -_. between them, not {name!r}.")
@@ -134,15 +146,6 @@ def _is_local(name: str) -> bool:
         return False
 
 
-def _add_user(file: str | None, name: str, role: str) -> None:
-    if file is None:
-        raise click.UsageError("--add-user needs --users FILE.")
-    with refusals():
-        secret = add_user(Path(file), name, role)
-    say(f"{name} may {role}. The secret, for TREX_SECRET or the file of secrets:")
-    click.echo(secret)
-
-
 def _install_text() -> str:
     command = Path(sys.argv[0]).absolute()
     texts = [
@@ -150,6 +153,59 @@ def _install_text() -> str:
         for place, name in _SERVICE_FILES
     ]
     return _INSTALL.format("\n".join(texts), command).replace("@COMMAND@", str(command))
+
+
+# --- Users: a file with a line NAME ROLE SECRET for each --------------------------------
+
+
+def read_users(path: Path) -> tuple[User, ...]:
+    """Return the users in a file.
+
+    Raises:
+        BadRequest: a line is invalid, or other users of this computer can read the file.
+        StudioError: the file cannot be read.
+    """
+    text = load(path).decode("utf-8", "replace")
+    if sys.platform != "win32" and path.stat().st_mode & (stat.S_IRWXG | stat.S_IRWXO):
+        raise BadRequest(f"Others can read the secrets in {path}: chmod 600 {path}.")
+    users: dict[str, User] = {}
+    for number, line in enumerate(text.splitlines(), 1):
+        words = line.split()
+        if not words or line.lstrip().startswith("#"):
+            continue
+        if len(words) != 3 or words[1] not in ROLES or not _is_user(words[0]) or ":" in words[2]:
+            roles = ", ".join(ROLES)
+            raise BadRequest(f"{path}: line {number}: expected NAME ROLE SECRET; roles: {roles}.")
+        if words[0] in users:
+            raise BadRequest(f"{path}: line {number}: {words[0]} is there twice.")
+        users[words[0]] = User(words[0], ROLES[words[1]], words[2])
+    if not users:
+        raise BadRequest(f"{path} has no users.")
+    return tuple(users.values())
+
+
+def add_user(path: Path, name: str, role: str) -> str:
+    """Add a user to a file, and return the new secret. A missing file is created.
+
+    Raises:
+        StudioError: the name cannot be used, or the file cannot be written.
+    """
+    if not _is_user(name):
+        raise BadRequest(f"A user has a name of letters and digits, not {name!r}.")
+    before = load(path).decode("utf-8", "replace") if path.exists() else ""
+    if any(line.split()[:1] == [name] for line in before.splitlines()):
+        raise BadRequest(f"{path} has a user {name} already.")
+    if before and not before.endswith("\n"):
+        before += "\n"
+    secret = secrets.token_urlsafe(_SECRET_BYTES)
+    if not path.exists():
+        path.touch(mode=0o600)
+    save(path, f"{before}{name} {role} {secret}\n")
+    return secret
+
+
+def _is_user(name: str) -> bool:
+    return name.isascii() and name.isalnum() and len(name) <= 40
 
 
 # --- Robots -----------------------------------------------------------------------------
@@ -164,9 +220,7 @@ def _release(row: dict[str, Any]) -> None:
 @click.command()
 @click.argument("hosts", nargs=-1, metavar="[USER@HOST[:PORT]]...")
 @click.option(
-    "--release",
-    metavar="NAME",
-    help="As an owner, end the lease of who drives this board.",
+    "--release", metavar="NAME", help="As an owner, end the lease of who drives this board."
 )
 @json_option
 def robots(hosts: tuple[str, ...], release: str | None, *, as_json: bool) -> None:

@@ -27,13 +27,7 @@ from trex_gui.devices.trex.cli.common import (
     open_line,
     open_line_to_change,
 )
-from trex_gui.devices.trex.cli.files import (
-    FILE,
-    name_of,
-    print_comparison,
-    read_file,
-    visible,
-)
+from trex_gui.devices.trex.cli.files import FILE, name_of, print_comparison, read_file, visible
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.discovery import NUMBERS

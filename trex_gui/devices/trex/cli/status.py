@@ -1,11 +1,18 @@
-"""Commands status and get, which read the board without changing it."""
+"""Commands status, get and boards, which read boards without changing them."""
 
 import json
 from typing import Any
 
 import click
 
-from trex_gui.core.cli import json_option, print_json, say
+from trex_gui.core.cli import (
+    CommandFailed,
+    Interruption,
+    ProgressLine,
+    json_option,
+    print_json,
+    say,
+)
 from trex_gui.core.events import Event
 from trex_gui.devices.trex.board.drive_status import AUXILIARY, DriveInputs, motor_setpoint
 from trex_gui.devices.trex.board.keeper import Keeper
@@ -19,6 +26,7 @@ from trex_gui.devices.trex.cli.common import (
     link_settings,
     open_line,
     rounded,
+    row_of,
     spec_of,
     specs_of,
 )
@@ -31,6 +39,7 @@ from trex_gui.devices.trex.client.telemetry import (
     Remapped,
     StatusReader,
 )
+from trex_gui.devices.trex.discovery import NUMBERS, boards_by_number
 from trex_gui.devices.trex.driving.blockers import Effect
 from trex_gui.devices.trex.driving.board_reasons import (
     LED_TEXTS,
@@ -152,6 +161,33 @@ def get_command(name: str, as_json: bool, **options: Any) -> None:
         click.echo(json.dumps({"name": spec.key, "value": wire, "text": spec.text(wire)}))
     else:
         click.echo(f"{wire}\t{spec.text(wire)}")
+
+
+@click.command()
+@link_options
+@json_option
+def boards(as_json: bool, **options: Any) -> None:
+    """List the boards that share the line, with the options that reach each.
+
+    Asks for every device number which board has it, at the line settings of the options. No TReX
+    moves a motor or changes anything. A board that is off, or has the number of another one, is not
+    listed; `trexcmd find` also looks at other line settings.
+    """
+    link = link_settings(options)
+    progress = ProgressLine("Asking")
+    with open_line(link) as client, Interruption() as interrupted, progress as line:
+        found = boards_by_number(
+            client,
+            lambda number: line(number, NUMBERS, f"for number {number}"),
+            interrupted.__bool__,
+        )
+    if as_json:
+        print_json([{"device_number": board.device_number, **row_of(board)} for board in found])
+    else:
+        for board in found:
+            click.echo(f"{board.device_number}\t{board.signature}\t{row_of(board)['options']}")
+    if not found:
+        raise CommandFailed(f"No board replies to a device number on {link.text()}.")
 
 
 def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:

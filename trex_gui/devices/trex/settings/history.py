@@ -12,14 +12,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.files import (
-    data_folder,
-    explained,
-    load,
-    open_ordinary,
-    save,
-    save_new,
-)
+from trex_gui.core.files import data_folder, explained, load, open_ordinary, save, save_new
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.parameters import ParameterKey

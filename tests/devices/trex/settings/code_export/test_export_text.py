@@ -55,10 +55,7 @@ def without_version(text: str) -> str:
 @pytest.mark.parametrize(
     ("name", "text"),
     [
-        (
-            "trex_board.ino",
-            export_code(settings_for(link()), link(), Language.ARDUINO),
-        ),
+        ("trex_board.ino", export_code(settings_for(link()), link(), Language.ARDUINO)),
         (
             "trexjr_board.py",
             export_code(

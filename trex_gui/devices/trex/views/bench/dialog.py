@@ -14,9 +14,8 @@ from trex_gui.core.files import reason_of, save
 from trex_gui.core.texts import title_of
 from trex_gui.core.timing import FRAME_MS
 from trex_gui.core.translation import Number, tr
-from trex_gui.devices.trex.bench.figures import BAND
 from trex_gui.devices.trex.bench.files import load_run, to_csv
-from trex_gui.devices.trex.bench.run import End, Run
+from trex_gui.devices.trex.bench.run import BAND, End, Run
 from trex_gui.devices.trex.model.bench import Bench, Phase
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.views.bench.forms import PlanForm, TuningForm

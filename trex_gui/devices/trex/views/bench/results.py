@@ -10,8 +10,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.core.translation import Number, tr
-from trex_gui.devices.trex.bench.figures import BAND, Figures, figures
-from trex_gui.devices.trex.bench.run import Run
+from trex_gui.devices.trex.bench.run import BAND, Figures, Run, figures
 from trex_gui.ui.widgets.bar import MINUS, NO_VALUE
 from trex_gui.ui.widgets.behaviour import name_headers
 from trex_gui.ui.widgets.builders import plain, set_row_height
