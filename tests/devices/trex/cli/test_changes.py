@@ -277,7 +277,7 @@ def test_notes_of_a_file_are_kept_for_the_board(trexcmd: RunCommand, tmp_path: P
     trexcmd("set", "serial_timeout", "1.5 s")
     (snapshot,) = SettingsHistory().snapshots()
     assert SettingsHistory().load(snapshot).notes == {"motor_mode": "two motors"}
-    assert trexcmd("export", "--as", "c", "-").stdout.count("// motor_mode: two motors") == 1
+    assert trexcmd("export", "--as", "python", "-").stdout.count("# motor_mode: two motors") == 1
 
 
 def test_what_was_applied_last_is_compared_with_the_board(trexcmd: RunCommand) -> None:
