@@ -53,18 +53,12 @@ from trex_gui.devices.trex.protocol.parameters import (
 
 
 def complete_parameter(
-    ctx: click.Context, param: click.Parameter, incomplete: str
+    _ctx: click.Context, _param: click.Parameter, incomplete: str
 ) -> list[CompletionItem]:
-    del ctx, param
     rows = {row["key"]: row["name"] for row in device_table().rows}
     return [
         CompletionItem(key, help=name) for key, name in rows.items() if key.startswith(incomplete)
     ]
-
-
-def _complete_baud(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[str]:
-    del ctx, param
-    return [rate for rate in map(str, baud_rates()) if rate.startswith(incomplete)]
 
 
 crc_option = click.option("--crc", is_flag=True, help="End every packet with a CRC-7.")
@@ -75,7 +69,6 @@ polynomial_option = click.option(
     show_default=True,
     help="CRC-7 polynomial, 80 to FF.",
 )
-_RESERVE = "Numbers of other devices on the line, such as 0,1; implies --protocol expanded."
 link_options = all_options(
     port_option,
     click.option(
@@ -83,7 +76,6 @@ link_options = all_options(
         type=int,
         default=19200,
         show_default=True,
-        shell_complete=_complete_baud,
         help="Baud rate in bit/s.",
     ),
     click.option(
@@ -116,7 +108,12 @@ link_options = all_options(
         show_default=True,
         help="expanded (Pololu) addresses one board of several.",
     ),
-    click.option("--reserve", metavar="NUMBERS", default="", help=_RESERVE),
+    click.option(
+        "--reserve",
+        metavar="NUMBERS",
+        default="",
+        help="Numbers of other devices on the line, such as 0,1; implies --protocol expanded.",
+    ),
     timeout_option,
     traffic_option(Lazy("trex_gui.devices.trex.session.traffic_decoder:TrexDecoder")),
 )
@@ -155,8 +152,7 @@ def grouped(settings: ConnectionSettings, boards: str) -> ConnectionSettings:
     if not boards:
         return settings
     try:
-        numbers = tuple(sorted(numbers_in(boards)))
-        return settings.with_group(numbers)
+        return settings.with_group(tuple(sorted(numbers_in(boards))))
     except ValueError as error:
         raise click.UsageError(f"--boards: {error}") from error
 
@@ -346,8 +342,3 @@ def specs_of(name: str) -> list[ParameterSpec]:
         hint = f" Did you mean {close[0]}?" if close else ""
         raise click.UsageError(f"No TReX has a parameter {name!r}.{hint}")
     return specs
-
-
-def spec_of(client: TrexClient, name: str) -> ParameterSpec:
-    signature = identify(client)
-    return parameters_of(signature.model.key, signature.firmware)[name]

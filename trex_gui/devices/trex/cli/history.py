@@ -16,8 +16,7 @@ from trex_gui.devices.trex.cli.files import diff as diff_settings
 from trex_gui.devices.trex.settings.history import SettingsHistory, Snapshot
 
 
-def _complete_number(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[Any]:
-    del ctx, param
+def _complete_number(_ctx: click.Context, _param: click.Parameter, incomplete: str) -> list[Any]:
     return [
         CompletionItem(word, help=" ".join(filter(None, _cells(number, snapshot)[1:])))
         for number, snapshot in enumerate(SettingsHistory().snapshots(), 1)

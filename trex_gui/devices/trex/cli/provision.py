@@ -89,7 +89,7 @@ def provision(
         record = ProvisionRecord(Path(file), name=name, first=first)
         shop = _Shop(link, profile, wanted, record, pulses=pulse)
         done = 0
-        while done != limit and shop.take_board(is_last=done + 1 == limit):
+        while done != limit and shop.set_up_next(is_last=done + 1 == limit):
             done += 1
     say(f"{counted(done, 'board')} in {file}.")
 
@@ -102,7 +102,7 @@ class _Shop:
     record: ProvisionRecord
     pulses: bool
 
-    def take_board(self, *, is_last: bool) -> bool:
+    def set_up_next(self, *, is_last: bool) -> bool:
         """Wait for a board and set it up. Return whether the user wants more boards."""
         say(f"Waiting for a board on {self.link.url} ...")
         wants_more = True
@@ -124,28 +124,18 @@ class _Shop:
         return wants_more
 
     def _wait_for_board(self, stack: ExitStack) -> Trex:
-        said = ""
+        trex, said = Trex(self.link.url), ""
+        trex.settings = self.link
         while True:
             try:
-                return stack.enter_context(self._open())
+                return stack.enter_context(trex)
             except StudioError as error:
-                usual = getattr(error, "code", None) is ErrorCode.NO_BOARD
-                if not usual and str(error) != said:
+                is_expected = getattr(error, "code", None) is ErrorCode.NO_BOARD
+                if not is_expected and str(error) != said:
                     said = str(error)
                     say(said)
             with (condition := host().condition()):
                 condition.wait(_LOOK_S)
-
-    def _open(self) -> Trex:
-        link, line = self.link, self.link.line
-        return Trex(
-            link.url,
-            baud=line.baud,
-            detection=line.detection.name.lower(),  # type: ignore[arg-type] # of the same names
-            stop_bits=line.stop_bits,
-            polynomial=link.polynomial,
-            timeout=link.timeouts.extra,
-        )
 
     def _set_up(self, trex: Trex) -> bool:
         try:
@@ -166,18 +156,18 @@ class _Shop:
             return False
         trex.wait(0.05)  # NoReply if the board was unplugged meanwhile
         if key in _ENTER:
-            self._note(board)  # record the number before the board may get it
+            self._save(board)  # record the number before the board may get it
             result = self._write(trex, board.number, rows)
             if trex.is_responding:
                 board = replace(board, calibrations=fingerprint(settings_of(trex.state)))
             board = replace(board, result=result)
         else:
             board = self.record.skipped(board, stored)
-        self._note(board)
+        self._save(board)
         say(f"{board.name}: {board.result}.")
         return True
 
-    def _note(self, board: ProvisionedBoard) -> None:
+    def _save(self, board: ProvisionedBoard) -> None:
         self.record.put(board)
         while True:
             try:

@@ -27,7 +27,6 @@ from trex_gui.devices.trex.cli.common import (
     open_line,
     rounded,
     row_of,
-    spec_of,
     specs_of,
 )
 from trex_gui.devices.trex.client.client import TrexClient
@@ -56,6 +55,7 @@ from trex_gui.devices.trex.protocol.commands import (
 )
 from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT
 from trex_gui.devices.trex.protocol.flags import CHANNELS, Status, UartError, bit_names
+from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.session.messages import Batch, Connected, ReadReason
 from trex_gui.devices.trex.settings.board_records import utc_now
 
@@ -155,7 +155,8 @@ def get_command(name: str, as_json: bool, **options: Any) -> None:
     if not (known := specs_of(name)[0]).readable:
         raise click.UsageError(f"{known.name} can only be written.")
     with open_line(link_settings(options)) as client:
-        spec = spec_of(client, name)
+        board = identify(client)
+        spec = parameters_of(board.model.key, board.firmware)[name]
         wire = agreed(client.request, GetParameter(spec.number), has_crc=client.has_crc)
     if as_json:
         click.echo(json.dumps({"name": spec.key, "value": wire, "text": spec.text(wire)}))

@@ -89,10 +89,6 @@ class Comparison:
     def equal(self) -> int:
         return sum(row.before == row.after for row in self.rows)
 
-    @property
-    def missing(self) -> int:
-        return sum(row.is_missing for row in self.rows)
-
     def summary(self) -> str:
         """Return the counts, such as `29 parameters: 4 will change, 25 match`."""
         parameters = [row for row in self.rows if not row.is_calibration]
@@ -237,7 +233,16 @@ def _counts(rows: list[ComparisonRow], one: str, many: str) -> str:
 
 def _cells(row: ComparisonRow) -> Iterator[tuple[str, str, str]]:
     """Yield lines of key, wire values and physical values for a row, then its note."""
-    yield from _value_cells(row)
+    if isinstance(row.key, CalibrationKey) and None not in {row.before, row.after}:
+        for name in row.differing_fields:
+            old, new = getattr(row.before, name), getattr(row.after, name)
+            texts = f"{row.key.source.text(old)} → {row.key.source.text(new)}"
+            yield f"{row.key} {name}", f"{old} → {new}", texts
+    elif row.before != row.after:
+        missing = tr(_NOT_GIVEN)
+        wires = f"{wire_text(row.before, missing)} → {wire_text(row.after, missing)}"
+        texts = f"{row.text_before or missing} → {row.text_after or missing}"
+        yield row.key, wires, "" if texts == wires else texts
     if text := note_text(row.note_before, row.note_after):
         yield tr("{0} note").format(row.key), "", text
 
@@ -246,20 +251,6 @@ def note_text(before: str, after: str) -> str:
     """Return the note of a row on one line, old → new if they differ. Empty without a note."""
     notes = (note.replace("\n", " / ") for note in (before, after))
     return " → ".join(dict.fromkeys(filter(None, notes)))
-
-
-def _value_cells(row: ComparisonRow) -> Iterator[tuple[str, str, str]]:
-    if row.before == row.after:  # only its note differs
-        return
-    if isinstance(row.key, CalibrationKey) and row.before is not None and row.after is not None:
-        for name in row.differing_fields:
-            old, new = getattr(row.before, name), getattr(row.after, name)
-            texts = f"{row.key.source.text(old)} → {row.key.source.text(new)}"
-            yield f"{row.key} {name}", f"{old} → {new}", texts
-        return
-    wires = f"{wire_text(row.before, tr(_NOT_GIVEN))} → {wire_text(row.after, tr(_NOT_GIVEN))}"
-    texts = f"{row.text_before or tr(_NOT_GIVEN)} → {row.text_after or tr(_NOT_GIVEN)}"
-    yield row.key, wires, "" if texts == wires else texts
 
 
 def wire_text(value: int | Calibration | None, missing: str) -> str:

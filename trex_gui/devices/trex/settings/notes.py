@@ -13,22 +13,23 @@ from trex_gui.devices.trex.settings.yaml_subset import LINE_END
 
 LONGEST_NOTE = 1000  # characters; a file with such a note on each setting can still be read
 
-_NOTE = re.compile(r"[ \t]*# Note on ([a-z0-9_]+): (.*\S)[ \t]*")
+_NOTE = re.compile(r"[ \t]*# Note on ([a-z0-9_]+): .*\S[ \t]*")
 
 
 def note_line_key(line: str) -> str:
     """Return the key of the setting that a line is a note on. Empty if it is not a note."""
-    found = _NOTE.fullmatch(line)
-    return found[1] if found and _can_have_note(found[1]) else ""
+    key = found[1] if (found := _NOTE.fullmatch(line)) else ""
+    known = key in CALIBRATION_KEYS or any(row["key"] == key for row in device_table().rows)
+    return key if known else ""
 
 
 def read_notes(text: str) -> dict[str, str]:
     """Return the notes in a text by key. The lines of a note are joined."""
     notes: dict[str, list[str]] = {}
     for line in LINE_END.split(text):
-        found = _NOTE.fullmatch(line)
-        if found and _can_have_note(found[1]) and (text := clean_note(found[2])):
-            notes.setdefault(found[1], []).append(text)
+        key = note_line_key(line)
+        if key and (note := clean_note(line.partition(":")[2])):
+            notes.setdefault(key, []).append(note)
     return {key: "\n".join(notes[key]) for key in sorted(notes)}
 
 
@@ -42,7 +43,3 @@ def clean_note(text: str) -> str:
     lines = (line.expandtabs().strip() for line in text.splitlines())
     shown = ("".join(c if c.isprintable() else "?" for c in line) for line in lines)
     return "\n".join(filter(None, shown))
-
-
-def _can_have_note(key: str) -> bool:
-    return key in CALIBRATION_KEYS or any(row["key"] == key for row in device_table().rows)
