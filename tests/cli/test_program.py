@@ -75,7 +75,6 @@ def test_verbose_option_prints_the_log(
         ("get-s", "get-settings"),
         ("get serial_", "serial_timeout"),
         ("set motor1_a", "motor1_acceleration"),
-        ("status --baud 115", "115200"),
         ("status --par", "--parity"),
         ("calibration s", "set"),
         ("completion z", "zsh"),

@@ -3,7 +3,6 @@
 import contextlib
 import difflib
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import replace
 from typing import Any
 
 import click
@@ -301,19 +300,7 @@ def _describe(found: FoundBoard) -> str:
     number = f", device number {found.device_number}" if found.device_number is not None else ""
     side = " (RS-232 side)" if found.echo else ""
     text = f"{found.signature} on {found.settings.text()}{number}{side}."
-    return "\n".join(filter(None, (text, found.note, _line_choices(found.settings))))
-
-
-def _line_choices(settings: ConnectionSettings) -> str:
-    """Return commands that store common line settings which the board does not use."""
-    factory = LineSettings()
-    fast = replace(factory, baud=115200)
-    commands = [
-        f"  trexcmd set uart_settings {line.to_wire()} {as_options(settings)}   # {line.text()}"
-        for line in (factory, fast)
-        if line != settings.line
-    ]
-    return "\n".join(["To set other line settings, then switch the board off and on:", *commands])
+    return f"{text}\n{found.note}".rstrip()
 
 
 def row_of(found: FoundBoard) -> dict[str, Any]:

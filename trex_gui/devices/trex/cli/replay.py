@@ -1,6 +1,6 @@
 """replay: a saved transcript on the simulated board, in virtual time."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -15,23 +15,8 @@ from trex_gui.core.texts import counted, hex_text
 from trex_gui.core.translation import tr
 from trex_gui.core.transport.traffic import Transaction
 from trex_gui.core.transport.transcript import LARGEST, TranscriptRow, read_transcript
+from trex_gui.devices.trex.protocol import commands as c
 from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.commands import (
-    GetCalibration,
-    GetCurrent,
-    GetCurrents,
-    GetMode,
-    GetParameter,
-    GetRawChannels,
-    GetRemappedChannels,
-    GetSerialControl,
-    GetSignature,
-    GetStatus,
-    GetUartErrors,
-    SetCalibration,
-    SetParameter,
-    Signature,
-)
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode
 from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL, Malformed, Packet, Reply
@@ -44,13 +29,13 @@ from trex_gui.devices.trex.simulator.line import SimulatedBoards
 from trex_gui.devices.trex.simulator.memory import Eeprom
 
 _MEASURED = (
-    GetRawChannels,
-    GetRemappedChannels,
-    GetCurrent,
-    GetCurrents,
-    GetSerialControl,
-    GetStatus,
-    GetUartErrors,
+    c.GetRawChannels,
+    c.GetRemappedChannels,
+    c.GetCurrent,
+    c.GetCurrents,
+    c.GetSerialControl,
+    c.GetStatus,
+    c.GetUartErrors,
 )
 """Queries whose replies depend on sticks, motors and line, so only their size is compared."""
 
@@ -104,7 +89,7 @@ class RecordedTraffic:
 
     rows: Sequence[TranscriptRow]
     settings: ConnectionSettings = field(default_factory=lambda: ConnectionSettings(""))
-    signature: Signature | None = None
+    signature: c.Signature | None = None
     mode: Mode = Mode.SERIAL_RC
     parameters: dict[int, int] = field(default_factory=dict)
     calibrations: dict[tuple[InputSource, int], Calibration] = field(default_factory=dict)
@@ -144,28 +129,26 @@ class RecordedTraffic:
         """Record values that the file has not changed before this row."""
         packet, reply = last_exchange(self._transaction(row))
         if isinstance(packet, Packet) and isinstance(reply, Reply) and reply.raw:
-            self._learn_number(packet.device_number, written)
+            parameter = parameter_number(ParameterKey.DEVICE_NUMBER)
+            if packet.device_number is not None and parameter not in written:
+                self.parameters.setdefault(parameter, packet.device_number)
         match packet, reply:
-            case Packet(command=GetSignature()), Reply(value=Signature() as signature):
+            case Packet(command=c.GetSignature()), Reply(value=c.Signature() as signature):
                 self.signature = self.signature or signature
-            case Packet(command=GetMode()), Reply(value=Mode() as mode):
+            case Packet(command=c.GetMode()), Reply(value=Mode() as mode):
                 self.mode = mode
-            case Packet(command=SetParameter(number=number)), _:
+            case Packet(command=c.SetParameter(number=number)), _:
                 written.add(number)
-            case Packet(command=SetCalibration(channel=channel)), _:
+            case Packet(command=c.SetCalibration(channel=channel)), _:
                 written.add((self.mode.source, channel))
-            case Packet(command=GetParameter(number=number)), Reply(value=int(value)):
+            case Packet(command=c.GetParameter(number=number)), Reply(value=int(value)):
                 if number not in written:
                     self.parameters.setdefault(number, value)
-            case Packet(command=GetCalibration(channel=channel)), Reply(value=Calibration() as one):
-                if (self.mode.source, channel) not in written:
-                    self.calibrations.setdefault((self.mode.source, channel), one)
-
-    def _learn_number(self, device_number: int | None, written: set[object]) -> None:
-        """Record the device number of a board that has replied."""
-        parameter = parameter_number(ParameterKey.DEVICE_NUMBER)
-        if device_number is not None and parameter not in written:
-            self.parameters.setdefault(parameter, device_number)
+            case Packet(command=c.GetCalibration(channel=number)), Reply(
+                value=Calibration() as one
+            ):
+                if (self.mode.source, number) not in written:
+                    self.calibrations.setdefault((self.mode.source, number), one)
 
     def _transaction(self, row: TranscriptRow) -> Transaction:
         return Transaction(
@@ -204,14 +187,12 @@ class RecordedTraffic:
                 continue
             line.send(row.sent)
             received = line.read(max(len(row.received), 1), _WAIT) + line.receive()
-            if self._differs(row, received):
+            packet, _ = last_exchange(self._transaction(row))
+            is_measured = isinstance(packet, Packet) and isinstance(packet.command, _MEASURED)
+            if is_measured and len(received) == len(row.received):
+                continue
+            if received != row.received:
                 yield row, received
-
-    def _differs(self, row: TranscriptRow, received: bytes) -> bool:
-        packet, _ = last_exchange(self._transaction(row))
-        if isinstance(packet, Packet) and isinstance(packet.command, _MEASURED):
-            return len(received) != len(row.received)
-        return received != row.received
 
     def _line(self) -> SimulatedLine:
         signature = self.signature
@@ -243,11 +224,10 @@ class RecordedTraffic:
 
 def _polynomial(rows: Sequence[TranscriptRow]) -> int | None:
     """Return the CRC polynomial that makes most packets readable. `None`: no CRC."""
+
+    def damaged(polynomial: int | None) -> int:
+        packets = (one for row in rows[:_SAMPLE] for one in packets_of(row.sent, polynomial))
+        return sum(isinstance(one.packet, Malformed) for one in packets)
+
     every: tuple[int | None, ...] = (None, DEFAULT_POLYNOMIAL, *range(0x80, 0x100))
-    return min(every, key=lambda polynomial: _damaged(rows[:_SAMPLE], polynomial))
-
-
-def _damaged(rows: Iterable[TranscriptRow], polynomial: int | None) -> int:
-    """Count the sent packets that are malformed with this CRC. `None`: no CRC."""
-    packets = (one for row in rows for one in packets_of(row.sent, polynomial))
-    return sum(isinstance(one.packet, Malformed) for one in packets)
+    return min(every, key=damaged)

@@ -114,5 +114,4 @@ def factory_settings(product: Model, firmware: str | None) -> Settings:
 
 
 def serial_defaults(product: Model, firmware: str | None) -> Settings:
-    defaults = factory_settings(product, firmware).parameters
-    return Settings(product, firmware, {key: defaults[key] for key in REACH if key in defaults})
+    return factory_settings(product, firmware).only(REACH)
