@@ -32,7 +32,6 @@ def _row(row: Transaction, decoder: Decoder) -> dict[str, object]:
         "note": "",
         "sent": hex_text(row.sent),
         "bytes": ", ".join(map(hexadecimal, row.sent)),
-        "count": len(row.sent),
         "size": len(row.received),
         "received": hex_text(row.received),
         "meaning": meaning,

@@ -51,21 +51,15 @@ class _Checked:
         return [*lines, *(f"warning: {found.text}" for found in self.warnings)]
 
     def report(self) -> dict[str, Any]:
-        rows = self.conversion.rows if self.conversion else ()
         return {
             "usable": self.settings is not None,
-            "findings": [asdict(finding) for finding in self.findings],
+            "findings": list(map(asdict, self.findings)),
             "warnings": [
-                {
-                    "rule": found.rule,
-                    "keys": list(found.keys),
-                    "message": found.message,
-                    "proposal": found.proposal,
-                }
+                {name: getattr(found, name) for name in ("rule", "keys", "message", "proposal")}
                 for found in self.warnings
             ],
-            "repairs": list(self.repairs),
-            "conversion": [asdict(row) for row in rows],
+            "repairs": self.repairs,
+            "conversion": list(map(asdict, self.conversion.rows if self.conversion else ())),
         }
 
     def written(self, settings: Settings, *, keep_all: bool) -> str:

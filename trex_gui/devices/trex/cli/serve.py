@@ -211,12 +211,6 @@ def _is_user(name: str) -> bool:
 # --- Robots -----------------------------------------------------------------------------
 
 
-def _release(row: dict[str, Any]) -> None:
-    with Trex(row["url"]) as board:  # the end of the block returns the lease
-        board.request_lease(take=True)
-    row["driver"] = None
-
-
 @click.command()
 @click.argument("hosts", nargs=-1, metavar="[USER@HOST[:PORT]]...")
 @click.option(
@@ -235,7 +229,9 @@ def robots(hosts: tuple[str, ...], release: str | None, *, as_json: bool) -> Non
         if release is not None:
             found = [row for row in found if release in {row["name"], row["url"]}]
             for row in found:
-                _release(row)
+                with Trex(row["url"]) as trex:  # the end of the block returns the lease
+                    trex.request_lease(take=True)
+                row["driver"] = None
     if as_json:
         print_json(found)
         return
