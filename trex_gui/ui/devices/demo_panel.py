@@ -121,10 +121,7 @@ class Rows(ui.Card, Generic[SnapshotT]):
     def add_row(
         self, name: str, slider: QWidget, value: QLabel, ticks: Sequence[QWidget] = ()
     ) -> QLabel:
-        """Add a row. Return the label with the name.
-
-        A widget in `ticks` that is not a check box takes the remaining width.
-        """
+        """Add a row. Return the label with the name."""
         row_number = self._next()
         made = ui.label(self, text=name, buddy=slider)
         made.setTextFormat(Qt.TextFormat.AutoText)  # `name` is no user text: a number is bold
@@ -135,11 +132,7 @@ class Rows(ui.Card, Generic[SnapshotT]):
             self._grid.addWidget(widget, row_number, column)
         self.controls += slider, *ticks
         for column, tick in enumerate(ticks, start=_TICK):
-            if isinstance(tick, QCheckBox):
-                self._grid.addWidget(tick, row_number, column, Qt.AlignmentFlag.AlignHCenter)
-            else:
-                self._grid.addWidget(tick, row_number, column)
-                self._grid.setColumnStretch(column, 1)
+            self._grid.addWidget(tick, row_number, column, Qt.AlignmentFlag.AlignHCenter)
         return made
 
     def add_wide(self, *widgets: QWidget | tuple[QWidget, int]) -> None:

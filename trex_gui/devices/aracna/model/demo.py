@@ -100,10 +100,6 @@ class DemoRobot(DemoDevice[RobotSnapshot]):
     def set_blocked(self, motor: int, blocked: bool) -> None:
         self._send(f"servo {motor} {'block' if blocked else 'free'}")
 
-    def set_load(self, motor: int, part: float) -> None:
-        """Slow a servo down by a share of its speed, 0-1."""
-        self._send_newest(f"load {motor}", f"servo {motor} load {part:.2f}")
-
     def lose(self, what: str) -> None:
         """Lose a part of the next transfer, once. `what` is the rest of the control line."""
         self._send(f"line {what}")
@@ -114,7 +110,7 @@ class DemoRobot(DemoDevice[RobotSnapshot]):
         for motor in range(len(self.snapshot.servos) if self.snapshot is not None else 0):
             self.set_dead(motor, dead=False)
             self.set_blocked(motor, blocked=False)
-            self.set_load(motor, 0)
+            self._send(f"servo {motor} load 0")
         self.set_mute(False)
         self.set_noise(0)
         for line in ("line drop 0", "line drop 0 sent", "line cut off", "power on"):

@@ -16,12 +16,8 @@ from trex_gui.ui.widgets.builders import button, label, named, plain, row
 from trex_gui.ui.widgets.labels import LiveLabel
 from trex_gui.ui.widgets.leds import Lamp
 from trex_gui.ui.widgets.painted import Painted, Painter
-from trex_gui.ui.widgets.sliders import StickSlider
 
 RobotRows = Rows[RobotSnapshot]
-
-_STEP, _PAGE = 5, 20  # per cent of the speed
-_SLIDER_WIDTH = 44  # pixels
 
 _HEIGHT, _MIN_WIDTH = 14, 26
 
@@ -106,7 +102,7 @@ def _power_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRow
 
 
 def _servo_rows(robot: DemoRobot, parent: QWidget) -> RobotRows:
-    headings = (tr("Slowed"), tr("Dead"), tr("Blocked"))
+    headings = (tr("Dead"), tr("Blocked"))
     rows = RobotRows(tr("Servos"), Columns("0", str(HIGHEST), headings), parent)
     rows.add_headings(tr("Real position"), *headings)
     for motor in range(MOTORS):
@@ -119,24 +115,6 @@ def _add_servo_row(motor: int, robot: DemoRobot, rows: RobotRows) -> None:
     spoken = tr("{0}: real position").format(joint)
     gauge = named(ServoGauge(rows), f"aracnaDemoGauge{motor}", accessible=spoken)
     where = LiveLabel(f"aracnaDemoWhere{motor}", spoken, rows)
-
-    def show_load(per_cent: float) -> None:
-        text = tr("It loses {0} % of its speed; at the right end it stops").format(round(per_cent))
-        load.setToolTip(plain(text))
-        load.setAccessibleDescription(text)
-
-    spoken = tr("{0}: slowed by a load, in per cent").format(joint)
-    load = named(StickSlider(0, 100, 0, "bar", rows), f"aracnaDemoLoad{motor}", accessible=spoken)
-    rows.connect_slider(
-        load,
-        lambda per_cent: robot.set_load(motor, per_cent / 100),
-        lambda snapshot: snapshot.servos[motor].load * 100,
-        show_load,
-    )
-    load.setSingleStep(_STEP)
-    load.setPageStep(_PAGE)
-    load.setMinimumWidth(_SLIDER_WIDTH)
-    show_load(0)
     dead = rows.check_box(
         f"aracnaDemoDead{motor}",
         "",
@@ -156,9 +134,9 @@ def _add_servo_row(motor: int, robot: DemoRobot, rows: RobotRows) -> None:
         lambda snapshot: snapshot.servos[motor].blocked,
         accessible=tr("{0}: blocked").format(joint),
     )
-    name = rows.add_row(f"<b>{motor}</b>", gauge, where, (load, dead, blocked))
+    name = rows.add_row(f"<b>{motor}</b>", gauge, where, (dead, blocked))
     name.setToolTip(plain(joint))
-    name.setBuddy(load)
+    name.setBuddy(dead)
 
     def update(snapshot: RobotSnapshot) -> None:
         servo = snapshot.servos[motor]
