@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QModelIndex, QPoint, Qt
+from PySide6.QtCore import QModelIndex, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -201,7 +201,7 @@ def test_keys_rename_and_delete_pose_and_undo_restores_it(driver: StagedPageDriv
     assert view.currentIndex().data() == "self-test a"
 
 
-def test_pose_is_moved_with_alt_arrow_keys_and_by_dragging(driver: StagedPageDriver) -> None:
+def test_pose_is_moved_with_alt_arrow_keys(driver: StagedPageDriver) -> None:
     driver.choose_row("aracnaPoses", "flat")
     view = driver.names("aracnaPoses")
     for _ in range(2):
@@ -210,14 +210,6 @@ def test_pose_is_moved_with_alt_arrow_keys_and_by_dragging(driver: StagedPageDri
     assert view.currentIndex().data() == "flat"
     QTest.keyClick(view, Qt.Key.Key_Up, Qt.KeyboardModifier.AltModifier)
     assert driver.pose_names()[:3] == ["half-stand", "flat", "stand"]
-
-    below = view.visualRect(driver.index_of(view, "stand")).bottomLeft() + QPoint(5, 0)
-    view.drop_at(below)
-    assert driver.pose_names()[:3] == ["half-stand", "stand", "flat"]
-    view.drop_at(QPoint(5, 2))
-    assert driver.pose_names()[0] == "flat"
-    view.drop_at(QPoint(5, view.height() - 5))
-    assert driver.pose_names()[-1] == "flat"
 
 
 def test_go_to_requests_positions_when_robot_is_connected(driver: StagedPageDriver) -> None:

@@ -1,7 +1,7 @@
 """A list of poses or sequences that is edited in place, and its buttons."""
 
-from PySide6.QtCore import QPoint, QSignalBlocker, Qt, Signal, Slot
-from PySide6.QtGui import QAction, QDropEvent, QPaintEvent
+from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
+from PySide6.QtGui import QAction, QPaintEvent
 from PySide6.QtWidgets import QAbstractItemView, QListWidget, QListWidgetItem, QToolButton, QWidget
 
 from trex_gui.core.errors import BadRequest
@@ -19,7 +19,7 @@ _LINES = 3
 class NameList(QListWidget):
     """Edits poses, or sequences above the built-in gaits.
 
-    F2 renames an item, Del deletes it, Alt+arrows and dragging move it.
+    F2 renames an item, Del deletes it, Alt+arrows move it.
     """
 
     chosen = Signal()  # another item is current
@@ -40,8 +40,6 @@ class NameList(QListWidget):
         self._empty = empty
         self._keys: list[ItemKey] = []
         self._chosen: ItemKey | None = None
-        self.setDragDropMode(QAbstractItemView.DragDropMode.InternalMove)
-        self.setDefaultDropAction(Qt.DropAction.MoveAction)
         self.setEditTriggers(
             QAbstractItemView.EditTrigger.EditKeyPressed
             | QAbstractItemView.EditTrigger.SelectedClicked
@@ -89,26 +87,6 @@ class NameList(QListWidget):
         if self._rename.isEnabled():
             self.setFocus()
             self.edit(self.currentIndex())
-
-    def drop_at(self, point: QPoint) -> None:
-        key = self.current
-        if key is None or key.built_in:
-            return
-        index, row = self.indexAt(point), self.count()
-        if index.isValid():
-            row = index.row() + (point.y() > self.visualRect(index).center().y())
-        self._library.move(self._kind, key.name, row - (row > self.currentRow()))
-
-    def supportedDropActions(self) -> Qt.DropAction:  # noqa: N802 - of Qt
-        return Qt.DropAction.MoveAction
-
-    def dropEvent(self, event: QDropEvent) -> None:
-        if event.source() is not self:
-            event.ignore()
-            return
-        self.drop_at(event.position().toPoint())
-        event.setDropAction(Qt.DropAction.CopyAction)  # after a move Qt would delete the row
-        event.accept()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
@@ -181,7 +159,7 @@ class NameList(QListWidget):
     def _show_item(self, item: QListWidgetItem, key: ItemKey) -> None:
         flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
         if not key.built_in:
-            flags |= Qt.ItemFlag.ItemIsEditable | Qt.ItemFlag.ItemIsDragEnabled
+            flags |= Qt.ItemFlag.ItemIsEditable
         item.setFlags(flags)
         item.setText(tr("{0} (built in)").format(key.name) if key.built_in else key.name)
         item.setToolTip(ui.plain(self._tip(key)))
