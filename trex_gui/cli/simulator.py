@@ -100,10 +100,7 @@ def simulate(context: click.Context) -> Simulation:
 
 
 def _endpoint(
-    link: Path | None,
-    tcp: tuple[str, int] | None,
-    rfc2217: tuple[str, int] | None,
-    baud: int,
+    link: Path | None, tcp: tuple[str, int] | None, rfc2217: tuple[str, int] | None, baud: int
 ) -> Endpoint:
     has_terminals = sys.platform != "win32"
     if tcp is None and rfc2217 is None and link is None and not has_terminals:

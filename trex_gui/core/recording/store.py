@@ -190,11 +190,7 @@ def _companions(path: Path) -> Iterator[Path]:
 
 def copy_recording(source: Path, path: Path) -> None:
     """Copy a complete recording, over any file of the same name. Raises RecordingError."""
-    with (
-        reported(path, NOT_WRITTEN),
-        open_ordinary(source) as whole,
-        atomic_file(path) as copy,
-    ):
+    with reported(path, NOT_WRITTEN), open_ordinary(source) as whole, atomic_file(path) as copy:
         shutil.copyfileobj(whole, copy)
 
 
@@ -294,11 +290,7 @@ class Recording(Generic[HeaderT, RecordT]):
         for address in self._ways():
             try:
                 database = sqlite3.connect(
-                    address,
-                    uri=True,
-                    timeout=0,
-                    isolation_level=None,
-                    check_same_thread=False,
+                    address, uri=True, timeout=0, isolation_level=None, check_same_thread=False
                 )
             except sqlite3.Error as error:
                 reason = reason_of(error)

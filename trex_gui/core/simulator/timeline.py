@@ -19,10 +19,7 @@ class Timeline:
         self._order = count()
 
     def at(
-        self,
-        moment: float,
-        action: Callable[[], object],
-        only_if: Callable[[], bool] | None = None,
+        self, moment: float, action: Callable[[], object], only_if: Callable[[], bool] | None = None
     ) -> None:
         """Run an action at a moment if `only_if` is true then. An infinite moment never comes."""
         if moment < math.inf:

@@ -17,12 +17,7 @@ from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.protocol.joints import degrees
 from trex_gui.devices.aracna.recording import FORMAT, Record, Report, RobotHeader
-from trex_gui.devices.aracna.session.messages import (
-    Moved,
-    Moving,
-    Passed,
-    SpeedsHeld,
-)
+from trex_gui.devices.aracna.session.messages import Moved, Moving, Passed, SpeedsHeld
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.playback.player import Curves, RecordingPlayer
 from trex_gui.ui.plotting.history import SampleHistory
@@ -114,10 +109,7 @@ class AracnaRecorder(RecordThread[Record]):
 
 class RobotPlayback(RecordingPlayer[RobotHeader, Record, RobotState]):
     def __init__(
-        self,
-        recording: Recording[RobotHeader, Record],
-        *,
-        max_rows: int = MAX_ROWS,
+        self, recording: Recording[RobotHeader, Record], *, max_rows: int = MAX_ROWS
     ) -> None:
         motors = recording.header.motors
         curves = Curves(motors, _rows, max_rows, _NO_GAP)

@@ -3,13 +3,7 @@
 from collections.abc import Sequence
 from enum import Enum, unique
 
-from trex_gui.core.errors import (
-    BadReply,
-    BadRequest,
-    CodedError,
-    InternalError,
-    NoReply,
-)
+from trex_gui.core.errors import BadReply, BadRequest, CodedError, InternalError, NoReply
 from trex_gui.core.texts import hex_text, signed_text
 from trex_gui.core.translation import tr_noop
 from trex_gui.core.transport.settings import PortSettings
@@ -35,19 +29,19 @@ class ErrorCode(Enum):
         "No Aracna responds on {0}. It does not listen while it moves: if it is moving, wait until "
         "it stops. Check that the robot's board has power, that the adapter's TX goes to its "
         "RX and its RX to its TX (or that both radios are on the same channel), and that ground is "
-        "connected.",
+        "connected."
     )
     ECHO = tr_noop(
         "No Aracna responds on {0}: everything sent comes back, and nothing else."
-        " The adapter's TX and RX are joined; an Aracna never echoes.",
+        " The adapter's TX and RX are joined; an Aracna never echoes."
     )
     BOOT_LOOP = tr_noop(
         "An Aracna on {0} reports that it starts, but does not respond afterwards. It may be "
-        "restarting repeatedly: check its power supply.",
+        "restarting repeatedly: check its power supply."
     )
     OTHER_DEVICE = tr_noop(
         "Something responds on {0}, but not like an Aracna: {1}. Another device, perhaps a TReX "
-        "at another baud rate, or interference on the line.",
+        "at another baud rate, or interference on the line."
     )
     NOT_READY = tr_noop("The robot has not replied yet; it is still being queried.")
     COMMAND_PENDING = tr_noop(
@@ -63,7 +57,7 @@ class ErrorCode(Enum):
     NO_SERVO_POWER = tr_noop("No motor accepted its speed. Check the servo power.")
     SPEEDS_UNCONFIRMED = tr_noop("The robot did not confirm its speeds, so no motor was moved. {0}")
     GOALS_MISSED = tr_noop(
-        "{0} It is blocked, or servo power was off. The sequence does not continue by itself.",
+        "{0} It is blocked, or servo power was off. The sequence does not continue by itself."
     )
     GOAL_MISSED = tr_noop("Motor {0} is at {1}, {2} from its goal {3}.")
     POSITION_UNREADABLE = tr_noop("Motor {0} did not report its position (−1).")

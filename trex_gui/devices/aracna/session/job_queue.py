@@ -7,14 +7,7 @@ from dataclasses import replace
 from trex_gui.core.errors import BadRequest, StudioError
 from trex_gui.core.session import Outcome
 from trex_gui.devices.aracna.session.errors import ErrorCode, RobotError
-from trex_gui.devices.aracna.session.messages import (
-    Move,
-    Play,
-    Report,
-    Request,
-    SetLed,
-    SetSpeeds,
-)
+from trex_gui.devices.aracna.session.messages import Move, Play, Report, Request, SetLed, SetSpeeds
 
 Job = Move | SetSpeeds | SetLed
 """A request with one outcome. It is one command, for a `Move` possibly after its speeds."""

@@ -28,15 +28,7 @@ from trex_gui.ui.diagnostics.place import Diagnostics
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.start_panel import StartPanel, StartTexts, StartWay
 from trex_gui.ui.frame.wiring_sketch import Wires
-from trex_gui.ui.frame.workspace import (
-    SEPARATOR,
-    Entry,
-    FileKind,
-    Menu,
-    Menus,
-    PageInfo,
-    Workspace,
-)
+from trex_gui.ui.frame.workspace import SEPARATOR, Entry, FileKind, Menu, Menus, PageInfo, Workspace
 from trex_gui.ui.playback.manager import RecordingManager, RecordingTexts
 from trex_gui.ui.traffic.page import TrafficPage
 from trex_gui.ui.widgets import builders as ui
@@ -139,9 +131,7 @@ class AracnaWorkspace(Workspace):
             ways=(
                 StartWay(
                     Wires(
-                        tr("ArbotiX"),
-                        tr("Adapter"),
-                        (("TX", "RX"), ("RX", "TX"), ("GND", "GND")),
+                        tr("ArbotiX"), tr("Adapter"), (("TX", "RX"), ("RX", "TX"), ("GND", "GND"))
                     ),
                     tr(
                         "An FTDI cable at the header, or an XBee radio in the socket: both share "

@@ -173,10 +173,7 @@ class Controls(QWidget):
             "Centre", tr("Ce&ntre"), tr("512 = 150°; nothing moves yet"), self.centre
         )
         self._stand = self._button(
-            "Stand",
-            tr("S&tand"),
-            tr("Inner 512, outer 550; nothing moves yet"),
-            self.stand,
+            "Stand", tr("S&tand"), tr("Inner 512, outer 550; nothing moves yet"), self.stand
         )
         self._speed = CommonSpeedBox("aracnaSpeedAll", tr("Speed of all motors"), self)
         self._move = self._button("Move", tr("Mo&ve"), "", self.move_now)
