@@ -117,9 +117,7 @@ def _full_disk() -> None:
     "prepare", [_folder_in_place, _file_in_place_of_folder, _pipe_in_place, _full_disk]
 )
 def test_log_that_cannot_be_written_loses_lines_only(
-    prepare: Callable[[], None],
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
+    prepare: Callable[[], None], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     if prepare is _full_disk:
         monkeypatch.setattr(module, "check_ordinary", lambda _: None)

@@ -5,14 +5,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import (
-    QAbstractSpinBox,
-    QCheckBox,
-    QListView,
-    QSlider,
-    QSpinBox,
-    QTabWidget,
-)
+from PySide6.QtWidgets import QAbstractSpinBox, QCheckBox, QListView, QSlider, QSpinBox, QTabWidget
 
 from tests.support.documents import save_now
 from tests.support.pages.robot import POSES_PAGE, PROBLEMS_PAGE, RobotWindow
@@ -78,9 +71,7 @@ def test_debug_led_is_switched_from_the_menu(connected_window: RobotWindow) -> N
     assert not action.isChecked()
 
 
-def test_goals_stay_within_limits_and_speeds_may_differ(
-    connected_window: RobotWindow,
-) -> None:
+def test_goals_stay_within_limits_and_speeds_may_differ(connected_window: RobotWindow) -> None:
     window = connected_window
     assert window.drag("aracnaSlider1", 1000).value() == 550
     assert window.drag("aracnaSlider0", 0).value() == 50

@@ -67,12 +67,7 @@ def test_travel_takes_documented_time(speed: int, start: int, seconds: float) ->
 
 @pytest.mark.parametrize(
     ("letter", "value", "least", "most"),
-    [
-        ("c", 512, 32.5, 33.5),
-        ("c", 1023, 36.5, 37.5),
-        ("v", 0, 42, 46),
-        ("v", 1000, 52, 56),
-    ],
+    [("c", 512, 32.5, 33.5), ("c", 1023, 36.5, 37.5), ("v", 0, 42, 46), ("v", 1000, 52, 56)],
 )
 def test_round_trip_without_motion_takes_documented_time(
     letter: str, value: int, least: float, most: float

@@ -331,9 +331,7 @@ def test_sequence_is_playable_only_with_all_poses_defined(driver: StagedPageDriv
     assert driver.button("aracnaPlay").isEnabled()
 
 
-def test_during_playback_step_is_marked_and_only_speed_can_change(
-    driver: StagedPageDriver,
-) -> None:
+def test_during_playback_step_is_marked_and_only_speed_can_change(driver: StagedPageDriver) -> None:
     driver.choose_row("aracnaMotions", "push-ups (built in)")
     driver.page.play()
     assert driver.robot.plays == [], "there is no robot"
