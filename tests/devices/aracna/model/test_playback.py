@@ -71,11 +71,9 @@ def test_curve_is_flat_at_rest_and_linear_in_motion(tmp_path: Path, qtbot: QtBot
         Moved(T0 + 12, (200,) * 8, (200,) * 8, 2.0),
     )
     times, columns = playback.traces.samples(playback.start, playback.end)
-    assert [round(time - T0, 3) for time in times] == [0, 10, 11, 11.5, 12]
+    assert [round(time - T0, 3) for time in times] == [0, 10, 12]
     places = [[round(float(value) / degrees(1)) for value in column] for column in columns]
-    assert places[0] == [100, 100, 200, 200, 200]
-    assert places[1] == [100, 100, 167, 200, 200]
-    assert places[7] == [100, 100, 150, 175, 200]
+    assert places == [[100, 100, 200]] * 8
     playback.close()
 
 
@@ -127,9 +125,9 @@ def test_stuck_motor_is_known_until_it_answers(tmp_path: Path, qtbot: QtBot) -> 
 def test_long_recording_draws_limited_number_of_rows(tmp_path: Path, qtbot: QtBot) -> None:
     path = tmp_path / "long.trexrec"
     write(path, list(session(40)))
-    playback = RobotPlayback(open_recording(path), max_rows=300)
+    playback = RobotPlayback(open_recording(path), max_rows=100)
     with qtbot.waitSignal(playback.loaded, timeout=LONG_TIMEOUT):
         playback.start_loading()
     drawn, there = playback.drawn
-    assert drawn == 300 < there
+    assert drawn == 100 < there
     playback.close()

@@ -325,8 +325,6 @@ def test_sequence_is_playable_only_with_all_poses_defined(driver: StagedPageDriv
     assert not driver.button("aracnaPlay").isEnabled()
     assert "p1" in driver.summary
     assert driver.steps.model().index(0, 3).data() == "not defined"
-    tip = driver.names("aracnaMotions").currentIndex().data(Qt.ItemDataRole.ToolTipRole)
-    assert tip == "Undefined poses: p1"
     driver.library.add_pose(EIGHT, "p1")
     assert driver.button("aracnaPlay").isEnabled()
 

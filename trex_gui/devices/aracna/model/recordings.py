@@ -6,7 +6,6 @@ from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 
-import numpy as np
 from PySide6.QtCore import Slot
 
 from trex_gui.core.events import Event, EventKind
@@ -17,7 +16,7 @@ from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.protocol.joints import degrees
 from trex_gui.devices.aracna.recording import FORMAT, Record, Report, RobotHeader
-from trex_gui.devices.aracna.session.messages import Moved, Moving, Passed, SpeedsHeld
+from trex_gui.devices.aracna.session.messages import Moving, Passed, SpeedsHeld
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.playback.player import Curves, RecordingPlayer
 from trex_gui.ui.plotting.history import SampleHistory
@@ -126,41 +125,14 @@ def _trace(motor: int) -> TraceInfo:
 
 
 def _rows(state: RobotState, records: Iterable[Record]) -> list[_Row]:
-    """Return rows for the start of a motion, for each reply, and for events between motions.
+    """Return rows for the start of a motion, for its reply, and for events between motions.
 
-    From the start of a motion to its reply, a motor's curve is straight. Its real path is unknown.
+    In between a curve is straight, since the real path is unknown.
     """
     rows = list[_Row]()
-    motion = list[tuple[int, int]]()  # by row of a motion: place, and count of replies
     for record in records:
         state.update(record)
-        match record:
-            case Moving():
-                motion = [(len(rows), 0)]
-            case Passed(present=present) if motion:
-                motion.append((len(rows), len(present)))
-            case Moved() if motion:
-                motion.append((len(rows), state.motors))
-            case _ if state.moving is not None:
-                continue
-        positions = (math.nan if each is None else degrees(each) for each in state.present)
-        rows.append((record.time, *positions))
-        if state.moving is None:
-            _straighten(rows, motion)
-            motion = []
+        if state.moving is None or isinstance(record, Moving):
+            positions = (math.nan if each is None else degrees(each) for each in state.present)
+            rows.append((record.time, *positions))
     return rows
-
-
-def _straighten(rows: list[_Row], motion: Sequence[tuple[int, int]]) -> None:
-    """Make each motor's curve straight from the start to its own reply."""
-    if len(motion) < 3:
-        return
-    table = np.array([rows[place] for place, _ in motion])
-    times = table[:, 0]
-    for motor in range(table.shape[1] - 1):
-        answer = next((n for n, (_, count) in enumerate(motion) if count > motor), 0)
-        ends = table[[0, answer], motor + 1]
-        between = slice(1, answer)
-        table[between, motor + 1] = np.interp(times[between], times[[0, answer]], ends)
-    for (place, _), row in zip(motion, table.tolist(), strict=True):
-        rows[place] = tuple(row)

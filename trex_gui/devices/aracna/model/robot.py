@@ -1,6 +1,5 @@
 """The robot of a window: its connection, its reported state, and the user's requests."""
 
-from collections import deque
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -74,7 +73,6 @@ class Robot(DeviceConnection[PortSettings]):
         self.speeds = (FIRST_SPEED,) * MOTORS  # for the next motion
         self.speeds_chosen = False  # by the user
         self.events = EventLog(self)
-        self._replies = deque[float](maxlen=10)  # times of the last replies, while dragging
         self._pending_moves = 0
         self._pending_speeds = 0
         self._is_holding = False  # targets follow the present positions after a halt
@@ -84,13 +82,6 @@ class Robot(DeviceConnection[PortSettings]):
         self.interfered.connect(self.notifier.report)
         self.limits.changed.connect(self._send_limits)
         self.rejected.connect(self.notifier.error)
-
-    @property
-    def rate(self) -> float | None:
-        """Commands answered per second while dragging. `None` before the third reply."""
-        if len(self._replies) < 3 or self._replies[-1] <= self._replies[0]:
-            return None
-        return (len(self._replies) - 1) / (self._replies[-1] - self._replies[0])
 
     def remaining(self) -> float:
         """Return the seconds until a motion should end, observed or not. 0 if none is running."""
@@ -118,7 +109,6 @@ class Robot(DeviceConnection[PortSettings]):
     def _reset(self, motors: int) -> None:
         """Reset to an unknown robot. Retain the time when a running motion should end."""
         self.state = RobotState(motors, unobserved_until=self.state.moving_until)
-        self._replies.clear()
         self.dragging = self._is_holding = False
         self.speeds, self.speeds_chosen = (FIRST_SPEED,) * motors, False
         self.targets.set_count(motors)
@@ -148,13 +138,8 @@ class Robot(DeviceConnection[PortSettings]):
                 self.dragging = False
             case Moving(goals=goals) if self.state.play is not None:
                 self.targets.set_all(goals)
-            case Moved(time=moment):
-                if self.dragging:
-                    if self._replies and moment > self._replies[-1] + 1:  # after a pause
-                        self._replies.clear()
-                    self._replies.append(moment)
-                if self._is_holding:
-                    self.aim_at_present()
+            case Moved() if self._is_holding:
+                self.aim_at_present()
         if self.link is not ConnectionState.DISCONNECTING:
             self._update_link(report)
         if (event := event_of(report, self.state)) is not None:
@@ -204,7 +189,6 @@ class Robot(DeviceConnection[PortSettings]):
         """Let `drag` send goals until `end_drag` or `halt`."""
         if self._can_move():
             self.dragging = True
-            self._replies.clear()
             self.changed.emit()
 
     def drag(self, goals: Sequence[int]) -> None:

@@ -58,10 +58,6 @@ class Sequence:
         if not _is_name(self.name):
             raise BadRequest(f"no sequence: {self!r}")
 
-    @property
-    def seconds(self) -> float:
-        return sum(step.milliseconds for step in self.steps) / 1000
-
     def missing(self, known: Collection[str]) -> tuple[str, ...]:
         """Return the pose names that are not `known`, each once, in order."""
         used = dict.fromkeys(step.pose_name for step in self.steps)

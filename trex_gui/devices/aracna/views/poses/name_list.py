@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QAbstractItemView, QListWidget, QListWidgetItem, Q
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.texts import title_of
-from trex_gui.core.translation import Number, tr
+from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.library import ItemKey, ItemKind, Library
 from trex_gui.devices.aracna.poses.gaits import GAITS, Gait
 from trex_gui.ui.notifier import Notifier
@@ -162,21 +162,14 @@ class NameList(QListWidget):
             flags |= Qt.ItemFlag.ItemIsEditable
         item.setFlags(flags)
         item.setText(tr("{0} (built in)").format(key.name) if key.built_in else key.name)
-        item.setToolTip(ui.plain(self._tip(key)))
+        item.setToolTip(ui.plain(self._about(key)))
 
-    def _tip(self, key: ItemKey) -> str:
-        if self._kind is ItemKind.POSE:
-            pose = self._library.project.pose(key.name)
-            return ", ".join(map(str, pose.positions)) if pose else ""
-        played = self._library.playable(key)
-        if isinstance(played, Gait):
-            ours = tr("Uses the authors' poses, but was not made by them.")
-            return f"{tr(played.about)} {ours}" if played.ours else tr(played.about)
-        if played is None:
+    def _about(self, key: ItemKey) -> str:
+        gait = self._library.playable(key) if key.built_in else None
+        if not isinstance(gait, Gait):
             return ""
-        if missing := played.missing(self._library.project.pose_names):
-            return tr("Undefined poses: {0}").format(", ".join(missing))
-        return tr("%n step(s), {0:g} s", "", len(played.steps)).format(Number(played.seconds))
+        ours = tr("Uses the authors' poses, but was not made by them.")
+        return f"{tr(gait.about)} {ours}" if gait.ours else tr(gait.about)
 
     def _update_actions(self) -> None:
         key = self.current

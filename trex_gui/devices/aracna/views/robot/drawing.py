@@ -15,10 +15,9 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.robot_state import RobotState
-from trex_gui.devices.aracna.model.texts import position_text, spoken_joint
 from trex_gui.devices.aracna.protocol.joints import MOTORS, degrees
 from trex_gui.ui.theme.theme import CARD_PADDING, follow_theme, theme
-from trex_gui.ui.widgets.builders import Card, column, label, plain
+from trex_gui.ui.widgets.builders import Card, column, label
 from trex_gui.ui.widgets.circuit import paint_chassis, write
 from trex_gui.ui.widgets.painted import Painted, Painter
 
@@ -113,11 +112,6 @@ class RobotDrawing(Painted):
         motor = self._joint_at(event.position())
         hand = Qt.CursorShape.PointingHandCursor
         self.setCursor(Qt.CursorShape.ArrowCursor if motor < 0 else hand)
-        tip = ""
-        if motor >= 0:
-            present = position_text(self._state.present[motor])
-            tip = tr("{0}: {1}").format(spoken_joint(motor), present)
-        self.setToolTip(plain(tip))
         self.pointed.emit(motor)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:

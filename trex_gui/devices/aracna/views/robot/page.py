@@ -6,7 +6,7 @@ from PySide6.QtCore import QSignalBlocker, QTimer, Slot
 from PySide6.QtGui import QFocusEvent, QResizeEvent
 from PySide6.QtWidgets import QPushButton, QWidget
 
-from trex_gui.core.translation import Number, tr
+from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.robot import FIRST_SPEED, Robot
 from trex_gui.devices.aracna.model.texts import (
     assumed_text,
@@ -26,8 +26,6 @@ from trex_gui.ui.translations import error_text
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import set_typed
 from trex_gui.ui.widgets.labels import PAGE_MARGINS, PageHead
-
-_WIDEST_RATE = 888.8
 
 
 class RobotPage(QWidget):
@@ -187,9 +185,6 @@ class Controls(QWidget):
             tr("Send while dra&gging"),
             tip=tr("The newest goal is sent as soon as the robot has reached the last one"),
         )
-        self._rate = ui.label(self, "aracnaRateLabel")
-        widest = self.fontMetrics().horizontalAdvance(self._rate_text(_WIDEST_RATE))
-        self._rate.setMinimumWidth(widest + 6)
         self._factory = self._button(
             "FactoryLimits",
             tr("Reset li&mits"),
@@ -213,7 +208,7 @@ class Controls(QWidget):
                 ui.row(speed_label, self._speed, margins=(16, 0, 0, 0)),
                 1,
             ),
-            ui.row(self._move, self._live, self._rate, 1, self._factory, limits),
+            ui.row(self._move, self._live, 1, self._factory, limits),
             into=self,
             margins=0,
         )
@@ -295,7 +290,3 @@ class Controls(QWidget):
         if robot.link is ConnectionState.DISCONNECTED:
             self._live.setChecked(False)  # has to be selected again for each robot
         self._speed.show_speeds(robot.speeds)
-        self._rate.setText("" if robot.rate is None else self._rate_text(robot.rate))
-
-    def _rate_text(self, rate: float) -> str:
-        return tr("{0:.1f} commands/s").format(Number(rate))
