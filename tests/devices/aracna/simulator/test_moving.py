@@ -86,16 +86,6 @@ def test_first_reply_bytes_come_before_any_motor_arrives() -> None:
     assert stage.ask(line("c", [1023] * 8), 1) == b".c"
 
 
-def test_servos_stop_within_margin_of_goal() -> None:
-    stage = AracnaStage()
-    for servo in stage.line.servos:
-        servo.margin = 3
-    assert stage.ask(line("c", [600] * 4 + [400] * 4)) == (b".c597,597,597,597,403,403,403,403\r\n")
-    assert stage.ask(line("c", [599] * 4 + [401] * 4)) == (  # near enough: none moves
-        b".c597,597,597,597,403,403,403,403\r\n"
-    )
-
-
 def test_moving_servo_keeps_old_goal_when_new_one_is_rejected() -> None:
     stage = AracnaStage()
     stage.ask(line("v", [50] * 8))

@@ -36,9 +36,6 @@ class Servo:
         self.alive = True
         self.blocked = False  # blocked from outside: stays "moving" until free
         self.load = 0.0  # share by which the load reduces the speed, 0-1
-        # Units from the goal at which it stops: the compliance margin. Ref: AX-12 control table,
-        # initial value 0; the firmware never writes it.
-        self.margin = 0
         self.to_fail: Counter[Register] = Counter()  # number of reads of a register that fail next
 
     def write_goal(self, value: int) -> None:
@@ -71,8 +68,11 @@ class Servo:
 
     @property
     def moving(self) -> bool:
-        """Return whether the goal is not reached, even if the servo is blocked or dead."""
-        return self.torque and abs(self.goal - self.position) > self.margin
+        """Return whether the goal is not reached, even if the servo is blocked or dead.
+
+        The compliance margin is 0. Ref: AX-12 control table; the firmware never writes it.
+        """
+        return self.torque and self.goal != self.position
 
     @property
     def rate(self) -> float:
@@ -87,15 +87,13 @@ class Servo:
         """Seconds until the servo stops. Infinite while it cannot move."""
         if not self.moving:
             return 0.0
-        distance = abs(self.goal - self.position) - self.margin
-        return distance / self.rate if self.rate else math.inf
+        return abs(self.goal - self.position) / self.rate if self.rate else math.inf
 
     def advance(self, seconds: float) -> None:
         if not self.moving:
             return
         if seconds >= self.remaining - _EPSILON:
-            side = math.copysign(self.margin, self.position - self.goal)
-            self.position = self.goal + side
+            self.position = float(self.goal)
         else:
             self.position += math.copysign(self.rate * seconds, self.goal - self.position)
 
