@@ -57,21 +57,11 @@ class _Program(click.Group):
         return list(COMMANDS)
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        del ctx
-        return COMMANDS[cmd_name].command.load() if cmd_name in COMMANDS else None
-
-    def resolve_command(
-        self, ctx: click.Context, args: list[str]
-    ) -> tuple[str | None, click.Command | None, list[str]]:
-        try:
-            return super().resolve_command(ctx, args)
-        except click.UsageError as error:
-            import difflib  # noqa: PLC0415 - only a misspelled command needs it
-
-            if not (close := difflib.get_close_matches(args[0], COMMANDS, n=1)):
-                raise
-            message = f"{error.message.rstrip('.')}. Did you mean {close[0]}?"
-            raise click.UsageError(message, ctx) from None
+        if cmd_name in COMMANDS:
+            return COMMANDS[cmd_name].command.load()
+        if ctx.resilient_parsing:
+            return None
+        raise click.NoSuchCommand(cmd_name, possibilities=COMMANDS, ctx=ctx)
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         del ctx

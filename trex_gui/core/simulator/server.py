@@ -14,7 +14,6 @@ import sys
 import threading
 import time
 from collections import deque
-from pathlib import Path
 from types import FrameType
 
 from trex_gui.core.signals import handled_signals
@@ -31,9 +30,6 @@ disconnects or reconfigures its port."""
 
 _MAX_UNSENT = 65_536  # bytes of the host that are held; further bytes are lost
 _CHUNK = 16  # bytes queued on the line at a time
-_TIMER_SLACK = Path("/proc/self/timerslack_ns")
-"""Delay that Linux may add to a wait: 50 us by default, a tenth of a byte at 19200 baud."""
-
 _BATCH = 0.001
 """Seconds of a host's stream that are processed together: waking up for each byte takes a whole
 core at 115200 baud."""
@@ -56,8 +52,6 @@ class Server:
 
     def run(self) -> None:
         """Serve until `quit`, a signal, or the end of a pipe on standard input."""
-        with contextlib.suppress(OSError):  # not Linux, or forbidden
-            _TIMER_SLACK.write_text("1")
         previous = self._catch_signals()
         try:
             self._print(f"ready {self._endpoint.url}")
