@@ -5,13 +5,13 @@ from dataclasses import replace
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QCheckBox, QDockWidget
+from PySide6.QtWidgets import QCheckBox, QDockWidget, QProgressBar
 
 from tests.support.pages.robot import RobotWindow
 from tests.support.program import aracna
 from tests.support.window import WidgetDriver
 from trex_gui.devices.aracna.model.demo import FirmwareState, RobotSnapshot
-from trex_gui.devices.aracna.views.demo import DemoRobotView, ServoGauge
+from trex_gui.devices.aracna.views.demo import DemoRobotView
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets.leds import Lamp
 from trex_gui.ui.widgets.sliders import StickSlider
@@ -33,8 +33,8 @@ class DemoRobotPanel(WidgetDriver):
         assert snapshot is not None
         return snapshot
 
-    def gauge(self, motor: int) -> ServoGauge:
-        return self.find(ServoGauge, f"aracnaDemoGauge{motor}")
+    def gauge(self, motor: int) -> QProgressBar:
+        return self.find(QProgressBar, f"aracnaDemoGauge{motor}")
 
     def slide(self, name: str, share: float) -> None:
         """Move a slider with the keyboard to a share of its range."""
@@ -73,7 +73,7 @@ def test_panel_shows_servo_positions_before_robot_reports_them(panel: DemoRobotP
     panel.begin_to_move()
     assert "Moving" in panel.text("aracnaDemoState")
     gauge = panel.gauge(7)
-    panel.wait(lambda: 110 < gauge.position < 500)
+    panel.wait(lambda: 110 < gauge.value() < 500)
     assert panel.robot.state.moving is not None
     assert "moving to 100" in gauge.toolTip()
     panel.wait(lambda: panel.robot.state.moved is not None)

@@ -1,7 +1,5 @@
 """The dock of the Demo Aracna: a simulated robot that can be operated like a real one."""
 
-from PySide6.QtCore import QRectF
-from PySide6.QtGui import QAccessible, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.translation import tr
@@ -10,16 +8,13 @@ from trex_gui.devices.aracna.model.demo import DemoRobot, DemoServo, FirmwareSta
 from trex_gui.devices.aracna.model.texts import position_text, spoken_joint
 from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS
 from trex_gui.ui.devices.demo_panel import Columns, DemoPanelBody, Rows, add_cable
-from trex_gui.ui.widgets.accessible import SpokenRange
-from trex_gui.ui.widgets.bar import paint_track
-from trex_gui.ui.widgets.builders import button, label, named, plain, row
+from trex_gui.ui.widgets.builders import button, label, named, plain, progress_bar, row
 from trex_gui.ui.widgets.labels import LiveLabel
 from trex_gui.ui.widgets.leds import Lamp
-from trex_gui.ui.widgets.painted import Painted, Painter
 
 RobotRows = Rows[RobotSnapshot]
 
-_HEIGHT, _MIN_WIDTH = 14, 26
+_MIN_WIDTH = 26  # pixels of a gauge
 
 
 class DemoRobotView(DemoPanelBody[RobotSnapshot]):
@@ -113,7 +108,9 @@ def _servo_rows(robot: DemoRobot, parent: QWidget) -> RobotRows:
 def _add_servo_row(motor: int, robot: DemoRobot, rows: RobotRows) -> None:
     joint = spoken_joint(motor)
     spoken = tr("{0}: real position").format(joint)
-    gauge = named(ServoGauge(rows), f"aracnaDemoGauge{motor}", accessible=spoken)
+    gauge = progress_bar(rows, f"aracnaDemoGauge{motor}", spoken)
+    gauge.setRange(0, HIGHEST)
+    gauge.setMinimumWidth(_MIN_WIDTH)
     where = LiveLabel(f"aracnaDemoWhere{motor}", spoken, rows)
     dead = rows.check_box(
         f"aracnaDemoDead{motor}",
@@ -140,7 +137,7 @@ def _add_servo_row(motor: int, robot: DemoRobot, rows: RobotRows) -> None:
 
     def update(snapshot: RobotSnapshot) -> None:
         servo = snapshot.servos[motor]
-        gauge.show_servo(servo.position, servo.goal, holds=servo.torque)
+        gauge.setValue(servo.position)
         where.setText(str(servo.position))
         text = servo_text(servo, snapshot.servo_power)
         for widget in (gauge, where):
@@ -183,34 +180,6 @@ def _cable_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRow
         before=[(plugged, 1)],
     )
     return rows
-
-
-class ServoGauge(Painted):
-    """Position of a servo, and its goal while it has torque."""
-
-    spoken_role = QAccessible.Role.ProgressBar
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.position = self._goal = 0  # units
-        self._holds = False
-        self.setMinimumSize(_MIN_WIDTH, _HEIGHT)
-
-    def spoken_range(self) -> SpokenRange:
-        return SpokenRange(0, self.position, HIGHEST)
-
-    def show_servo(self, position: int, goal: int, *, holds: bool) -> None:
-        """Show position and goal, and whether the servo has torque."""
-        self.position, self._goal, self._holds = position, goal, holds
-        self.update()
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        del event
-        track = QRectF(self.rect()).adjusted(1, 4, -1, -4)
-        shown = self.position if self.isEnabled() else None
-        with Painter(self) as painter:
-            marks = (self._goal,) if self._holds else ()
-            paint_track(painter, track, (0, HIGHEST), shown, marks)
 
 
 def state_text(snapshot: RobotSnapshot) -> str:
