@@ -19,7 +19,6 @@ from trex_gui.devices.aracna.poses.playing import (
     blend_out,
     estimated_seconds,
     late_motors,
-    limited_motors,
     mismatch,
     steps_of,
 )
@@ -39,11 +38,6 @@ def test_sequence_becomes_steps_within_limits() -> None:
     )
     scaled_for_two_motors = steps_of(SEQUENCE, BUILT_IN_POSES, factory_limits(2), 2.0)
     assert scaled_for_two_motors == (Step((600, 40), 6.0, "flat"), Step((512, 550), 1.0, "stand"))
-
-
-def test_every_clamped_position_is_reported() -> None:
-    poses = [Pose("flat", (770, 40) * 4), Pose("stand", (512, 680) * 4)]
-    assert limited_motors(SEQUENCE, poses, LIMITS) == {0: [0, 2, 4, 6], 1: [1, 3, 5, 7]}
 
 
 def test_sequence_with_undefined_poses_is_rejected() -> None:

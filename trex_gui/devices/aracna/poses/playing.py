@@ -31,18 +31,6 @@ def steps_of(
     )
 
 
-def limited_motors(
-    played: Sequence, poses: Iterable[Pose], limits: Many[Limits]
-) -> dict[int, list[int]]:
-    """Return the motors that `steps_of` crops, by step. Raises as `steps_of` does."""
-    found = {}
-    for number, (pose, _) in enumerate(stages_of(played, poses)):
-        pairs = enumerate(zip(pose.first(len(limits)), limits, strict=True))
-        if motors := [motor for motor, (position, limit) in pairs if not limit.allow(position)]:
-            found[number] = motors
-    return found
-
-
 def mismatch(poses: Iterable[Pose], motors: int) -> str:
     """Return a sentence if poses have another number of motors, else an empty text."""
     counts = {len(pose.positions) for pose in poses} - {motors}

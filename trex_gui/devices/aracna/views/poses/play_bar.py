@@ -1,8 +1,6 @@
 """Controls that play a sequence or gait: rounds, speed, blending, and a preview."""
 
-from collections import defaultdict
 from collections.abc import Mapping
-from collections.abc import Sequence as Many
 
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtWidgets import QWidget
@@ -15,9 +13,9 @@ from trex_gui.devices.aracna.poses.playing import (
     Present,
     blend_in,
     blend_out,
+    cropped,
     estimated_seconds,
     late_motors,
-    limited_motors,
     mismatch,
     stages_of,
     steps_of,
@@ -173,16 +171,17 @@ class PlayBar(QWidget):
         scaled = steps_of(played, poses, limits, play.time_scale)
         start = play.blend_in[-1].goals if play.blend_in else present
         late = late_motors(scaled, start, again=play.rounds != 1)
-        limited = limited_motors(played, poses, limits)
-        other = mismatch((pose for pose, _ in stages_of(played, poses)), len(limits))
+        used = [pose for pose, _ in stages_of(played, poses)]
+        is_cropped = any(pose.first(len(limits)) != cropped(pose, limits) for pose in used)
+        other = mismatch(used, len(limits))
         sentences = (
             other,
             _length_text(len(steps), estimated_seconds(scaled, start), play.rounds),
-            tr("Positions outside the limits are cropped.") if limited else "",
+            tr("Positions outside the limits are cropped.") if is_cropped else "",
             tr("Some motors are too slow.") if late else "",
         )
         text, alarming = " ".join(filter(None, sentences)), bool(late or other)
-        self._show_preview(text, alarming=alarming, notes=_notes(late, limited))
+        self._show_preview(text, alarming=alarming, notes=_notes(late))
 
     def _show_preview(
         self, text: str, *, alarming: bool = False, notes: dict[int, str] | None = None
@@ -204,17 +203,13 @@ class PlayBar(QWidget):
         self._motions.table.show_running(step.index if step is not None and is_shown else None)
 
 
-def _notes(
-    late: Mapping[int, dict[int, float]], limited: Mapping[int, Many[int]]
-) -> dict[int, str]:
-    """Return remarks by step index, late motors before limited motors."""
-    found: dict[int, list[str]] = defaultdict(list)
-    for step, needed in late.items():
-        text = tr("needs {0:.2f} s: motor {1}")
-        found[step].append(text.format(Number(max(needed.values())), ", ".join(map(str, needed))))
-    for step, motors in limited.items():
-        found[step].append(tr("limited: motor {0}").format(", ".join(map(str, motors))))
-    return {step: "; ".join(texts) for step, texts in found.items()}
+def _notes(late: Mapping[int, dict[int, float]]) -> dict[int, str]:
+    """Return remarks on late motors by step index."""
+    text = tr("needs {0:.2f} s: motor {1}")
+    return {
+        step: text.format(Number(max(needed.values())), ", ".join(map(str, needed)))
+        for step, needed in late.items()
+    }
 
 
 def _length_text(steps: int, seconds: float, rounds: int) -> str:

@@ -165,13 +165,19 @@ class Controls(QWidget):
         self._table = table
 
         self._present = self._button(
-            "Present", tr("Pre&sent"), tr("Present positions"), self.take_present
+            "Present", tr("Pre&sent"), tr("Present positions"), self._on_present_clicked
         )
         self._centre = self._button(
-            "Centre", tr("Ce&ntre"), tr("512 = 150°; nothing moves yet"), self.centre
+            "Centre",
+            tr("Ce&ntre"),
+            tr("512 = 150°; nothing moves yet"),
+            lambda: self._aim_at((CENTRE,) * robot.state.motors),
         )
         self._stand = self._button(
-            "Stand", tr("S&tand"), tr("Inner 512, outer 550; nothing moves yet"), self.stand
+            "Stand",
+            tr("S&tand"),
+            tr("Inner 512, outer 550; nothing moves yet"),
+            lambda: self._aim_at(STAND.first(robot.state.motors)),
         )
         self._speed = CommonSpeedBox("aracnaSpeedAll", tr("Speed of all motors"), self)
         self._move = self._button("Move", tr("Mo&ve"), "", self.move_now)
@@ -248,19 +254,13 @@ class Controls(QWidget):
             robot.end_drag()
 
     @Slot()
-    def take_present(self) -> None:
+    def _on_present_clicked(self) -> None:
         set_typed()
         self._robot.aim_at_present()
 
-    @Slot()
-    def centre(self) -> None:
+    def _aim_at(self, goals: Sequence[int]) -> None:
         set_typed()
-        self._robot.targets.set_all((CENTRE,) * self._robot.state.motors)
-
-    @Slot()
-    def stand(self) -> None:
-        set_typed()
-        self._robot.targets.set_all(STAND.first(self._robot.state.motors))
+        self._robot.targets.set_all(goals)
 
     def _button(self, name: str, text: str, tip: str, slot: ui.Handler) -> QPushButton:
         return ui.button(self, f"aracna{name}Button", text, tip=tip, on_click=slot)
