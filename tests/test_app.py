@@ -113,8 +113,7 @@ def tour_pages() -> list[str]:
     pages += ["errors", "trexLog", "transcript", "check-leds", "check-jumpers"]
     names = ("Robot", "Poses", "Errors", "Log", "Transcript")
     robot_pages = [f"aracna{name}" for name in names]
-    pages += [*robot_pages, *(f"{page}-moving" for page in robot_pages), "aracnaRobot-stuck"]
-    return pages
+    return [*pages, *robot_pages, *(f"{page}-moving" for page in robot_pages)]
 
 
 @pytest.mark.realtime

@@ -89,14 +89,14 @@ class Tour(QObject):
     def wait(seconds: float = _SETTLE_MS / 1000) -> Iterator[Do]:
         yield from [lambda: None] * round(seconds * 1000 / _STEP_MS)
 
-    def look_at_pages(self, state: str = "", *, first_only: bool = False) -> Iterator[Do]:
-        """Take pictures of all pages or the first page. `state` becomes part of the file names."""
+    def look_at_pages(self, state: str = "") -> Iterator[Do]:
+        """Take pictures of all pages. `state` becomes part of the file names."""
         window = self._program.window
         for scheme in self._schemes:
             yield partial(theme().set_scheme, scheme)
             device = self._program.device_manager.current
             workspace = self._program.workspace(device.plugin.key)
-            for index in range(1 if first_only else workspace.count):
+            for index in range(workspace.count):
                 yield partial(self.show_page, workspace, index)
                 page = workspace.page_at(index)
                 name = page.objectName().removesuffix("PageArea") if page else str(index)
