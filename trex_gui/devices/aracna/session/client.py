@@ -168,7 +168,10 @@ class AracnaClient:
         if not isinstance(reply, Unrecognized) and command is not None:
             if self._matches(command, reply):
                 self._count_reply(command, now)
-                self.pending = self._query_behind(now)
+                self.pending = None
+                if self._query_deadline is not None:  # the reply to the `.q` comes next
+                    self._query_deadline = None
+                    self.pending = SentCommand("q", (), now, REPLY_TIMEOUT + self.extra_time)
                 return [Answered(command, reply, now)]
             if isinstance(reply, Version) and self._query_deadline is not None:
                 return [self._lose(now, robot_free=True)]
@@ -185,13 +188,6 @@ class AracnaClient:
         if isinstance(reply, Speeds | Positions) and len(reply.values) != self.motors:
             return False
         return isinstance(reply, ANSWERS[command.letter])
-
-    def _query_behind(self, now: float) -> SentCommand | None:
-        """Return the `.q` that was sent after a late command, if any. Its reply comes next."""
-        if self._query_deadline is None:
-            return None
-        self._query_deadline = None
-        return SentCommand("q", (), now, REPLY_TIMEOUT + self.extra_time)
 
     def _check_partial_reply(self, now: float) -> list[CommandEvent]:
         arrived = self._reader.arrived

@@ -150,7 +150,10 @@ class RobotDrawing(Painted):
         del event
         with Painter(self) as painter:
             solid = self._solid()
-            self._paint_body(painter)
+            body = QRectF(self._place((-_BODY, -_BODY)), self._place((_BODY, _BODY)))
+            paint_chassis(painter, body)
+            front = tr("front") + "*"
+            write(painter, body, front, "muted", align=Qt.AlignmentFlag.AlignHCenter)
             for index, leg in enumerate(solid):
                 is_known = None not in self._state.present[2 * index : 2 * index + 2]
                 self._paint_leg(painter, leg, "outline", dashed=not is_known)
@@ -159,12 +162,6 @@ class RobotDrawing(Painted):
                     self._paint_leg(painter, goal, "accent", dashed=True)
             for motor in range(2 * len(solid)):
                 self._paint_joint(painter, motor)
-
-    def _paint_body(self, painter: QPainter) -> None:
-        body = QRectF(self._place((-_BODY, -_BODY)), self._place((_BODY, _BODY)))
-        paint_chassis(painter, body)
-        front = tr("front") + "*"
-        write(painter, body, front, "muted", align=Qt.AlignmentFlag.AlignHCenter)
 
     def _paint_leg(self, painter: QPainter, leg: DrawnLeg, color: str, *, dashed: bool) -> None:
         places = [self._place(point) for point in (leg.inner, leg.outer, leg.foot)]
