@@ -11,11 +11,6 @@ FAR = b".c740,740,740,740,740,740,740,740\n"
 ARRIVED = b".c740,740,740,740,740,740,740,740\r\n"
 
 
-@pytest.fixture
-def stage() -> AracnaStage:
-    return AracnaStage()
-
-
 def test_dead_servo_reports_and_takes_no_speed(stage: AracnaStage) -> None:
     stage.do("servo 3 dead")
     assert stage.ask(SPEEDS) == b".v50,50,50,-1,50,50,50,50\r\n"

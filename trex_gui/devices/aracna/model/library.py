@@ -153,10 +153,10 @@ class Library(QObject):
         self._add_sequence(self.project, Sequence(name, tuple(steps)))
         return name
 
-    def set_steps(self, name: str, steps: Many[SequenceStep], *, run: object = None) -> None:
+    def set_steps(self, name: str, steps: Many[SequenceStep]) -> None:
         _, place = self._find(ItemKind.SEQUENCE, name)
         after = self._with(ItemKind.SEQUENCE, place, [Sequence(name, tuple(steps))])
-        self._edit(tr("Change sequence {0}").format(name), after, run)
+        self._edit(tr("Change sequence {0}").format(name), after)
 
     def add_gait(self, gait: Gait) -> str:
         """Append a gait as a sequence, with its missing poses. Return the sequence's name.
