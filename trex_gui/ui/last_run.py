@@ -39,9 +39,7 @@ def report_last_run(
     store = Preferences()
     seen = store.integer(_SEEN, 0, 0, 2**31 - 1)
 
-    def report(
-        found: tuple[int, list[tuple[str, StopResult]], DrivenBoards],
-    ) -> None:
+    def report(found: tuple[int, list[tuple[str, StopResult]], DrivenBoards]) -> None:
         size, stops, boards = found
         stops = [stop for stop in stops if stop[0] < until]
         boards = {file: one for file, one in boards.items() if one is None or one.since < until}

@@ -12,9 +12,7 @@ from tests.support.catalogs import in_language
 from tests.support.window import WindowDriver
 from trex_gui.ui.help.search import Findable, SearchIndex
 
-QUESTIONS = tomllib.loads(
-    Path(__file__).with_name("questions.toml").read_text(encoding="utf-8"),
-)
+QUESTIONS = tomllib.loads(Path(__file__).with_name("questions.toml").read_text(encoding="utf-8"))
 FIRST, SHARE = 3, 0.95
 
 

@@ -6,14 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QPointF, QRectF, QSignalBlocker, Qt, QUrl, Slot
-from PySide6.QtGui import (
-    QDesktopServices,
-    QImage,
-    QPainter,
-    QPen,
-    QResizeEvent,
-    QTextDocument,
-)
+from PySide6.QtGui import QDesktopServices, QImage, QPainter, QPen, QResizeEvent, QTextDocument
 from PySide6.QtWidgets import QListWidget, QTextBrowser, QWidget
 
 from trex_gui.core.resource_files import resource

@@ -102,9 +102,7 @@ class TransportBar(QWidget):
         self._play = builders.button(self, "playButton", on_click=self.toggle)
         self._time = builders.label(self, "timeLabel")
         self._slider = builders.named(
-            _TimeSlider(self._time, self),
-            "timeSlider",
-            accessible=tr("Time in the recording"),
+            _TimeSlider(self._time, self), "timeSlider", accessible=tr("Time in the recording")
         )
         self._slider.setSingleStep(_PER_SECOND)
         self._slider.setPageStep(10 * _PER_SECOND)

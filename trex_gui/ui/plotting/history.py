@@ -147,10 +147,7 @@ class SampleHistory:
     """
 
     def __init__(
-        self,
-        columns: int | Sequence[str],
-        capacity: int = CAPACITY,
-        max_gap: float = MAX_GAP,
+        self, columns: int | Sequence[str], capacity: int = CAPACITY, max_gap: float = MAX_GAP
     ) -> None:
         self.capacity = capacity
         self._kinds = ["float64"] * columns if isinstance(columns, int) else columns

@@ -178,12 +178,7 @@ class Readout(QLabel):
         self.hide()
 
     def show_values(
-        self,
-        source: Traces,
-        time: float,
-        mark: float | None,
-        origin: float,
-        shown: Collection[str],
+        self, source: Traces, time: float, mark: float | None, origin: float, shown: Collection[str]
     ) -> None:
         """Show a time, counted from `origin`, and the values at this time."""
         lines = [clock_text(time - origin)]

@@ -5,12 +5,7 @@ from functools import cache
 from PySide6.QtCore import QByteArray, QObject, QRectF, QSize, Qt, Slot
 from PySide6.QtGui import QAction, QColor, QGuiApplication, QIcon, QPainter, QPixmap, QWindow
 from PySide6.QtSvg import QSvgRenderer
-from PySide6.QtWidgets import (
-    QAbstractButton,
-    QApplication,
-    QLabel,
-    QMessageBox,
-)
+from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel, QMessageBox
 
 from trex_gui.core.resource_files import resource
 from trex_gui.ui.theme.theme import follow_theme, theme

@@ -9,12 +9,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.transport import transcript
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.core.transport.traffic import (
-    Decoder,
-    TrafficLog,
-    Transaction,
-    TransactionAssembler,
-)
+from trex_gui.core.transport.traffic import Decoder, TrafficLog, Transaction, TransactionAssembler
 from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.workers.file_worker import ProgressCallback
 from trex_gui.ui.workers.session_thread import SessionThread

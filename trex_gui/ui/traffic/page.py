@@ -146,9 +146,7 @@ class TrafficPage(View):
         self._typing.stop()
         self._store.set(self._polling_key, self._polling.isChecked())
         self._table.set_filter(
-            polling=self._polling.isChecked(),
-            faults=self._faults.isChecked(),
-            text=self.searched,
+            polling=self._polling.isChecked(), faults=self._faults.isChecked(), text=self.searched
         )
         if not self._paused.isChecked():
             self._view.scrollToBottom()

@@ -158,10 +158,7 @@ class TrafficTable(QAbstractTableModel):
         return 0 if parent.isValid() else WORDS + 1
 
     def headerData(
-        self,
-        section: int,
-        orientation: Qt.Orientation,
-        role: int = Qt.ItemDataRole.DisplayRole,
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> object:
         if orientation is Qt.Orientation.Horizontal:
             match role:
