@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtWidgets import QCheckBox, QDialog, QFileDialog, QLineEdit, QTabWidget, QWidget
 
 from tests.devices.trex.bench.runs import run_of
-from tests.support.pages.every_window import WINDOWS_WITH_STOP, open_bench, open_editor, open_plot
+from tests.support.pages.every_window import WINDOWS_WITH_STOP, open_bench, open_editor
 from tests.support.program import aracna, trex
 from tests.support.scripts import load_script
 from tests.support.window import WindowDriver
@@ -21,7 +21,6 @@ from trex_gui.devices.trex.views.bench.dialog import BenchDialog
 from trex_gui.devices.trex.views.motor_controls import ArmDialog
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 from trex_gui.devices.trex.views.tour import SETUP_STEPS
-from trex_gui.ui.plotting.layout_button import LayoutButton
 from trex_gui.ui.runtime import runtime
 
 DIALOGS = (
@@ -38,7 +37,6 @@ BAD_SETTINGS = (
     "product: TReX\nfirmware: 1.2\nserial_timeot: 5\nmotor_mode: joint\nserial_timeout: 500\n"
     "motor1_acceleration: 127\nrc_channel_1: [1]\nmotor_mode: 1"
 )
-BAD_LAYOUT = "version = 2\n"
 QT_OF_OURS = {"newSettingsDialog"}
 """Dialogs of classes of Qt that the program fills."""
 
@@ -170,13 +168,6 @@ def _files(window: WindowDriver, folder: Path) -> Iterator[QWidget]:
     window.wait_for_files()
     assert window.has("banner")
     yield window.window
-    plot = open_plot(window, folder)
-    (folder / "bad.toml").write_text(BAD_LAYOUT, "utf-8")
-    (layout,) = plot.findChildren(LayoutButton)
-    layout.open(folder / "bad.toml")
-    window.wait_for_files()
-    yield plot
-    plot.close()
 
 
 def _learning(window: WindowDriver) -> Iterator[QWidget]:

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QMenu,
     QSplitter,
     QTableView,
+    QToolButton,
     QWidget,
 )
 from pytestqt.modeltest import ModelTester
@@ -29,7 +30,6 @@ from trex_gui.core.events import Event, EventKind
 from trex_gui.ui.plotting.canvas import PlotCanvas
 from trex_gui.ui.plotting.figures import TraceColumn, TraceTable
 from trex_gui.ui.plotting.history import SampleHistory
-from trex_gui.ui.plotting.layout_button import LayoutButton
 from trex_gui.ui.plotting.panel import TracePanel
 from trex_gui.ui.plotting.plot import TracePlot
 from trex_gui.ui.plotting.traces import TraceInfo, Traces
@@ -273,53 +273,32 @@ def test_choices_of_the_user_are_remembered(panel: TracePanelDriver, qtbot: QtBo
         assert later.find(QSplitter, name).sizes() == panel.find(QSplitter, name).sizes()
 
 
-def test_layout_is_saved_opened_remembered_and_reset(
-    panel: TracePanelDriver, qtbot: QtBot, tmp_path: Path
-) -> None:
-    button, path = panel.find(LayoutButton, "layoutButton"), tmp_path / "mine.toml"
+def test_layout_is_remembered_and_reset(panel: TracePanelDriver, qtbot: QtBot) -> None:
     usual = panel.plot.source
     assert usual is not None
     before = [trace.color for trace in usual.traces]
-    panel.plot.set_window(12.5)
+    panel.combo("currentsWindow").activated.emit(0)
     panel.plot.set_shown("motor2", shown=False)
-    (first,) = [menu for menu in color_menus(button) if menu.title() == usual.traces[0].label]
-    chosen = next(entry for entry in first.actions() if entry.isChecked())
-    assert chosen.text() == "Blue"
-    next(entry for entry in first.actions() if entry.text() == "Pink").trigger()
+    (colors,) = panel.find(QToolButton, "layoutButton").menu().findChildren(QMenu)
+    colors.aboutToShow.emit()
+    first = colors.findChildren(QMenu)[0]
+    assert first.title() == usual.traces[0].label
+    assert [entry.text() for entry in first.actions() if entry.isChecked()] == ["Blue"]
+    panel.find(QAction, "color_motor1_pink").trigger()
     assert usual.traces[0].color == "pink"
     assert curve_color(panel.plot) == theme().color("pink")
-    button.save(path)
-    panel.wait_for_files()
-    assert 'motor1 = "pink"' in path.read_text(encoding="utf-8")
-    assert "saved in" in panel.text("pageState")
 
     again = TracePanel()
     qtbot.addWidget(again)
     again.set_source(Source())
-    assert again.shown_layout().curves["motor1"] == "pink"
+    assert again.plot.source is not None
+    assert again.plot.source.traces[0].color == "pink"
+    assert again.plot.shown == {"motor1"}
 
     panel.find(QAction, "layoutResetAction").trigger()
     assert [trace.color for trace in usual.traces] == before
     assert panel.plot.shown == {"motor1", "motor2"}
     assert panel.plot.span.length == 30
-    button.open(path)
-    panel.wait_for_files()
-    assert usual.traces[0].color == "pink"
-    assert panel.plot.shown == {"motor1"}
-    assert panel.plot.span.length == 12.5
-    assert panel.combo("currentsWindow").placeholderText() == "12.5 s"
-
-    path.write_text("version = 2", encoding="utf-8")
-    button.open(path)
-    panel.wait_for_files()
-    assert "version = 2" in panel.text("pageState")
-    assert usual.traces[0].color == "pink"
-
-
-def color_menus(button: LayoutButton) -> list[QMenu]:
-    (colors,) = [menu for menu in button.menu().findChildren(QMenu) if menu.title() == "&Colours"]
-    colors.aboutToShow.emit()
-    return colors.findChildren(QMenu)
 
 
 def curve_color(plot: TracePlot) -> QColor:

@@ -4,31 +4,48 @@ Importing it loads pyqtgraph: import it when a plot is needed.
 """
 
 import math
+from collections.abc import Sequence
+from functools import partial
 
-from PySide6.QtCore import QPoint, Qt, Slot
-from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QSplitter, QWidget
+from PySide6.QtCore import QSize, Qt, Slot
+from PySide6.QtGui import QIcon, QResizeEvent
+from PySide6.QtWidgets import QMenu, QSplitter, QToolButton, QWidget
 
 from trex_gui.core.events import Event
 from trex_gui.core.texts import title_of
-from trex_gui.core.translation import Number, tr
+from trex_gui.core.translation import Number, tr, tr_noop
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.plotting.axes import MAX_SPAN, MIN_SPAN, duration_text
 from trex_gui.ui.plotting.export import ExportButton
-from trex_gui.ui.plotting.figures import EventList, TraceTable, TraceTableView
-from trex_gui.ui.plotting.layout_button import LayoutButton
-from trex_gui.ui.plotting.layout_file import COLORS, LARGEST_TOP, PlotLayout, color_name
+from trex_gui.ui.plotting.figures import EventList, TraceTable, TraceTableView, swatch
 from trex_gui.ui.plotting.plot import TracePlot
-from trex_gui.ui.plotting.traces import Traces
+from trex_gui.ui.plotting.traces import TraceInfo, Traces
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import only_when_visible
-from trex_gui.ui.widgets.builders import button, column, combo_box, label, row, splitter, tab_order
 from trex_gui.ui.widgets.labels import PageHead
 
 _WINDOWS = (10, 30, 60, 300, 600, 1800, 3600)  # choices of the time shown, in seconds
 _USUAL_SECONDS = 30.0
 _TOPS = (1, 2, 5, 10, 20, 50)  # in the unit of the left axis
+_LARGEST_TOP = 1e6
+_COLORS = {
+    "blue": ("motor1", tr_noop("Blue")),
+    "orange": ("motor2", tr_noop("Orange")),
+    "green": ("good", tr_noop("Green")),
+    "yellow": ("warning", tr_noop("Yellow")),
+    "purple": ("dirty", tr_noop("Purple")),
+    "red": ("danger", tr_noop("Red")),
+    "teal": ("teal", tr_noop("Teal")),
+    "pink": ("pink", tr_noop("Pink")),
+    "grey": ("muted", tr_noop("Grey")),
+    "foreground": ("plot_text", tr_noop("As text")),
+}
+"""Curve colours by name in the preferences: name in the theme, and name for the user."""
+
+_COLOR_NAMES = {color: name for name, (color, _) in _COLORS.items()}
 
 
 class TracePanel(QWidget):
@@ -43,27 +60,22 @@ class TracePanel(QWidget):
         super().__init__(parent)
         self._store = Preferences()
         self._key = f"{key}/"
-        # Defaults of the source. Hidden curves have a default colour, too.
-        self._usual = PlotLayout(_USUAL_SECONDS, 0, {})
-        self._usual_colors: dict[str, str] = {}
+        self._usual_colors: dict[str, str] = {}  # default color of each curve
 
         self.plot: TracePlot = TracePlot(self)
         self.notifier = Notifier(self)
-        self.layout_button = LayoutButton(
-            self.plot, self.notifier, self, layout=self.shown_layout, use=self._use_layout
-        )
         self.export = ExportButton(self.plot, self.notifier, self)
         title = title_of(tr("C&urrents"))
-        self._head = PageHead(title, self, self.layout_button, self.export)
-        self._window = combo_box(
+        self._head = PageHead(title, self, self._layout_button(), self.export)
+        self._window = ui.combo_box(
             self,
             "currentsWindow",
             tr("Time shown"),
             items=[(duration_text(seconds), seconds) for seconds in _WINDOWS],
             on_activate=lambda index: self._select_window(_WINDOWS[index]),
         )
-        window_label = label(self, text=tr("Show the &last"), buddy=self._window)
-        self._top = combo_box(
+        window_label = ui.label(self, text=tr("Show the &last"), buddy=self._window)
+        self._top = ui.combo_box(
             self,
             "currentsTop",
             tr("Range of the currents"),
@@ -71,15 +83,15 @@ class TracePanel(QWidget):
             tip=tr("A fixed range keeps plots comparable; peaks above it are cut off"),
             on_activate=lambda index: self._select_top((0, *_TOPS)[index]),
         )
-        top_label = label(self, text=tr("Ran&ge"), buddy=self._top)
-        self._pause = button(
+        top_label = ui.label(self, text=tr("Ran&ge"), buddy=self._top)
+        self._pause = ui.button(
             self,
             "pauseButton",
             tr("Pa&use"),
             checkable=True,
             on_click=lambda paused: self.plot.set_live(not paused),
         )
-        self._hold = button(
+        self._hold = ui.button(
             self,
             "holdPeaksButton",
             tr("Hold pea&ks"),
@@ -92,20 +104,20 @@ class TracePanel(QWidget):
         self._list = EventList(self.plot, self)
 
         ways, figures = Qt.Orientation, ((self._view, 0), (self._list, 1))
-        self._below = below = splitter(self, "figuresSplitter", ways.Horizontal, *figures)
-        parts = splitter(self, "tracesSplitter", ways.Vertical, (self.plot, 1), (below, 0))
-        bar = row(
+        self._below = below = ui.splitter(self, "figuresSplitter", ways.Horizontal, *figures)
+        parts = ui.splitter(self, "tracesSplitter", ways.Vertical, (self.plot, 1), (below, 0))
+        bar = ui.row(
             *(window_label, self._window, top_label, self._top, self._pause, self._hold, 1),
             spacing=4,
         )
-        column(self._head, bar, (parts, 1), into=self, margins=0)
+        ui.column(self._head, bar, (parts, 1), into=self, margins=0)
         controls = self._window, self._top, self._pause, self._hold
-        tab_order(self._head, *controls, self.plot, self._view, self._list)
+        ui.tab_order(self._head, *controls, self.plot, self._view, self._list)
         self._restore_layout(parts, "plot_splitter")
         self._restore_layout(below, "figures_splitter")
         seconds = self._store.real(f"{self._key}window", _USUAL_SECONDS, MIN_SPAN, MAX_SPAN)
         self.plot.set_window(seconds)
-        self._show_top(self._store.real(f"{self._key}top", 0, 0, LARGEST_TOP))
+        self._show_top(self._store.real(f"{self._key}top", 0, 0, _LARGEST_TOP))
 
         self.plot.view_changed.connect(self._show_state)
         self.plot.view_changed.connect(self._table.refresh)
@@ -114,14 +126,42 @@ class TracePanel(QWidget):
         self.plot.event_chosen.connect(self._list.select)
         self.plot.shown_changed.connect(self._on_shown_changed)
         self.plot.colors_changed.connect(self._on_colors_changed)
-        self._view.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
-        self._view.customContextMenuRequested.connect(self._on_menu_requested)
         columns_changed = self._view.horizontalHeader().geometriesChanged
         columns_changed.connect(self._share_width, Qt.ConnectionType.QueuedConnection)
         self._list.chosen.connect(self._on_event_chosen)
         self.notifier.info.connect(self.set_note)
         self.notifier.error.connect(self.set_note)
         self._show_state()
+
+    def _layout_button(self) -> QToolButton:
+        """Return a button with a menu to select colours, and to reset all choices."""
+        text = tr("La&yout")
+        layout = ui.tool_button(self, "layoutButton", text, icon="settings")
+        layout.setAccessibleName(title_of(text))
+        layout.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        menu = QMenu(self)
+        layout.setMenu(menu)
+        self._color_menu = menu.addMenu(tr("&Colours"))
+        self._color_menu.aboutToShow.connect(self._fill_colors)
+        menu.addSeparator()
+        reset = tr("&Reset layout")
+        menu.addAction(ui.action(self, "layoutResetAction", reset, on_trigger=self._reset_layout))
+        return layout
+
+    @Slot()
+    def _fill_colors(self) -> None:
+        for old in self._color_menu.findChildren(QMenu):
+            old.deleteLater()
+        self._color_menu.clear()
+        for trace in self._traces:
+            menu = self._color_menu.addMenu(trace.label)
+            for name, (color, text) in _COLORS.items():
+                select = partial(self.plot.set_color, trace.name, color)
+                key = f"color_{trace.name}_{name}"
+                entry = ui.action(menu, key, tr(text), checkable=True, on_trigger=select)
+                entry.setIcon(QIcon(swatch(theme().color(color), QSize(14, 14))))
+                entry.setChecked(trace.color == color)
+                menu.addAction(entry)
 
     def _restore_layout(self, parts: QSplitter, key: str) -> None:
         """Restore the sizes of parts, and save them when the user moves the handle."""
@@ -142,15 +182,13 @@ class TracePanel(QWidget):
 
     def set_source(self, source: Traces) -> None:
         self.plot.set_source(source)
-        colors = {trace.name: color_name(trace.color) for trace in source.traces}
-        drawn = {name: color for name, color in colors.items() if name in self.plot.shown}
-        self._usual, self._usual_colors = PlotLayout(_USUAL_SECONDS, 0, drawn), colors
-        shown = self._store.text(f"{self._key}shown", " ".join(drawn)).split()
-        self.plot.shown = colors.keys() & set(shown)
+        self._usual_colors = {trace.name: trace.color for trace in source.traces}
+        shown = self._store.text(f"{self._key}shown", " ".join(self.plot.shown)).split()
+        self.plot.shown = self._usual_colors.keys() & set(shown)
         chosen = self._store.text(f"{self._key}colors").split()
         for name, _, color in (entry.partition("=") for entry in chosen):
-            if name in colors and color in COLORS:
-                self.plot.set_color(name, COLORS[color][0])
+            if name in self._usual_colors and color in _COLORS:
+                self.plot.set_color(name, _COLORS[color][0])
         self._table.show_source()
         self._view.resizeColumnToContents(0)
         self.refresh()
@@ -196,37 +234,24 @@ class TracePanel(QWidget):
     @Slot()
     def _on_colors_changed(self) -> None:
         chosen = [
-            f"{name}={color}"
-            for name, color in self._colors().items()
-            if color != self._usual_colors[name]
+            f"{trace.name}={_COLOR_NAMES[trace.color]}"
+            for trace in self._traces
+            if trace.color != self._usual_colors[trace.name]
         ]
         self._store.set(f"{self._key}colors", " ".join(chosen))
         self._table.show_source()
 
-    @Slot(QPoint)
-    def _on_menu_requested(self, place: QPoint) -> None:
-        row, source = self._view.rowAt(place.y()), self.plot.source
-        if source is not None and row >= 0:
-            at = self._view.viewport().mapToGlobal(place)
-            self.layout_button.show_colors_of(source.traces[row], at)
+    @property
+    def _traces(self) -> Sequence[TraceInfo]:
+        return self.plot.source.traces if self.plot.source is not None else ()
 
-    def _colors(self) -> dict[str, str]:
-        traces = self.plot.source.traces if self.plot.source is not None else ()
-        return {trace.name: color_name(trace.color) for trace in traces}
-
-    def shown_layout(self) -> PlotLayout:
-        shown = self.plot.shown
-        curves = {name: color for name, color in self._colors().items() if name in shown}
-        return PlotLayout(self.plot.span.length, self.plot.top or 0, curves)
-
-    def _use_layout(self, layout: PlotLayout | None) -> None:
-        """Show the plot in this layout, or with `None` in the default layout."""
-        layout = layout or self._usual
-        self._select_window(layout.seconds)
-        self._select_top(layout.top)
-        self.plot.shown = set(layout.curves)
-        for name, color in (self._usual_colors | dict(layout.curves)).items():
-            self.plot.set_color(name, COLORS[color][0])
+    def _reset_layout(self) -> None:
+        """Show the default time, range, curves and colours."""
+        self._select_window(_USUAL_SECONDS)
+        self._select_top(0)
+        self.plot.shown = {trace.name for trace in self._traces if trace.shown}
+        for name, color in self._usual_colors.items():
+            self.plot.set_color(name, color)
         self.plot.shown_changed.emit()
         self.refresh()
 
