@@ -16,13 +16,10 @@ def picture(pixmap: QPixmap) -> list[QColor]:
     return [image.pixelColor(x, image.height() // 2) for x in range(image.width())]
 
 
-def test_message_box_has_our_icon_and_none_on_its_buttons(window: WindowDriver) -> None:
+def test_message_box_has_no_icons_on_its_buttons(window: WindowDriver) -> None:
     button = QMessageBox.StandardButton.Save
     box = QMessageBox(QMessageBox.Icon.Question, "", "Save?", button, window.window)
     box.open()
-    box.activateWindow()
-    ours = picture(icon("help", "info").pixmap(48, 48))
-    window.wait(lambda: picture(box.iconPixmap()) == ours)
     assert box.button(button).icon().isNull()
     box.close()
 

@@ -33,7 +33,7 @@ from trex_gui.ui.help.search import Findable
 from trex_gui.ui.last_run import stop_left_running
 from trex_gui.ui.notifier import ConnectWith, Notifier, Remedy
 from trex_gui.ui.preferences import Preferences
-from trex_gui.ui.theme.icons import DialogIcons, application_icon
+from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.theme.theme import restore_choices
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import EnterWatch
@@ -168,7 +168,6 @@ class MainWindow(QMainWindow):
         if isinstance(app, QApplication):
             self._enter = EnterWatch(app, self)
             self._escape = EscapeWatch(app, self._manager, self)
-            self._dialog_icons = DialogIcons(app, self)
 
     @property
     def pages(self) -> QTabWidget:

@@ -2,10 +2,10 @@
 
 from functools import cache
 
-from PySide6.QtCore import QByteArray, QObject, QRectF, QSize, Qt, Slot
-from PySide6.QtGui import QAction, QColor, QGuiApplication, QIcon, QPainter, QPixmap, QWindow
+from PySide6.QtCore import QByteArray, QRectF, QSize, Qt
+from PySide6.QtGui import QAction, QColor, QIcon, QPainter, QPixmap
 from PySide6.QtSvg import QSvgRenderer
-from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel, QMessageBox
+from PySide6.QtWidgets import QAbstractButton, QLabel
 
 from trex_gui.core.resource_files import resource
 from trex_gui.ui.theme.theme import follow_theme, theme
@@ -57,31 +57,6 @@ def set_sign(label: QLabel, name: str, color: str, room: int = 0) -> None:
         label.setPixmap(icon(name, color).pixmap(side, side))
 
     follow_theme(label, "sign", apply)
-
-
-class DialogIcons(QObject):
-    """Gives Qt's message boxes our icons when they come to the front."""
-
-    def __init__(self, app: QGuiApplication, parent: QObject) -> None:
-        super().__init__(parent)
-        app.focusWindowChanged.connect(self._on_focus_window_changed)
-
-    @Slot(QWindow)
-    def _on_focus_window_changed(self, window: QWindow | None) -> None:
-        for box in QApplication.topLevelWidgets():
-            is_in_front = window is not None and box.windowHandle() is window
-            if is_in_front and isinstance(box, QMessageBox) and box.icon() in _SIGNS:
-                name, color = _SIGNS[box.icon()]
-                box.setIconPixmap(icon(name, color).pixmap(_SIGN_SIZE, _SIGN_SIZE))
-
-
-_SIGN_SIZE = 48
-_SIGNS = {
-    QMessageBox.Icon.Question: ("help", "info"),
-    QMessageBox.Icon.Information: ("info", "info"),
-    QMessageBox.Icon.Warning: ("warning", "warning"),
-    QMessageBox.Icon.Critical: ("error", "danger"),
-}
 
 
 @cache
