@@ -2,7 +2,7 @@
 
 import pytest
 from PySide6.QtCore import QUrl
-from PySide6.QtGui import QColor, QDesktopServices, QImage, QTextDocument
+from PySide6.QtGui import QColor, QDesktopServices, QTextDocument
 from PySide6.QtWidgets import QApplication, QListWidget, QTextBrowser
 from pytestqt.qtbot import QtBot
 
@@ -105,22 +105,6 @@ def test_example_is_shown_and_not_run(
     assert help_window.text_browser.toPlainText().strip() == text.strip()
     help_window.click("helpBack")
     assert help_window.shown == "library.md"
-
-
-def test_picture_is_a_link_to_itself_in_full_size(help_window: HelpDriver) -> None:
-    help_window.dialog.show_topic("status.md")
-    browser = help_window.text_browser
-    help_window.dialog.resize(700, 500)
-    assert '<a href="pictures/board-light.png"><img src="pictures/board-light.png"' in (
-        browser.toHtml()
-    )
-    help_window.follow("pictures/board-light.png")
-    whole = QImage(str(resource("help/pictures/board-light.png")))
-    assert browser.document().idealWidth() >= whole.width()
-    assert browser.horizontalScrollBar().maximum() > 0
-    help_window.click("helpBack")
-    assert help_window.shown == "status.md"
-    assert browser.document().idealWidth() <= browser.viewport().width()
 
 
 def picture(browser: QTextBrowser, name: str) -> QColor:

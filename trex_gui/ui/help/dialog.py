@@ -22,13 +22,11 @@ from trex_gui.version import __version__
 
 _RESIZED_MS = 150
 _ABOVE = "margin-top:14px"  # of headings
-_WHOLE = "whole"  # fragment of the address of a picture that is shown in full size
 
 _TAG = re.compile(r"<[^>]*>")
 _HEADING = re.compile(r"(<h[1-6][^>]*>)(.*?)(</h[1-6]>)", re.DOTALL)  # in HTML of Qt
-_PICTURE = re.compile(r'<img src="([^"]*)"[^>]*>')
 
-_SHOWN = {".md", ".png", ".py"}
+_SHOWN = {".md", ".py"}
 """Types of files that the help shows itself. A desktop may run a program instead."""
 
 
@@ -95,7 +93,7 @@ class HelpDialog(ReusedDialog):
 
 
 class _Browser(QTextBrowser):
-    """Shows a page, a picture in full size, or a program. The desktop opens other files."""
+    """Shows a page or a program. The desktop opens other files."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -129,10 +127,8 @@ class _Browser(QTextBrowser):
         return super().loadResource(kind, name)
 
     def _html(self, shown: QUrl) -> str:
-        """Convert a file to HTML. Headings get anchors, and pictures link to their full size."""
+        """Convert a file to HTML. Headings get anchors."""
         path = Path(shown.toLocalFile())
-        if path.suffix == ".png":
-            return f'<img src="{path.name}#{_WHOLE}">'
         if path.suffix == ".py":
             return f"<pre>{escape(path.read_text(encoding='utf-8'))}</pre>"
         (page,) = (page for page in pages() if page.name == path.name)
@@ -142,11 +138,10 @@ class _Browser(QTextBrowser):
         color = theme().color("muted").name()
         table = f'style="border-color: {color}; margin-top: 7px; margin-bottom: 7px;'
         html = document.toHtml().replace('<table border="1" style="', f'<table border="1" {table}')
-        html = _PICTURE.sub(r'<a href="\1">\g<0></a>', html)
         return _HEADING.sub(_with_anchor, html)
 
     def _picture(self, url: QUrl) -> QImage:
-        """Return a picture in the theme's colours, at most as wide as the text, or in full size."""
+        """Return a picture in the theme's colours, at most as wide as the text."""
         dark = theme().color("window").lightness() < 128
         path = url.toLocalFile()
         image = QImage(path.replace("-light.", "-dark.") if dark else path)
@@ -155,7 +150,7 @@ class _Browser(QTextBrowser):
         image = image.convertToFormat(QImage.Format.Format_RGB32)
         width = self.viewport().width() - 2 * round(self.document().documentMargin())
         ratio = self.devicePixelRatioF()
-        if url.fragment() != _WHOLE and image.width() > width * ratio > 0:
+        if image.width() > width * ratio > 0:
             image = image.scaledToWidth(
                 round(width * ratio), Qt.TransformationMode.SmoothTransformation
             )
