@@ -4,7 +4,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import datetime
-from html import escape
 
 from PySide6.QtCore import QPointF, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QPaintEvent, QPen, QResizeEvent
@@ -201,43 +200,18 @@ class ProblemsPage(View):
     help_wanted = Signal(str)  # topic of the help
     counted = Signal(int)  # number of uncleared problems, whenever problems were shown
 
-    def __init__(
-        self,
-        name: str,
-        traffic: TrafficModel,
-        parent: QWidget,
-        kinds: Sequence[tuple[str, str]] = (),
-    ) -> None:
-        """Create the page. `name` is the prefix of the object names.
-
-        `kinds`: name and meaning of each problem that the device can report.
-        """
+    def __init__(self, name: str, traffic: TrafficModel, parent: QWidget) -> None:
+        """Create the page. `name` is the prefix of the object names."""
         super().__init__(parent)
         self.setObjectName(f"{name}Page")
-        self._kinds = len(kinds)
         self._shown: list[Problem] = []  # in display order, including hidden problems
         self._cards = dict[str, ProblemCard]()
         self._column = ui.column(margins=0, spacing=12)
         self._note = ui.named(Muted("", self), f"{name}Note")
-        listed = ui.Card(parent=self)
-        rows = (
-            f"<tr><td><b>{escape(kind)}</b></td><td>{escape(meaning)}</td></tr>"
-            for kind, meaning in kinds
-        )
-        padding = self.fontMetrics().height() // 2
-        text = f"<table cellpadding={padding}>{''.join(rows)}</table>"
-        ui.column(ui.label(listed, f"{name}Kinds", text, wrap=True, rich=True), into=listed)
-        self._more = ui.button(
-            self, f"{name}List", tr("Lis&t them"), checkable=True, on_toggle=listed.setVisible
-        )
-        set_look(self._more, "link")
-        self._more.setVisible(bool(kinds))
-        self._more.setChecked(bool(kinds))  # while the page shows nothing else
-        listed.setVisible(bool(kinds))
-        self.note_row = ui.row((self._note, 1), self._more)
+        self.note_row = ui.row((self._note, 1))
         self._connection = ConnectionCard(name, traffic, self)
         self._connection.hide()
-        parts = self._column, self.note_row, listed, (self._connection, 1), 0
+        parts = self._column, self.note_row, (self._connection, 1), 0
         ui.column(*parts, into=self, margins=(0, 12, 0, 16), spacing=12)
 
     def problems(self) -> Sequence[Problem]:
@@ -278,8 +252,6 @@ class ProblemsPage(View):
     def refresh(self) -> None:
         self.show_problems()
         is_watched = self.since() is not None
-        if is_watched is self._connection.isHidden():
-            self._more.setChecked(not is_watched and not self._shown and self._kinds > 0)
         self._connection.setVisible(is_watched)
         self._connection.show_readings(self.readings())
         active = sum(problem.is_active for problem in self._shown)
@@ -292,8 +264,7 @@ class ProblemsPage(View):
             text = tr("Nothing is connected.")
         elif self._shown:
             text = tr("Nothing else has gone wrong since {0:%H:%M}.")
-        kinds = tr("The board can report {0} kinds of problem.").format(self._kinds)
-        return f"{text.format(since)} {kinds if self._kinds else ''}".rstrip()
+        return text.format(since)
 
     @staticmethod
     def times_text(count: int, last: datetime) -> str:

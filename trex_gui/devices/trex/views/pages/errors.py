@@ -21,8 +21,7 @@ from trex_gui.ui.widgets import builders as ui
 class ErrorsPage(ProblemsPage):
     def __init__(self, device: Device, parent: QWidget) -> None:
         self._device = device
-        kinds = [(tr(entry.name), tr(entry.meaning)) for entry in UNSEEN]
-        super().__init__("errors", device.connection.traffic, parent, kinds)
+        super().__init__("errors", device.connection.traffic, parent)
         tip = tr("Set every count to zero, and forget when errors were seen")
         title, reset = tr("Reset all co&unts"), device.board.errors.reset
         self._reset = ui.button(self, "resetCountsButton", title, tip=tip, on_click=reset)
