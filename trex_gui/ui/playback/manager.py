@@ -16,11 +16,11 @@ from trex_gui.core.recording.kinds import RecordingFormat
 from trex_gui.core.recording.store import SUFFIX, Recording, copy_recording
 from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
-from trex_gui.ui.files import in_background
+from trex_gui.ui.files import in_background, save_in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.playback.transport import size_text, time_text
 from trex_gui.ui.runtime import new_timer
-from trex_gui.ui.widgets import builders
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.file_drop import FileDrop
 from trex_gui.ui.widgets.file_questions import last_folder, prompt_to_save, remember_folder
 from trex_gui.ui.widgets.labels import ElidedLabel
@@ -44,13 +44,13 @@ class RecordIndicator(QWidget):
         self, recorder: RecordThread[Any], parent: QWidget | None = None, *, prefix: str = ""
     ) -> None:
         super().__init__(parent)
-        builders.named(self, f"{prefix}recordIndicator", accessible=tr("Recording"))
+        ui.named(self, f"{prefix}recordIndicator", accessible=tr("Recording"))
         self._recorder = recorder
 
-        self._text = builders.label(self, f"{prefix}recordText", bold=True)
-        self._file = builders.named(ElidedLabel("", self), f"{prefix}recordFile")
+        self._text = ui.label(self, f"{prefix}recordText", bold=True)
+        self._file = ui.named(ElidedLabel("", self), f"{prefix}recordFile")
         self._file.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        stop = builders.button(
+        stop = ui.button(
             self,
             f"{prefix}stopRecordingButton",
             title_of(tr("Stop &recording")),
@@ -58,7 +58,7 @@ class RecordIndicator(QWidget):
             on_click=recorder.stop,
         )
         self._timer = new_timer(self, _UPDATE_INTERVAL_MS, self._update_text)
-        builders.row(self._text, (self._file, 1), stop, into=self, margins=0)
+        ui.row(self._text, (self._file, 1), stop, into=self, margins=0)
 
         recorder.changed.connect(self._on_changed)
         self._on_changed()
@@ -84,7 +84,7 @@ class RecordIndicator(QWidget):
         self._text.setText(text)
         name = recorder.path.name if recorder.path is not None else ""
         self._file.show_text(name)
-        self._file.setToolTip(builders.plain(str(recorder.path or "")))
+        self._file.setToolTip(ui.plain(str(recorder.path or "")))
         self.setAccessibleDescription(f"{text}, {name}")
 
 
@@ -226,12 +226,7 @@ class RecordingManager(QObject, Generic[WindowT]):
             return
         remember_folder(path, self._folder_key)
         saved = tr("A copy was saved in {0}.").format(path)
-        in_background(
-            window,
-            partial(copy_recording, source, path),
-            lambda _: window.notifier.info.emit(saved),
-            lambda error: window.notifier.error.emit(str(error)),
-        )
+        save_in_background(window, partial(copy_recording, source, path), window.notifier, saved)
 
     def _on_not_opened(self, path: Path, error: StudioError) -> None:
         self._opening.discard(path)

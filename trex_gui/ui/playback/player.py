@@ -16,9 +16,10 @@ from trex_gui.core.recording.export import export_span
 from trex_gui.core.recording.kinds import HeaderT, Marker, RecordingError, RecordT, Value
 from trex_gui.core.recording.replay import Replay, StateT
 from trex_gui.core.recording.store import Recording
-from trex_gui.ui.playback.transport import PlaybackCursor
+from trex_gui.core.timing import FRAME_MS
 from trex_gui.ui.plotting.history import SampleHistory
 from trex_gui.ui.plotting.traces import Traces
+from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.workers.file_worker import Done, FileTask, ProgressCallback
 
 _LONGEST_EVENT = 500  # characters of an event that are shown
@@ -95,12 +96,15 @@ def _export(
     return path
 
 
-class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
-    """One recording and a position in it. Subclasses define the curves of a device.
+class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
+    """One recording and a position between `start` and `end`, on the session's clock (s).
 
-    Before it is loaded only the header is known.
+    Subclasses define the curves of a device. Before it is loaded only the header is known.
     """
 
+    progressed = Signal()  # `share`, `is_busy`, or `end`
+    moved = Signal()  # `position`
+    playing_changed = Signal()
     loaded = Signal()  # the whole recording was read
     exported = Signal(object)  # the `Path` to which a span was written
     failed = Signal(str)  # why loading or an export ended early, for the user
@@ -113,7 +117,12 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
         parent: QObject | None = None,
     ) -> None:
         """Set an open recording. `start_loading` reads it. `initial`: state before its start."""
-        super().__init__(recording.header.clock, parent)
+        super().__init__(parent)
+        self.start = self.end = self.position = recording.header.clock
+        self.speed = 1.0  # 1 is real time
+        self.is_loaded = False  # whether `end` is known
+        self._timer = new_timer(self, FRAME_MS, self._on_frame)
+        self._last_frame = 0.0
         self.path = recording.path
         self.header = recording.header
         self.events: Sequence[Event] = ()
@@ -128,6 +137,39 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
         self._task = FileTask(self)
         self._task.progressed.connect(self._on_progressed)
         self._task.done.connect(self._on_done)
+
+    @property
+    def playing(self) -> bool:
+        return self._timer.isActive()
+
+    def set_position(self, time: float) -> None:
+        time = max(self.start, min(self.end, time))
+        if time != self.position:
+            self.position = time
+            self.moved.emit()
+
+    def play(self) -> None:
+        """Continue playing, or start again if the position is at the end."""
+        if self.position >= self.end:
+            self.set_position(self.start)
+        self._last_frame = now()
+        self._timer.start()
+        self.playing_changed.emit()
+
+    def pause(self) -> None:
+        if self.playing:
+            self._timer.stop()
+            self.playing_changed.emit()
+
+    def advance(self, seconds: float) -> None:
+        self.set_position(self.position + seconds * self.speed)
+        if self.position >= self.end and self.is_loaded:
+            self.pause()
+
+    @Slot()
+    def _on_frame(self) -> None:
+        before, self._last_frame = self._last_frame, now()
+        self.advance(self._last_frame - before)
 
     def traces_of(self, history: SampleHistory, events: Sequence[Event]) -> Traces:
         raise NotImplementedError

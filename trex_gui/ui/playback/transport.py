@@ -1,73 +1,22 @@
-"""Playback position in a recording, and its controls."""
+"""Controls of a playback."""
 
-from PySide6.QtCore import QLocale, QObject, QSignalBlocker, Qt, Signal, Slot
+from typing import TYPE_CHECKING, Any
+
+from PySide6.QtCore import QLocale, QSignalBlocker, Qt, Slot
 from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import QLabel, QSlider, QWidget
 
-from trex_gui.core.timing import FRAME_MS
 from trex_gui.core.translation import Number, tr
-from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.icons import set_icon
-from trex_gui.ui.widgets import builders
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.accessible import Spoken, SpokenRange
+
+if TYPE_CHECKING:  # numpy takes as long to load as the window
+    from trex_gui.ui.playback.player import RecordingPlayer
 
 SPEEDS = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
 
 _PER_SECOND = 100  # slider steps per second: about the rate of the samples
-
-
-class PlaybackCursor(QObject):
-    """A position between `start` and `end`. All times are on the session's clock (s)."""
-
-    progressed = Signal()  # `end` may have changed
-    moved = Signal()  # `position`
-    playing_changed = Signal()  # `playing` or `speed`
-
-    def __init__(self, start: float, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self.start = self.end = self.position = start
-        self.speed = 1.0
-        self.is_loaded = False  # whether `end` is known
-        self._timer = new_timer(self, FRAME_MS, self._on_frame)
-        self._last_frame = 0.0
-
-    @property
-    def playing(self) -> bool:
-        return self._timer.isActive()
-
-    def set_position(self, time: float) -> None:
-        time = max(self.start, min(self.end, time))
-        if time != self.position:
-            self.position = time
-            self.moved.emit()
-
-    def play(self) -> None:
-        """Continue playing, or start again if the position is at the end."""
-        if self.position >= self.end:
-            self.set_position(self.start)
-        self._last_frame = now()
-        self._timer.start()
-        self.playing_changed.emit()
-
-    def pause(self) -> None:
-        if self.playing:
-            self._timer.stop()
-            self.playing_changed.emit()
-
-    def set_speed(self, speed: float) -> None:
-        """Set a positive playback speed. 1 is real time."""
-        self.speed = speed
-        self.playing_changed.emit()
-
-    def advance(self, seconds: float) -> None:
-        self.set_position(self.position + seconds * self.speed)
-        if self.position >= self.end and self.is_loaded:
-            self.pause()
-
-    @Slot()
-    def _on_frame(self) -> None:
-        before, self._last_frame = self._last_frame, now()
-        self.advance(self._last_frame - before)
 
 
 class _TimeSlider(QSlider, Spoken):
@@ -95,31 +44,26 @@ class TransportBar(QWidget):
     Arrow keys move the position by 1 s, page keys by 10 s.
     """
 
-    def __init__(self, playback: PlaybackCursor, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, playback: "RecordingPlayer[Any, Any, Any]", parent: QWidget | None = None
+    ) -> None:
         super().__init__(parent)
         self._playback = playback
 
-        self._play = builders.button(self, "playButton", on_click=self.toggle)
-        self._time = builders.label(self, "timeLabel")
-        self._slider = builders.named(
+        self._play = ui.button(self, "playButton", on_click=self.toggle)
+        self._time = ui.label(self, "timeLabel")
+        self._slider = ui.named(
             _TimeSlider(self._time, self), "timeSlider", accessible=tr("Time in the recording")
         )
         self._slider.setSingleStep(_PER_SECOND)
         self._slider.setPageStep(10 * _PER_SECOND)
-        self._speed = builders.combo_box(
-            self,
-            "speedCombo",
-            tr("Playback speed"),
-            tip=tr("Playback speed"),
-            items=[(f"{Number(speed):g} ×", speed) for speed in SPEEDS],
-        )
+        speeds, title = [(f"{Number(speed):g} ×", speed) for speed in SPEEDS], tr("Playback speed")
+        self._speed = ui.combo_box(self, "speedCombo", title, tip=title, items=speeds)
         self._speed.setCurrentIndex(SPEEDS.index(1.0))
-        builders.row(self._play, (self._slider, 1), self._time, self._speed, into=self, margins=0)
+        ui.row(self._play, (self._slider, 1), self._time, self._speed, into=self, margins=0)
 
         self._slider.valueChanged.connect(self._on_slid)
-        self._speed.currentIndexChanged.connect(
-            lambda index: playback.set_speed(float(self._speed.itemData(index)))
-        )
+        self._speed.currentIndexChanged.connect(self._on_speed_selected)
         playback.moved.connect(self._on_moved)
         playback.progressed.connect(self._on_progressed)
         playback.playing_changed.connect(self._on_playing_changed)
@@ -132,6 +76,10 @@ class TransportBar(QWidget):
             self._playback.pause()
         else:
             self._playback.play()
+
+    @Slot(int)
+    def _on_speed_selected(self, index: int) -> None:
+        self._playback.speed = SPEEDS[index]
 
     @Slot(int)
     def _on_slid(self, value: int) -> None:

@@ -22,7 +22,7 @@ from trex_gui.ui.plotting.plot import TracePlot
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets import builders
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.messages import Banner, MessageRoom
 from trex_gui.ui.widgets.placement import fit_on_screen, restore_geometry, save_geometry
 
@@ -62,40 +62,23 @@ class RecordingWindow(QMainWindow):
 
         self.notifier = Notifier(self)
         self.banner = Banner(self, self.notifier)
-        self._heading = builders.label(self, "recordingHeading", wrap=True)
-        self._show_all = builders.button(
-            self,
-            "showAllButton",
-            tr("Show &all"),
-            tip=tr("Show the whole recording again"),
-            on_click=self.show_all,
-        )
-        self._export = builders.button(
-            self,
-            "exportSpanButton",
-            tr("&Export span…"),
-            icon="save",
-            tip=tr("Save every sample in the plot as CSV or MCAP"),
-            on_click=self._on_export_clicked,
-        )
-        self.copy_button = builders.button(
-            self,
-            "copyRecordingButton",
-            tr("Save a cop&y…"),
-            icon="copy",
-            tip=tr("Keep this recording: the oldest ones of faults and stops are removed"),
-            on_click=self.copy_wanted.emit,
+        self._heading = ui.label(self, "recordingHeading", wrap=True)
+        whole = tr("Show the whole recording again")
+        span = tr("Save every sample in the plot as CSV or MCAP")
+        keep = tr("Keep this recording: the oldest ones of faults and stops are removed")
+        cancel = tr("Stop loading or exporting")
+        self._show_all, self._export, self.copy_button, self._cancel = (
+            ui.button(self, f"{key}Button", text, icon=icon, tip=tip, on_click=slot)
+            for key, text, icon, tip, slot in (
+                ("showAll", tr("Show &all"), "", whole, self.show_all),
+                ("exportSpan", tr("&Export span…"), "save", span, self._on_export_clicked),
+                ("copyRecording", tr("Save a cop&y…"), "copy", keep, self.copy_wanted.emit),
+                ("cancelRecording", tr("Cancel"), "", cancel, self._on_cancelled),
+            )
         )
         self.copy_button.hide()
-        self._progress = builders.named(
+        self._progress = ui.named(
             QProgressBar(self), "recordingProgress", accessible=tr("Progress")
-        )
-        self._cancel = builders.button(
-            self,
-            "cancelRecordingButton",
-            tr("Cancel"),
-            tip=tr("Stop loading or exporting"),
-            on_click=self._on_cancelled,
         )
         self.plot = TracePlot(parent=self, name=plot_name)
         self.plot.set_source(playback.traces)
@@ -122,40 +105,23 @@ class RecordingWindow(QMainWindow):
     def arrange(
         self, stop: QWidget, buttons: Sequence[QWidget], below_plot: QWidget, above_events: QWidget
     ) -> None:
-        top = builders.row(
-            (self._heading, 1),
-            self.copy_button,
-            self._show_all,
-            *buttons,
-            self._export,
-            self._picture,
-        )
+        controls = self.copy_button, self._show_all, *buttons, self._export, self._picture
+        top = ui.row((self._heading, 1), *controls)
         left, right = QWidget(self), QWidget(self)
-        builders.column((self.plot, 1), below_plot, into=left, margins=(0, 0, 6, 0))
-        heading = builders.label(self, text=tr("E&vents"), buddy=self._list)
-        builders.column(above_events, heading, (self._list, 1), into=right, margins=(6, 0, 0, 0))
-        halves = builders.splitter(
+        ui.column((self.plot, 1), below_plot, into=left, margins=(0, 0, 6, 0))
+        heading = ui.label(self, text=tr("E&vents"), buddy=self._list)
+        ui.column(above_events, heading, (self._list, 1), into=right, margins=(6, 0, 0, 0))
+        halves = ui.splitter(
             self, f"{self._name}Splitter", Qt.Orientation.Horizontal, (left, 1), (right, 0)
         )
-        builders.tab_order(
-            self.copy_button,
-            self._show_all,
-            *buttons,
-            self._export,
-            self._picture,
-            self._cancel,
-            left,
-            right,
-            stop,
-            self._transport,
-        )
+        ui.tab_order(*controls, self._cancel, left, right, stop, self._transport)
         frame = QWidget(self)
-        builders.column(
+        ui.column(
             MessageRoom(frame, self.banner),
             top,
-            builders.row((self._progress, 1), self._cancel),
+            ui.row((self._progress, 1), self._cancel),
             (halves, 1),
-            builders.row(stop, (self._transport, 1)),
+            ui.row(stop, (self._transport, 1)),
             into=frame,
         )
         self.setCentralWidget(frame)

@@ -188,10 +188,10 @@ def test_playback_runs_at_its_speed_within_the_recording(minute: Playback) -> No
     assert is_playing(minute)
     minute.advance(1.0)
     assert minute.position - T0 == pytest.approx(1.0)
-    minute.set_speed(16)
+    minute.speed = 16
     minute.advance(2.0)
     assert minute.position - T0 == pytest.approx(33.0)
-    minute.set_speed(0.5)
+    minute.speed = 0.5
     minute.advance(2.0)
     assert minute.position - T0 == pytest.approx(34.0)
     minute.advance(100)
