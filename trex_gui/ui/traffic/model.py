@@ -50,7 +50,7 @@ class RowBuffer:
 
 
 class TrafficModel(QObject):
-    """Reads the traffic log of a session thread while a session or a search runs.
+    """Reads the traffic log of a session thread.
 
     Reads ten times a second while a page is visible, else once a second without `changed`.
     Rows other than successful polls have their own buffer, so that telemetry does not displace a
@@ -71,14 +71,14 @@ class TrafficModel(QObject):
         self._assembler = TransactionAssembler(decoder, numbers=numbers)
         self.search_log = TrafficLog()  # traffic of searches for devices; `log` has the line's
         self._search = TransactionAssembler(decoder, numbers=numbers, is_search=True)
-        self._is_searching = self._is_open = False
         self._typed: list[bytes] = []  # requests of the user that have no row yet
         self._newest = 0
         self._epoch = time.time() - now()
         self._is_seen = False
         self._timer = new_timer(self, _UNSEEN_MS, self.pull)
+        self._timer.start()
         line.started.connect(self._on_started)
-        line.closed.connect(self._on_closed)
+        line.closed.connect(self.pull)
 
     def record_settings(self, settings: PortSettings, *, echo: bool) -> None:
         self.pull()
@@ -172,24 +172,3 @@ class TrafficModel(QObject):
         self._epoch = time.time() - now()
         self._assembler.echo = None
         self._typed.clear()
-        self._is_open = True
-        self._watch()
-
-    @Slot()
-    def _on_closed(self) -> None:
-        self._is_open = False
-        self._watch()
-
-    def set_searching(self, searching: bool) -> None:
-        """Set whether a search is running, which fills `search_log`."""
-        if searching != self._is_searching:
-            self._is_searching = searching
-            self._watch()
-
-    def _watch(self) -> None:
-        """Read the logs while a session or a search fills them."""
-        if self._is_open or self._is_searching:
-            self._timer.start()
-        else:
-            self._timer.stop()
-            self.pull()

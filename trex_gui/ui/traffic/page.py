@@ -55,31 +55,18 @@ class TrafficPage(View):
         self._store = Preferences()
         self._table = TrafficTable(traffic, self)
 
-        self._polling = ui.check_box(
-            self,
-            f"{key}Polling",
-            tr("&Show polling"),
-            tip=tr("Also show the requests that the program repeats many times a second"),
+        polling = tr("Also show the requests that the program repeats many times a second")
+        self._polling, self._faults, self._paused = (
+            ui.check_box(self, f"{key}{name}", text, tip=tip)
+            for name, text, tip in (
+                ("Polling", tr("&Show polling"), polling),
+                ("Faults", tr("O&nly faults"), tr("Show only failed transactions and line errors")),
+                ("Pause", tr("Pa&use"), tr("Do not add rows for now; the traffic is still logged")),
+            )
         )
-        self._faults = ui.check_box(
-            self,
-            f"{key}Faults",
-            tr("O&nly faults"),
-            tip=tr("Show only failed transactions and line errors"),
-        )
-        self._paused = ui.check_box(
-            self,
-            f"{key}Pause",
-            tr("Pa&use"),
-            tip=tr("Do not add rows for now; the traffic is still logged"),
-        )
+        text, tip = tr("C&lear"), tr("Remove every row")
         clear = ui.button(
-            self,
-            f"{key}ClearButton",
-            tr("C&lear"),
-            icon="clear",
-            tip=tr("Remove every row"),
-            on_click=traffic.clear,
+            self, f"{key}ClearButton", text, icon="clear", tip=tip, on_click=traffic.clear
         )
         self._view = ui.named(TrafficView(self._table, self), f"{key}View")
         self._details = ui.named(RowDetails(traffic, self._table, self), f"{key}Details")
@@ -103,13 +90,9 @@ class TrafficPage(View):
             ("Save", tr("Sa&ve as text…"), "", self._prompt_and_save),
         ):
             action = ui.action(
-                self._view,
-                f"{key}{name}Action",
-                text,
-                shortcut=shortcut,
-                context=Qt.ShortcutContext.WidgetShortcut,
-                on_trigger=then,
+                self._view, f"{key}{name}Action", text, shortcut=shortcut, on_trigger=then
             )
+            action.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
             self._view.addAction(action)
         self._view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
         self._polling.toggled.connect(self._apply_filter)

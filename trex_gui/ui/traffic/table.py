@@ -57,8 +57,7 @@ class TrafficTable(QAbstractTableModel):
         self._faults = False
         self._text = ""
         self._paused_at: int | None = None
-        heads = tr("Time"), tr("Sent"), tr("Received"), tr("Took (ms)")
-        self._heads = (*heads, tr("Meaning"))
+        self._heads = tr("Time"), tr("Sent"), tr("Received"), tr("Took (ms)"), tr("Meaning")
         follow_theme(self, "font", self._update_font)
         traffic.cleared.connect(self.rebuild)
 
@@ -160,13 +159,11 @@ class TrafficTable(QAbstractTableModel):
     def headerData(
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> object:
-        if orientation is Qt.Orientation.Horizontal:
-            match role:
-                case Qt.ItemDataRole.DisplayRole:
-                    return self._heads[section]
-                case Qt.ItemDataRole.TextAlignmentRole:
-                    return _alignment(section)
-        return None
+        if orientation is not Qt.Orientation.Horizontal:
+            return None
+        if role == Qt.ItemDataRole.DisplayRole:
+            return self._heads[section]
+        return _alignment(section) if role == Qt.ItemDataRole.TextAlignmentRole else None
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
         if not index.isValid():
