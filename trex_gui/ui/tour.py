@@ -10,7 +10,6 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QAbstractButton, QWidget
 
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.frame.workspace import Workspace
 from trex_gui.ui.program import Program
 from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.theme import Scheme, theme
@@ -97,13 +96,10 @@ class Tour(QObject):
             device = self._program.device_manager.current
             workspace = self._program.workspace(device.plugin.key)
             for index in range(workspace.count):
-                yield partial(self.show_page, workspace, index)
+                yield partial(workspace.show_number, index)
                 page = workspace.page_at(index)
                 name = page.objectName().removesuffix("PageArea") if page else str(index)
                 yield partial(self.write, window, f"{name}{state}", scheme)
-
-    def show_page(self, workspace: Workspace, number: int) -> None:
-        workspace.show_number(number)
 
     def look_at(self, dialog: str, name: str) -> Iterator[Do]:
         widget = self._program.window.findChild(QWidget, dialog)

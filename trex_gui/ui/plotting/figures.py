@@ -21,7 +21,7 @@ from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.ui.plotting.axes import clock_text
 from trex_gui.ui.plotting.history import Statistics
-from trex_gui.ui.plotting.marks import EVENT_COLORS, charge_text, value_text
+from trex_gui.ui.plotting.marks import EVENT_LOOKS, charge_text, value_text
 from trex_gui.ui.plotting.plot import TracePlot
 from trex_gui.ui.plotting.traces import TraceInfo, Traces
 from trex_gui.ui.theme.theme import follow_theme, theme
@@ -331,7 +331,7 @@ class EventList(QListWidget):
     def _fill(self) -> None:
         self.clear()
         for event in self._events:
-            dot = swatch(theme().color(EVENT_COLORS[event.kind]), QSize(8, 8))
+            dot = swatch(theme().color(EVENT_LOOKS[event.kind][0]), QSize(8, 8))
             elapsed = max(0.0, event.time - (self._origin or 0.0))  # opened before sampling
             text = f"{clock_text(elapsed)}  {event.text}"
             item = QListWidgetItem(QIcon(dot), text, self)

@@ -8,7 +8,7 @@ from PySide6.QtGui import QHelpEvent, QMouseEvent, QPaintEvent, QPalette
 from PySide6.QtWidgets import QLabel, QSizePolicy, QToolTip, QWidget
 
 from trex_gui.core.events import Event, EventKind
-from trex_gui.core.translation import Number, tr
+from trex_gui.core.translation import Number, tr, tr_noop
 from trex_gui.ui.plotting.axes import clock_text, spread
 from trex_gui.ui.plotting.history import Statistics
 from trex_gui.ui.plotting.traces import TraceInfo, Traces
@@ -17,16 +17,16 @@ from trex_gui.ui.widgets.bar import MINUS, NO_VALUE
 from trex_gui.ui.widgets.builders import plain
 from trex_gui.ui.widgets.painted import Painted, Painter
 
-EVENT_COLORS: dict[EventKind, str] = {
-    EventKind.APPLY: "dirty",
-    EventKind.STOP: "danger",
-    EventKind.FAULT: "danger",
-    EventKind.OVER_LIMIT: "warning",
-    EventKind.TIMEOUT: "warning",
-    EventKind.LINK: "info",
-    EventKind.NOTE: "muted",
+EVENT_LOOKS = {
+    EventKind.APPLY: ("dirty", tr_noop("Apply")),
+    EventKind.STOP: ("danger", tr_noop("Stop")),
+    EventKind.FAULT: ("danger", tr_noop("Fault")),
+    EventKind.OVER_LIMIT: ("warning", tr_noop("Limit")),
+    EventKind.TIMEOUT: ("warning", tr_noop("Timeout")),
+    EventKind.LINK: ("info", tr_noop("Line")),
+    EventKind.NOTE: ("muted", tr_noop("Note")),
 }
-"""Colours of the theme. Each has a word beside it, so that no state is shown by colour alone."""
+"""Colour of the theme for each kind of event, and the word beside it."""
 
 MAX_MARKS = 200  # newest events that are marked in one plot
 _NEAR = 6  # pixels around an event within which the mouse finds it
@@ -65,15 +65,6 @@ class EventMarks(Painted):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        self._words = {
-            EventKind.APPLY: tr("Apply"),
-            EventKind.STOP: tr("Stop"),
-            EventKind.FAULT: tr("Fault"),
-            EventKind.OVER_LIMIT: tr("Limit"),
-            EventKind.TIMEOUT: tr("Timeout"),
-            EventKind.LINK: tr("Line"),
-            EventKind.NOTE: tr("Note"),
-        }
         self.marks: list[tuple[float, Event]] = []
         self.setObjectName("eventMarks")
         self.setAccessibleName(tr("Events in the plot"))
@@ -91,12 +82,13 @@ class EventMarks(Painted):
         metrics, end = self.fontMetrics(), float(self.width())
         with Painter(self) as painter:
             for x, marked in reversed(self.marks):
-                word = self._words[marked.kind]
+                color, noun = EVENT_LOOKS[marked.kind]
+                word = tr(noun)
                 wide = metrics.horizontalAdvance(word) + 4.0
                 left = max(0.0, min(x - wide / 2, end - wide))
                 if left + wide > end or x - (left + wide / 2) > _FAR:
                     return
-                painter.setPen(theme().color(EVENT_COLORS[marked.kind]))
+                painter.setPen(theme().color(color))
                 box = QRectF(left, 0, wide, metrics.height())
                 painter.drawText(box, Qt.AlignmentFlag.AlignCenter, word)
                 painter.drawLine(int(x), self.height() - 2, int(x), self.height())

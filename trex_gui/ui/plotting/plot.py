@@ -18,7 +18,7 @@ from trex_gui.core.translation import tr, tr_noop
 from trex_gui.ui.plotting.axes import Span, ValueAxis, ago_labels, since_labels
 from trex_gui.ui.plotting.canvas import Curve, Line, PlotCanvas
 from trex_gui.ui.plotting.history import Floats, Points
-from trex_gui.ui.plotting.marks import EVENT_COLORS, MAX_MARKS, CurveTags, EventMarks, Readout
+from trex_gui.ui.plotting.marks import EVENT_LOOKS, MAX_MARKS, CurveTags, EventMarks, Readout
 from trex_gui.ui.plotting.traces import TraceInfo, Traces
 from trex_gui.ui.widgets.bar import MINUS
 from trex_gui.ui.widgets.builders import column, named
@@ -82,7 +82,7 @@ class TracePlot(Painted):
         self._canvas.viewport.setFocusProxy(self)
         self._events = {
             kind: self._canvas.add_curve(color, 1, Qt.PenStyle.DotLine)
-            for kind, color in EVENT_COLORS.items()
+            for kind, (color, _) in EVENT_LOOKS.items()
         }
         self._cursor_line = self._canvas.add_line("pointer", vertical=True)
         self._mark_line = self._canvas.add_line("pointer", Qt.PenStyle.DashDotLine, vertical=True)

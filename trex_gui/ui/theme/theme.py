@@ -149,14 +149,8 @@ class Theme(QObject):
         self.choice = choice
         if self._app is not None:
             # Title bars and native dialogs follow where the platform lets them.
-            self._app.styleHints().setColorScheme(
-                {
-                    "system": Qt.ColorScheme.Unknown,
-                    "light": Qt.ColorScheme.Light,
-                    "dark": Qt.ColorScheme.Dark,
-                    "high_contrast": Qt.ColorScheme.Dark,
-                }[choice]
-            )
+            known = {"system": Qt.ColorScheme.Unknown, "light": Qt.ColorScheme.Light}
+            self._app.styleHints().setColorScheme(known.get(choice, Qt.ColorScheme.Dark))
         self._show()
 
     def set_font_size(self, percent: int) -> None:
@@ -176,13 +170,10 @@ class Theme(QObject):
         hints = QGuiApplication.styleHints()
         if hints.accessibility().contrastPreference() is Qt.ContrastPreference.HighContrast:
             return "high_contrast"
-        match hints.colorScheme():
-            case Qt.ColorScheme.Dark:
-                return "dark"
-            case Qt.ColorScheme.Light:
-                return "light"
-            case _:  # the desktop reports no scheme, but its palette shows it
-                return "dark" if self._system_was_dark else "light"
+        is_dark = hints.colorScheme() is Qt.ColorScheme.Dark
+        if hints.colorScheme() is Qt.ColorScheme.Unknown:  # but the palette shows it
+            is_dark = self._system_was_dark
+        return "dark" if is_dark else "light"
 
     @Slot()
     def _show(self) -> None:
