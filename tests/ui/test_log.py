@@ -13,7 +13,7 @@ from trex_gui.core.events import Event, EventKind
 from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.model.board_events import BoardEvents
 from trex_gui.devices.trex.model.motors import Motors
-from trex_gui.ui.diagnostics.log_page import LogPage
+from trex_gui.ui.diagnostics.place import LogPage
 from trex_gui.ui.help.messages import MessageHelp
 from trex_gui.ui.log import MOST_ENTRIES, MOST_EVENTS, EventLog, Log
 from trex_gui.ui.notifier import Notifier

@@ -1,16 +1,23 @@
-"""The place *Diagnostics* of a device."""
+"""The place *Diagnostics* of a device, and its page of the log."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, TypeVar
 
-from PySide6.QtCore import QSignalBlocker, Slot
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QSignalBlocker, Signal, Slot
+from PySide6.QtGui import QTextCursor
+from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
+from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.ui.frame.places import Place
 from trex_gui.ui.frame.workspace import PageInfo, Workspace
+from trex_gui.ui.help.messages import MessageHelp
+from trex_gui.ui.log import MOST_ENTRIES, Log, LogEntry
+from trex_gui.ui.plotting.page import PlotPage
 from trex_gui.ui.theme.theme import follow_theme, set_look
+from trex_gui.ui.traffic.page import TrafficPage
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.labels import PageHead
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 from trex_gui.ui.widgets.view import View, copy_lines
@@ -24,6 +31,74 @@ _SEARCH = 26  # average characters
 ViewT = TypeVar("ViewT", bound=View)
 
 
+class LogPage(View):
+    help_wanted = Signal(str)  # the topic of the line with the cursor
+
+    def __init__(
+        self, log: Log, key: str, message_help: MessageHelp, parent: QWidget | None = None
+    ) -> None:
+        """Create the page. `key` is the prefix of the object names."""
+        super().__init__(parent)
+        self._message_help = message_help
+        self.setObjectName(f"{key}LogPage")
+        self._log = log
+        self._problems = ui.check_box(
+            self, f"{key}LogProblems", tr("O&nly problems"), on_toggle=self.refresh
+        )
+        self._help = ui.button(
+            self,
+            f"{key}LogHelp",
+            tr("E&xplain"),
+            icon="help",
+            tip=tr("Show the help on the message in the line with the cursor"),
+            on_click=lambda: self.help_wanted.emit(self._topic),
+        )
+        self._text = ui.named(QPlainTextEdit(self), f"{key}Log", accessible=title_of(tr("Lo&g")))
+        self._text.setReadOnly(True)
+        self._text.setUndoRedoEnabled(False)
+        self._text.setMaximumBlockCount(MOST_ENTRIES)
+        self._text.setPlaceholderText(
+            tr("Messages, stops, lost connections and written settings will be listed here.")
+        )
+        self._text.cursorPositionChanged.connect(self._on_cursor_moved)
+        above = ui.row(self._problems, 1, self._help)
+        ui.column(above, (self._text, 1), into=self, margins=(0, 12, 0, 16))
+        log.added.connect(self._on_added)
+
+    def _is_shown(self, entry: LogEntry) -> bool:
+        return (entry.is_problem or not self._problems.isChecked()) and self.matches(entry.line)
+
+    def lines(self) -> Sequence[str]:
+        return [entry.line for entry in self._log.entries if self._is_shown(entry)]
+
+    @Slot()
+    @only_when_visible
+    def refresh(self) -> None:
+        self._text.setPlainText("\n".join(self.lines()))
+        self._text.moveCursor(QTextCursor.MoveOperation.End)
+        self._on_cursor_moved()
+        self._summarize()
+
+    @Slot(object)
+    def _on_added(self, entry: LogEntry) -> None:
+        if self.isVisible() and self._is_shown(entry):
+            self._text.appendPlainText(entry.line)  # scrolls if the end was in view
+            self._summarize()
+
+    def _summarize(self) -> None:
+        shown, every = len(self.lines()), len(self._log.entries)
+        self.summarized.emit(tr("{0} of {1} shown").format(shown, every))
+
+    @property
+    def _topic(self) -> str:
+        return self._message_help.topic(self._text.textCursor().block().text())
+
+    @Slot()
+    @only_when_visible
+    def _on_cursor_moved(self) -> None:
+        self._help.setEnabled(bool(self._topic))
+
+
 class Diagnostics(Place):
     """Problems, log and traffic, with common search, copy and save."""
 
@@ -33,22 +108,12 @@ class Diagnostics(Place):
         self._workspace, self._show_help = workspace, show_help
         hint = tr("Search (Ctrl+F)")
         self._search = ui.search_field(self, f"{name}Search", hint, hint)
-        copy = ui.button(
-            self,
-            f"{name}Copy",
-            tr("Cop&y"),
-            icon="copy",
-            tip=tr("Copy the selected rows, or all that is shown"),
-            on_click=self._copy,
-        )
-        report = ui.button(
-            self,
-            f"{name}Report",
-            tr("Sa&ve report…"),
-            icon="save",
-            tip=tr("Save a report for support; it is shown before it is written"),
-            on_click=lambda: workspace.trigger("report"),
-        )
+        tip = tr("Copy the selected rows, or all that is shown")
+        copy = ui.button(self, f"{name}Copy", tr("Cop&y"), icon="copy", tip=tip)
+        copy.clicked.connect(self._copy)
+        tip = tr("Save a report for support; it is shown before it is written")
+        report = ui.button(self, f"{name}Report", tr("Sa&ve report…"), icon="save", tip=tip)
+        report.clicked.connect(lambda: workspace.trigger("report"))
         head = PageHead(tr("Diagnostics"), self, self._search, copy, report)
         self._head = ui.named(head, f"{name}Head")
         self.add_tabs(self._head)
@@ -77,18 +142,17 @@ class Diagnostics(Place):
             return page
 
         def create_log(parent: QWidget) -> QWidget:
-            from trex_gui.ui.diagnostics.log_page import LogPage  # noqa: PLC0415 - later
-
             page = self._joined(LogPage(owner.log, owner.key, owner.message_help, parent))
             page.help_wanted.connect(self._show_help)
             return page
 
+        def create_traffic(parent: QWidget) -> QWidget:
+            return self._joined(traffic(parent))
+
         return (
             PageInfo("errors", tr("Prob&lems"), create_problems, "pulse", self),
             PageInfo("log", tr("Lo&g"), create_log, "", self),
-            PageInfo(
-                "transcript", tr("T&raffic"), lambda parent: self._joined(traffic(parent)), "", self
-            ),
+            PageInfo("transcript", tr("T&raffic"), create_traffic, "", self),
         )
 
     def _joined(self, page: ViewT) -> ViewT:
@@ -115,9 +179,6 @@ class Diagnostics(Place):
 
     @Slot(object)
     def _show_more(self, problem: "Problem") -> None:
-        from trex_gui.ui.plotting.page import PlotPage  # noqa: PLC0415 - later
-        from trex_gui.ui.traffic.page import TrafficPage  # noqa: PLC0415 - later
-
         workspace = self._workspace
         workspace.show_page(problem.page)
         box = workspace.page_at(workspace.current)

@@ -93,7 +93,6 @@ class RecordingWindow(QMainWindow):
         QShortcut(QKeySequence(QKeySequence.StandardKey.Close), self, self.close)
         self.plot.view_changed.connect(self.update_figures)
         self.plot.cursor_changed.connect(self._on_cursor_changed)
-        self.plot.event_chosen.connect(self._on_event_chosen)
         self._list.chosen.connect(self._on_event_chosen)
         playback.progressed.connect(self.update_state)
         playback.loaded.connect(self._on_loaded)

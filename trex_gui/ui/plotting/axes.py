@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from itertools import accumulate
 
 from trex_gui.core.translation import Number, tr
 from trex_gui.ui.widgets.bar import MINUS
@@ -41,32 +42,20 @@ def ticks(low: float, high: float, step: float) -> list[float]:
 def spread(
     centres: Sequence[float], widths: Sequence[float], low: float, high: float, gap: float
 ) -> list[float] | None:
-    """Move labels as little as needed so that no label covers its neighbour.
+    """Move labels so that no label covers its neighbour.
 
     `centres` rise. Returns the new centres, within `low` to `high`, or `None` if space is short.
     """
-    if sum(widths) + gap * max(0, len(widths) - 1) > high - low:
+    space = high - low - sum(widths) - gap * max(0, len(widths) - 1)
+    if space < 0:
         return None
-    # Labels that touch form a group, placed at the average of its members' own places. A group
-    # has its left end, its width, and the left end that each member would give it.
-    groups: list[tuple[float, float, list[float]]] = []
-    for centre, width in zip(centres, widths, strict=True):
-        size, targets = width, [centre - width / 2]
-        left = max(low, min(targets[0], high - size))
-        while groups and groups[-1][0] + groups[-1][1] + gap > left:
-            _, before, earlier = groups.pop()
-            targets = [*earlier, *(target - before - gap for target in targets)]
-            size += before + gap
-            left = max(low, min(sum(targets) / len(targets), high - size))
-        groups.append((left, size, targets))
-    moved: list[float] = []
-    for left, _, targets in groups:
-        edge = left
-        for _ in targets:
-            width = widths[len(moved)]
-            moved.append(edge + width / 2)
-            edge += width + gap
-    return moved
+    # Centres of labels that touch, from `low` on. The distances to them must never fall.
+    touching = [low + sum(widths[:n]) + gap * n + width / 2 for n, width in enumerate(widths)]
+    wanted = [min(max(at - least, 0), space) for at, least in zip(centres, touching, strict=True)]
+    rising = accumulate(wanted, max)
+    falling = reversed([*accumulate(reversed(wanted), min)])
+    pairs = zip(touching, rising, falling, strict=True)
+    return [least + (before + after) / 2 for least, before, after in pairs]
 
 
 class ValueAxis:

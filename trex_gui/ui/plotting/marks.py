@@ -3,8 +3,8 @@
 import math
 from collections.abc import Collection, Sequence
 
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QHelpEvent, QMouseEvent, QPaintEvent, QPalette
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt
+from PySide6.QtGui import QHelpEvent, QPaintEvent, QPalette
 from PySide6.QtWidgets import QLabel, QSizePolicy, QToolTip, QWidget
 
 from trex_gui.core.events import Event, EventKind
@@ -61,8 +61,6 @@ def charge_text(found: Statistics) -> str:
 class EventMarks(Painted):
     """Strip above the plot with a word for each event. The tool tip has the whole text."""
 
-    chosen = Signal(object)  # the `Event` that was clicked
-
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self.marks: list[tuple[float, Event]] = []
@@ -104,11 +102,6 @@ class EventMarks(Painted):
             QToolTip.showText(event.globalPos(), plain("\n".join(one.text for one in near)), self)
             return True
         return super().event(event)
-
-    def mousePressEvent(self, event: QMouseEvent) -> None:
-        near = self._near(event.position().x())
-        if near:
-            self.chosen.emit(near[-1])
 
 
 class CurveTags(Painted):

@@ -123,7 +123,6 @@ class TracePanel(QWidget):
         self.plot.view_changed.connect(self._table.refresh)
         self.plot.cursor_changed.connect(self._table.refresh)
         self.plot.cursor_changed.connect(self._view.show_needed_columns)
-        self.plot.event_chosen.connect(self._list.select)
         self.plot.shown_changed.connect(self._on_shown_changed)
         self.plot.colors_changed.connect(self._on_colors_changed)
         columns_changed = self._view.horizontalHeader().geometriesChanged

@@ -53,7 +53,6 @@ class TracePlot(Painted):
     cursor_changed = Signal()  # `cursor_time` or `mark_time`
     shown_changed = Signal()
     colors_changed = Signal()
-    event_chosen = Signal(object)  # the `Event` that was clicked
 
     def __init__(
         self, parent: QWidget | None = None, *, name: str = "", line_width: float = 1
@@ -104,7 +103,6 @@ class TracePlot(Painted):
             lambda pixels: self._pan(-pixels / max(1.0, self._canvas.frame.width()))
         )
         self._canvas.arranged.connect(self._on_arranged)
-        self._marks.chosen.connect(self.event_chosen)
 
     def set_source(self, source: Traces) -> None:
         for shape in chain.from_iterable(self._shapes.values()):
