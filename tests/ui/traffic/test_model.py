@@ -68,16 +68,6 @@ def test_typed_poll_is_shown_once(setup: TrafficSetup) -> None:
     assert setup.traffic.everything.count == 3
 
 
-def test_page_that_is_not_seen_is_told_of_rows_when_it_is(
-    setup: TrafficSetup, qtbot: QtBot
-) -> None:
-    setup.log(POLL, ANSWER)
-    with qtbot.assertNotEmitted(setup.traffic.changed):
-        setup.traffic.pull()
-    with qtbot.waitSignal(setup.traffic.changed):
-        setup.traffic.set_seen(True)
-
-
 def test_failed_poll_is_listed_once_in_its_place(setup: TrafficSetup) -> None:
     setup.log(WRITE, STORED)
     setup.log(POLL)

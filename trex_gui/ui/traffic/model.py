@@ -19,7 +19,7 @@ _REPORTED = 2000  # rows of each buffer in a report for support
 
 _CHUNK = 100  # rows of a file between two progress reports
 _TRIMMED = MOST_KEPT * 9 // 10
-_SHOWN_MS, _UNSEEN_MS = 100, 1000  # interval of reading the log: visible, hidden
+_INTERVAL_MS = 100  # of reading the log
 
 
 class RowBuffer:
@@ -52,7 +52,6 @@ class RowBuffer:
 class TrafficModel(QObject):
     """Reads the traffic log of a session thread.
 
-    Reads ten times a second while a page is visible, else once a second without `changed`.
     Rows other than successful polls have their own buffer, so that telemetry does not displace a
     write of ten minutes ago.
     """
@@ -74,9 +73,7 @@ class TrafficModel(QObject):
         self._typed: list[bytes] = []  # requests of the user that have no row yet
         self._newest = 0
         self._epoch = time.time() - now()
-        self._is_seen = False
-        self._timer = new_timer(self, _UNSEEN_MS, self.pull)
-        self._timer.start()
+        new_timer(self, _INTERVAL_MS, self.pull).start()
         line.started.connect(self._on_started)
         line.closed.connect(self.pull)
 
@@ -140,15 +137,7 @@ class TrafficModel(QObject):
         rows += self._search.feed(self.search_log.pop())
         for transaction in rows:
             self._add(transaction)
-        if rows and self._is_seen:
-            self.changed.emit()
-
-    def set_seen(self, seen: bool) -> None:
-        """Set whether a page shows the rows, which are then updated."""
-        self._is_seen = seen
-        self._timer.setInterval(_SHOWN_MS if seen else _UNSEEN_MS)
-        if seen:
-            self.pull()
+        if rows:
             self.changed.emit()
 
     def _add(self, transaction: Transaction) -> None:

@@ -5,7 +5,7 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QLocale, Qt, Slot
-from PySide6.QtGui import QHideEvent, QKeySequence, QShowEvent
+from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.code import Language
@@ -110,19 +110,6 @@ class TrafficPage(View):
     def search(self, text: str) -> None:
         self.searched = text.strip().casefold()
         self._typing.start()
-
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        self._traffic.set_seen(True)
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        super().hideEvent(event)
-        self._traffic.set_seen(False)
-
-    @Slot(bool)
-    def set_window_seen(self, seen: bool) -> None:
-        """Update rows less often while the window of the page is minimised."""
-        self._traffic.set_seen(seen and self.isVisible())
 
     @Slot()
     def _apply_filter(self) -> None:

@@ -1,9 +1,8 @@
 """Sending bytes that the user types, with a preview of their meaning."""
 
 from dataclasses import dataclass
-from typing import Protocol
 
-from PySide6.QtCore import Qt, SignalInstance, Slot
+from PySide6.QtCore import QObject, Qt, Signal, Slot
 from PySide6.QtWidgets import QLineEdit, QWidget
 
 from trex_gui.core.translation import tr
@@ -19,22 +18,19 @@ class SendPreview:
     details: str = ""  # full text for a tool tip, if `text` is shortened
 
 
-class PacketSender(Protocol):
-    """Decodes and sends bytes that the user types."""
+class PacketSender(QObject):
+    """Decodes and sends bytes that the user types. Each device has its own."""
 
-    @property
-    def changed(self) -> SignalInstance:
-        """Emitted when previews may have changed."""
-        ...
+    changed = Signal()  # previews may have changed
 
-    @property
-    def hint(self) -> str:
-        """Example of an input."""
-        ...
+    hint = ""  # example of an input
 
-    def preview(self, text: str) -> SendPreview: ...
+    def preview(self, text: str) -> SendPreview:
+        raise NotImplementedError
+
     def send(self, text: str) -> None:
         """Send bytes whose preview has no blocker. The result goes to the notifier."""
+        raise NotImplementedError
 
 
 class SendRow(QWidget):
@@ -50,13 +46,9 @@ class SendRow(QWidget):
         self._sign = Sign(self)
         self._meaning = ui.named(Note(2, self), f"{key}Meaning")
         self._meaning.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        text, tip = tr("Send &bytes"), tr("Send these bytes as they are (Enter)")
         self._button = ui.button(
-            self,
-            f"{key}SendButton",
-            tr("Send &bytes"),
-            icon="console",
-            tip=tr("Send these bytes as they are (Enter)"),
-            on_click=self._send,
+            self, f"{key}SendButton", text, icon="console", tip=tip, on_click=self._send
         )
         sign_and_meaning = ui.row(self._sign, (self._meaning, 1))
         ui.row(label, (self._field, 2), self._button, (sign_and_meaning, 4), into=self, margins=0)

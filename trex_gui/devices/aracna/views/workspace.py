@@ -94,7 +94,6 @@ class AracnaWorkspace(Workspace):
         self.create_pages()  # else existing pages would cover the first page
         self.recordings = AracnaRecordings(robot, self)
         self.recordings.accept_drops(frame, self)
-        frame.seen_changed.connect(traffic.set_window_seen)
         self.bar = MotionBar(robot, self.recordings.indicator, self)
         ui.column(tabs, into=self, margins=0)
         make_demo, key = partial(DemoRobotView, controller), "aracna/demo_panel"

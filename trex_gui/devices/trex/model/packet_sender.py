@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.events import EventKind
@@ -12,16 +12,14 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.raw_packets import RawPacket, packets_of, parse_hexadecimal
-from trex_gui.ui.traffic.send_row import SendPreview
+from trex_gui.ui.traffic.send_row import PacketSender, SendPreview
 from trex_gui.ui.translations import error_text
 
 _MOST_LINES = 3
 
 
-class TrexPacketSender(QObject):
+class TrexPacketSender(PacketSender):
     """Sends hexadecimal bytes to the connected board, packet by packet."""
-
-    changed = Signal()
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)

@@ -180,11 +180,9 @@ class TrexWorkspace(Workspace):
 
         traffic = self._device.connection.traffic
         sender = TrexPacketSender(self._device, self)
-        page = TrafficPage(
+        return TrafficPage(
             traffic, "transcript", tr("a board"), self.notifier, parent, sender=sender
         )
-        self._frame.seen_changed.connect(page.set_window_seen)
-        return page
 
     @cached_property
     def _learning(self) -> "Learning":
