@@ -46,11 +46,7 @@ class Tour(QObject):
         self._folder = folder
         self._steps = self._create_steps()
         self._waiting: tuple[Do, float] | None = None
-        self._has_all = False
         self._timer = new_timer(self, _STEP_MS, self._step, single_shot=True)
-        self._end = new_timer(
-            self, _STOP_MS, lambda: self.finished.emit(self._has_all), single_shot=True
-        )
 
     def start(self) -> None:
         self._folder.mkdir(parents=True, exist_ok=True)
@@ -71,9 +67,9 @@ class Tour(QObject):
         self._timer.start()
 
     def _finish(self, *, has_all: bool) -> None:
-        self._has_all = has_all
         self._program.device_manager.press_stop()
-        self._end.start()
+        report = partial(self.finished.emit, has_all)
+        new_timer(self, _STOP_MS, report, single_shot=True).start()
 
     def _create_steps(self) -> Iterator[Do]:
         manager = self._program.device_manager

@@ -45,14 +45,9 @@ class LogPage(View):
         self._problems = ui.check_box(
             self, f"{key}LogProblems", tr("O&nly problems"), on_toggle=self.refresh
         )
-        self._help = ui.button(
-            self,
-            f"{key}LogHelp",
-            tr("E&xplain"),
-            icon="help",
-            tip=tr("Show the help on the message in the line with the cursor"),
-            on_click=lambda: self.help_wanted.emit(self._topic),
-        )
+        tip = tr("Show the help on the message in the line with the cursor")
+        self._help = ui.button(self, f"{key}LogHelp", tr("E&xplain"), icon="help", tip=tip)
+        self._help.clicked.connect(lambda: self.help_wanted.emit(self._topic))
         self._text = ui.named(QPlainTextEdit(self), f"{key}Log", accessible=title_of(tr("Lo&g")))
         self._text.setReadOnly(True)
         self._text.setUndoRedoEnabled(False)

@@ -31,9 +31,6 @@ if TYPE_CHECKING:  # the plotting library takes as long to load as all of Qt
 
 _UPDATE_INTERVAL_MS = 250
 
-_DROPPED_SUFFIXES = frozenset({SUFFIX, ".csv"})
-"""Includes CSV exports, to explain that they are no recordings."""
-
 WindowT = TypeVar("WindowT", bound="RecordingWindow")
 
 
@@ -50,12 +47,10 @@ class RecordIndicator(QWidget):
         self._text = ui.label(self, f"{prefix}recordText", bold=True)
         self._file = ui.named(ElidedLabel("", self), f"{prefix}recordFile")
         self._file.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        title = title_of(tr("Stop &recording"))
+        tip = tr("End the recording; motors and connection are not affected")
         stop = ui.button(
-            self,
-            f"{prefix}stopRecordingButton",
-            title_of(tr("Stop &recording")),
-            tip=tr("End the recording; motors and connection are not affected"),
-            on_click=recorder.stop,
+            self, f"{prefix}stopRecordingButton", title, tip=tip, on_click=recorder.stop
         )
         self._timer = new_timer(self, _UPDATE_INTERVAL_MS, self._update_text)
         ui.row(self._text, (self._file, 1), stop, into=self, margins=0)
@@ -76,9 +71,8 @@ class RecordIndicator(QWidget):
     @Slot()
     def _update_text(self) -> None:
         recorder = self._recorder
-        text = tr("Recording  {0}  {1}").format(
-            time_text(recorder.seconds), size_text(recorder.size)
-        )
+        duration, size = time_text(recorder.seconds), size_text(recorder.size)
+        text = tr("Recording  {0}  {1}").format(duration, size)
         if recorder.lost:
             text += "  " + tr("%n sample(s) lost: the disk is too slow", "", recorder.lost)
         self._text.setText(text)
@@ -139,7 +133,7 @@ class RecordingManager(QObject, Generic[WindowT]):
         """Open recordings dropped on `frame` while `workspace` is shown in it."""
 
         def takes(paths: Sequence[Path]) -> bool:
-            is_one = len(paths) == 1 and paths[0].suffix.lower() in _DROPPED_SUFFIXES
+            is_one = len(paths) == 1 and paths[0].suffix.lower() == SUFFIX
             return is_one and workspace.isVisible()
 
         FileDrop(frame, takes).dropped.connect(lambda paths: self.open_file(paths[0]))

@@ -43,6 +43,7 @@ _LEFT = 70
 _FONT_PIXELS = 15
 _HEADING_HEIGHT = 26
 _LINE_WIDTH = 1.3
+_PLACE = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 
 
 class ExportButton(QToolButton):
@@ -211,8 +212,7 @@ def _paint_heading(painter: QPainter, heading: str) -> None:
     font.setBold(True)
     painter.setFont(font)
     painter.setPen(theme().color("text"))
-    place = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-    painter.drawText(QRectF(_LEFT, 0, SIZE.width() - _LEFT, _HEADING_HEIGHT), place, heading)
+    painter.drawText(QRectF(_LEFT, 0, SIZE.width() - _LEFT, _HEADING_HEIGHT), _PLACE, heading)
 
 
 def draw_picture(
@@ -270,10 +270,9 @@ def _paint(painter: QPainter, plot: TracePlot, heading: str, line_width: float) 
         painter.setPen(QPen(theme().color(trace.color), 2, style))
         painter.drawLine(_LEFT, int(y + line / 2), _LEFT + 30, int(y + line / 2))
         painter.setPen(theme().color("text"))
-        place = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-        painter.drawText(QRectF(_LEFT + 40, y, 180, line), place, trace.label)
+        painter.drawText(QRectF(_LEFT + 40, y, 180, line), _PLACE, trace.label)
         figures = _figures(source, trace, plot.span.start, plot.span.end)
-        painter.drawText(QRectF(_LEFT + 220, y, 900, line), place, figures)
+        painter.drawText(QRectF(_LEFT + 220, y, 900, line), _PLACE, figures)
 
 
 def _figures(source: Traces, trace: TraceInfo, start: float, end: float) -> str:

@@ -67,13 +67,9 @@ class TracePanel(QWidget):
         self.export = ExportButton(self.plot, self.notifier, self)
         title = title_of(tr("C&urrents"))
         self._head = PageHead(title, self, self._layout_button(), self.export)
-        self._window = ui.combo_box(
-            self,
-            "currentsWindow",
-            tr("Time shown"),
-            items=[(duration_text(seconds), seconds) for seconds in _WINDOWS],
-            on_activate=lambda index: self._select_window(_WINDOWS[index]),
-        )
+        items = [(duration_text(seconds), seconds) for seconds in _WINDOWS]
+        self._window = ui.combo_box(self, "currentsWindow", tr("Time shown"), items=items)
+        self._window.activated.connect(lambda index: self._select_window(_WINDOWS[index]))
         window_label = ui.label(self, text=tr("Show the &last"), buddy=self._window)
         self._top = ui.combo_box(
             self,
