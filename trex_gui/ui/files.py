@@ -53,7 +53,7 @@ class Content:
 
 
 class _Job(FileWorker, Generic[ResultT]):
-    """Work whose result is passed on unless the owner is destroyed first."""
+    """Work that starts at once. Its result is passed on unless the owner is destroyed first."""
 
     def __init__(
         self,
@@ -70,6 +70,8 @@ class _Job(FileWorker, Generic[ResultT]):
         self._then = then
         self._failed = failed
         self.finished.connect(self._on_finished, Qt.ConnectionType.QueuedConnection)
+        background.add(self)
+        self.start(FileWorker.Priority.LowPriority)
 
     @Slot()
     def _on_finished(self) -> None:
@@ -114,9 +116,7 @@ def start_in_background(
 
     Cancelled work calls neither `then` nor `failed`.
     """
-    job = _Job(owner, work, then, failed)
-    _start(job)
-    return job.cancel
+    return _Job(owner, work, then, failed).cancel
 
 
 def write_in_background(
@@ -132,12 +132,7 @@ def write_in_background(
     """
     work = partial(write_text, path, write)
     report = notifier.info.emit
-    _start(_Job(owner, work, lambda rows: report(saved(rows)), notifier.report_error, saves=True))
-
-
-def _start(job: _Job[Any]) -> None:
-    background.add(job)
-    job.start(FileWorker.Priority.LowPriority)
+    _Job(owner, work, lambda rows: report(saved(rows)), notifier.report_error, saves=True)
 
 
 def write_text(

@@ -11,14 +11,9 @@ from trex_gui.core.resource_files import resource
 from trex_gui.core.translation import tr, use_translations
 from trex_gui.ui.preferences import Preferences
 
-CONTEXT = "trex_gui"
-"""The only context in the files. A text has the same translation wherever it is used."""
-
+CONTEXT = "trex_gui"  # the only one in the files: a text has one translation everywhere
 ENGLISH = QLocale(QLocale.Language.English)
-
-LANGUAGES = {"en": "English", "de": "Deutsch", "fr": "Français"}
-"""Languages of the window: code → name in the language itself."""
-
+LANGUAGES = {"en": "English", "de": "Deutsch", "fr": "Français"}  # of the window
 AS_THE_SYSTEM = "system"
 _KEY = "window/language"
 

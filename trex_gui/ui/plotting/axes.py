@@ -14,14 +14,9 @@ _TIME_STEPS = (
 )
 _MAX_TIME_LABELS = 7
 
-FULL_COUNTS = 127.0
-"""Highest speed and highest value of a remapped channel. Plain counts seldom exceed it."""
-
+FULL_COUNTS = 127.0  # highest speed and value of a remapped channel; few counts exceed it
 _SMALLEST_END = 1.0
-
-_SHRINK_BELOW = 0.8
-"""The axis shrinks once its values fit into this part of the next smaller range."""
-
+_SHRINK_BELOW = 0.8  # the axis shrinks once its values fit into this part of a smaller range
 MIN_SPAN = 0.05  # least seconds shown: four samples of currents
 MAX_SPAN = 4 * 3600.0  # most seconds shown; a full history is shorter
 

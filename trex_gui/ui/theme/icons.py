@@ -93,12 +93,4 @@ def _shapes(name: str) -> QPixmap:
 
 @cache
 def application_icon() -> QIcon:
-    renderer = QSvgRenderer(str(resource("icons/trex-studio.svg")))
-    made = QIcon()
-    for size in (*_SIZES, 128, 256):
-        pixmap = QPixmap(size, size)
-        pixmap.fill(Qt.GlobalColor.transparent)
-        with QPainter(pixmap) as painter:
-            renderer.render(painter, QRectF(0, 0, size, size))
-        made.addPixmap(pixmap)
-    return made
+    return QIcon(str(resource("icons/trex-studio.svg")))

@@ -26,17 +26,12 @@ FONT_SIZES = (90, 100, 110, 125, 150, 175)  # percent of the system's font size
 
 _SCHEME, _FONT_SIZE = "window/scheme", "window/font_size"
 
-_SIZES = {"title": 1.6, "heading": 1.15, "caption": 0.9}
-"""Sizes of texts, relative to the font of the application."""
-
-_INDICATOR = 16
-"""Side of a check box and diameter of a radio button, in pixels at a font size of 100 %."""
-
+_SIZES = {"title": 1.6, "heading": 1.15, "caption": 0.9}  # relative to the application's font
+_INDICATOR = 16  # pixels at a font size of 100 %: check box and radio button
 CARD_PADDING = 16  # pixels inside a card
 _BELOW_TITLE = 8  # pixels below the title of a card
 
 _SHAPES = ("up", "down", "check", "dot")
-
 _COLOUR_TABLES = ("text", "graphics", "fill", "surface")
 
 

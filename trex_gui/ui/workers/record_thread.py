@@ -182,9 +182,8 @@ class RecordThread(QObject, Generic[RecordT]):
         """
         self.stop()
         worker = self._worker
-        if worker is None:
-            return True
-        if worker.wait(0 if self._abandoned else _SHUTDOWN_TIMEOUT_MS):
+        timeout_ms = 0 if self._abandoned else _SHUTDOWN_TIMEOUT_MS
+        if worker is None or worker.wait(timeout_ms):
             return True
         self._abandoned = True
         adopt_orphan(worker)
@@ -198,11 +197,12 @@ class RecordThread(QObject, Generic[RecordT]):
     @Slot()
     def _on_finished(self) -> None:
         worker, self._worker = self._worker, None
-        if worker is not None:
-            release_orphan(worker)
-            worker.deleteLater()
+        if worker is None:
+            return
+        release_orphan(worker)
+        worker.deleteLater()
         self.changed.emit()
-        if worker is not None and worker.error:
+        if worker.error:
             self.failed.emit(worker.error)
         else:
             self.ended.emit(self.path)

@@ -14,9 +14,8 @@ from trex_gui.ui.runtime import runtime
 from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan, release_orphan
 
 NO_HANDLER = 0  # number of a request without a handler for its outcome
-_TIMEOUT_MS = 1000
-_WRITING_TIMEOUT_MS = 3000
-"""Longest wait of `shut_down`. Line settings and polynomial must be stored together."""
+# Longest waits of `shut_down`. Line settings and polynomial must be stored together.
+_TIMEOUT_MS, _WRITING_TIMEOUT_MS = 1000, 3000
 
 
 class Session(Protocol):
