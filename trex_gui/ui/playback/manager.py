@@ -199,7 +199,7 @@ class RecordingManager(QObject, Generic[WindowT]):
         window = self.create_window(recording)
         self._notifier.log_also(window.notifier)
         if recording.path.parent == kept_folder():
-            window.copy_wanted.connect(partial(self._save_copy, window))
+            window.copy_button.clicked.connect(lambda: self._save_copy(window))
             window.copy_button.show()
         else:
             remember_folder(recording.path, self._folder_key)

@@ -40,17 +40,12 @@ class RecordingWindow(QMainWindow):
     """
 
     closed = Signal()
-    copy_wanted = Signal()
 
     def __init__(
-        self,
-        playback: RecordingPlayer[Any, Any, Any],
-        name: str,
-        plot_name: str = "",
-        parent: QWidget | None = None,
+        self, playback: RecordingPlayer[Any, Any, Any], name: str, plot_name: str = ""
     ) -> None:
         """`name` starts object names and settings keys. `plot_name` is for screen readers."""
-        super().__init__(parent)
+        super().__init__()
         self.setObjectName(f"{name}Window")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowIcon(application_icon())
@@ -72,7 +67,7 @@ class RecordingWindow(QMainWindow):
             for key, text, icon, tip, slot in (
                 ("showAll", tr("Show &all"), "", whole, self.show_all),
                 ("exportSpan", tr("&Export span…"), "save", span, self._on_export_clicked),
-                ("copyRecording", tr("Save a cop&y…"), "copy", keep, self.copy_wanted.emit),
+                ("copyRecording", tr("Save a cop&y…"), "copy", keep, None),
                 ("cancelRecording", tr("Cancel"), "", cancel, self._on_cancelled),
             )
         )

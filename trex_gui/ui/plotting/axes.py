@@ -194,21 +194,17 @@ class Span:
         self._live_length = self.length
 
     def hold(self) -> None:
-        self._end = self.end
-        self._stop_live()
+        if self.live:
+            self._end, self._live_length, self.live = self._newest, self.length, False
 
     def go_live(self) -> None:
         """Follow the newest sample again, at the previous live zoom."""
         if not self.live:
             self.length, self.live = self._live_length, True
 
-    def _stop_live(self) -> None:
-        if self.live:
-            self._live_length, self.live = self.length, False
-
     def show(self, start: float, end: float) -> None:
         """Show from one time to another, in either order, and stay there."""
-        self._stop_live()
+        self.hold()
         middle = (start + end) / 2
         self.set_length(abs(end - start))
         self._end = middle + self.length / 2

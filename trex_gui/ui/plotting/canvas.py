@@ -283,12 +283,8 @@ class PlotCanvas(QWidget):
 
     def _show_fonts(self) -> None:
         for axis in self._axes.values():
-            axis.setStyle(
-                tickFont=self.small_font(),
-                tickLength=0,
-                tickTextOffset=6,
-                hideOverlappingLabels=_LABEL_MARGIN,
-            )
+            axis.setStyle(tickFont=self.small_font(), tickLength=0, tickTextOffset=6)
+            axis.setStyle(hideOverlappingLabels=_LABEL_MARGIN)
 
     @Slot()
     def _on_theme_changed(self) -> None:

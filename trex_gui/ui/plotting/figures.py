@@ -247,7 +247,6 @@ class TraceTableView(QTableView):
 
     def __init__(self, model: TraceTable, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._table = model
         flat_table(self, "traceTable", tr("Curves and their figures"))
         set_row_height(self, _ROW_ROOM)
         self.setModel(model)

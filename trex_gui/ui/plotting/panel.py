@@ -71,14 +71,11 @@ class TracePanel(QWidget):
         self._window = ui.combo_box(self, "currentsWindow", tr("Time shown"), items=items)
         self._window.activated.connect(lambda index: self._select_window(_WINDOWS[index]))
         window_label = ui.label(self, text=tr("Show the &last"), buddy=self._window)
-        self._top = ui.combo_box(
-            self,
-            "currentsTop",
-            tr("Range of the currents"),
-            items=[(tr("automatic"), 0), *((f"0–{amps} A", amps) for amps in _TOPS)],
-            tip=tr("A fixed range keeps plots comparable; peaks above it are cut off"),
-            on_activate=lambda index: self._select_top((0, *_TOPS)[index]),
-        )
+        tops = [(tr("automatic"), 0), *((f"0–{amps} A", amps) for amps in _TOPS)]
+        tip = tr("A fixed range keeps plots comparable; peaks above it are cut off")
+        title = tr("Range of the currents")
+        self._top = ui.combo_box(self, "currentsTop", title, items=tops, tip=tip)
+        self._top.activated.connect(lambda index: self._select_top((0, *_TOPS)[index]))
         top_label = ui.label(self, text=tr("Ran&ge"), buddy=self._top)
         self._pause = ui.button(
             self,

@@ -20,13 +20,8 @@ def icon(name: str, color: str = "icon") -> QIcon:
 
     Use `set_icon` for icons that stay on screen when the theme changes.
     """
-    current = theme()
-    return _render(
-        name,
-        current.color(color).rgb(),
-        current.color("muted").rgb(),
-        current.color("highlighted_text").rgb(),
-    )
+    colors = (theme().color(each).rgb() for each in (color, "muted", "highlighted_text"))
+    return _render(name, *colors)
 
 
 def set_icon(target: QAction | QAbstractButton, name: str, color: str = "icon") -> None:

@@ -26,8 +26,8 @@ _WIDEST = "0000.0 µs (0000), remapped −000 "
 class PlaybackWindow(RecordingWindow):
     settings_wanted = Signal(object)  # the `SettingsDocument` at the position, to be opened
 
-    def __init__(self, playback: Playback, device: Device, parent: QWidget | None = None) -> None:
-        super().__init__(playback, "playback", parent=parent)
+    def __init__(self, playback: Playback, device: Device) -> None:
+        super().__init__(playback, "playback")
         self.playback = playback
         text = tr("&Settings at this time…")
         tip = tr("Open the settings that the board stored at this time")
