@@ -11,8 +11,7 @@ from tests.support.window import WidgetDriver
 from trex_gui.core.errors import NoReply
 from trex_gui.core.events import Event, EventKind
 from trex_gui.devices.trex.board import WriteResult
-from trex_gui.devices.trex.model.board_events import BoardEvents
-from trex_gui.devices.trex.model.motors import Motors
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.ui.diagnostics.place import LogPage
 from trex_gui.ui.help.messages import MessageHelp
 from trex_gui.ui.log import MOST_ENTRIES, MOST_EVENTS, EventLog, Log
@@ -124,17 +123,16 @@ def test_lines_are_filtered_and_copied(qtbot: QtBot, clocks: Clocks) -> None:
 
 
 def test_stops_and_applied_settings_are_events(qtbot: QtBot) -> None:
-    motors = Motors()
-    events = BoardEvents(motors)
-    motors.press_stop()
-    motors.stop("the pad was let go")
+    device = Device()
+    device.motors.press_stop()
+    device.motors.stop("the pad was let go")
     results = [WriteResult(f"key{number}", number) for number in range(5)]
     results.append(WriteResult("key5", error=NoReply("silence")))
-    events.record_applied(tuple(results), ("A", "B", "C", "D", "E", "F"))
-    assert [(event.kind.value, event.text) for event in events.all] == [
+    device.writer.finished.emit(tuple(results))
+    assert [(event.kind.value, event.text) for event in device.events.all] == [
         ("stop", "Stop"),
         ("stop", "Stop: the pad was let go"),
-        ("apply", "Apply: A, B, C and 2 more (1 failed)"),
+        ("apply", "Apply: key0, key1, key2 and 2 more (1 failed)"),
     ]
 
 

@@ -7,7 +7,7 @@ from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.calibration.neutral import Neutral, measure_neutral
 from trex_gui.devices.trex.calibration.proposal import Proposal, propose
 from trex_gui.devices.trex.calibration.travel import TASKS, Travel
-from trex_gui.devices.trex.model.learning.checks import Check
+from trex_gui.devices.trex.model.learning.channels import Check
 from trex_gui.devices.trex.protocol.calibration import Calibration
 
 REST = ((1.6, 0.0),)

@@ -14,7 +14,7 @@ from trex_gui.devices.trex.calibration.neutral import ChannelSample
 from trex_gui.devices.trex.calibration.problems import ProblemKind
 from trex_gui.devices.trex.calibration.proposal import Proposal, propose
 from trex_gui.devices.trex.calibration.travel import WINDOW, Task, Travel, Way, least_travel
-from trex_gui.devices.trex.model.learning.checks import Check
+from trex_gui.devices.trex.model.learning.channels import Check
 from trex_gui.devices.trex.model.learning.problem_text import problem_text
 from trex_gui.devices.trex.protocol.calibration import Calibration, remap
 from trex_gui.devices.trex.protocol.flags import InputSource

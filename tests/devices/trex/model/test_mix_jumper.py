@@ -7,10 +7,9 @@ from pytestqt.qtbot import QtBot
 
 from trex_gui.devices.trex.calibration.channel_curve import is_mixed
 from trex_gui.devices.trex.client.telemetry import Newest
-from trex_gui.devices.trex.model.mix_jumper import MixJumper
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
-from trex_gui.devices.trex.model.telemetry import Telemetry
+from trex_gui.devices.trex.model.telemetry import MixJumper, Telemetry
 from trex_gui.devices.trex.simulator.channel_control import motor_values
 
 outputs = st.integers(-127, 127)

@@ -11,7 +11,7 @@ from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.bench.run import End, Plan, Run
 from trex_gui.devices.trex.client.telemetry import Currents, LatchedStatus
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.held_drive import held_drive_blocker
+from trex_gui.devices.trex.model.drive_status import held_drive_blocker
 from trex_gui.devices.trex.protocol.flags import MOTOR_FAULTS, OVER_LIMITS, UartError
 from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.devices.connection import ConnectionState

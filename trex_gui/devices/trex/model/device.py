@@ -5,7 +5,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import StudioError
-from trex_gui.core.events import Event
+from trex_gui.core.events import Event, EventKind
 from trex_gui.core.session import Closed, Outcome
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.translation import tr
@@ -21,16 +21,14 @@ from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import Sample
 from trex_gui.devices.trex.driving.timeout_stop import turning_text
 from trex_gui.devices.trex.driving.wheels import Wheel
-from trex_gui.devices.trex.model.board_events import BoardEvents
 from trex_gui.devices.trex.model.connection import Connection, MemberConnection, remedies_for
 from trex_gui.devices.trex.model.drive_controller import DriveController
-from trex_gui.devices.trex.model.mix_jumper import MixJumper
 from trex_gui.devices.trex.model.motors import Motors
+from trex_gui.devices.trex.model.settings.board_files import KeptFiles
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.model.settings.edit_backup import EditBackup
-from trex_gui.devices.trex.model.settings.kept_files import KeptFiles
 from trex_gui.devices.trex.model.settings.writer import SettingsWriter
-from trex_gui.devices.trex.model.telemetry import Telemetry
+from trex_gui.devices.trex.model.telemetry import MixJumper, Telemetry
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
@@ -48,11 +46,13 @@ from trex_gui.devices.trex.session.messages import (
 )
 from trex_gui.devices.trex.settings.board_records import utc_now
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.log import EventLog
 from trex_gui.ui.notifier import Notifier, Remedies, Remedy
 from trex_gui.ui.runtime import now
 from trex_gui.ui.translations import error_text
 
 _TIMEOUT = ParameterKey.SERIAL_TIMEOUT
+_NAMED = 3  # written settings that an event names; the rest are counted
 
 
 class Device(QObject):
@@ -98,7 +98,7 @@ class Device(QObject):
             self.motors, self.board, self.connection, self.notifier, self
         )
         self.writer = SettingsWriter(self.draft, self.board, self.connection, self.driving, self)
-        self.events = BoardEvents(self.motors, self)  # since the line was opened
+        self.events = EventLog(self)  # since the line was opened
         self._replaced: list[Path] = []  # files of other boards, renamed since the last reading
 
         self.connection.changed.connect(self.link_changed)
@@ -110,6 +110,7 @@ class Device(QObject):
         self.connection.sampled.connect(self._on_sampled)
         self.connection.served.connect(self._on_served)
         self.motors.arming_changed.connect(self._recommend_crc)
+        self.motors.stop_requested.connect(self._on_stop_requested)
         self.connection.failed.connect(self._on_connection_failed)
         self.connection.interfered.connect(self.notifier.report)
         self.driving.changed.connect(self.link_changed)
@@ -260,9 +261,20 @@ class Device(QObject):
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
         self.link_changed.emit()
-        names = tuple(self.draft.name_of(result.key) for result in results)
-        self.events.record_applied(results, names)
+        done = [self.draft.name_of(result.key) for result in results if result.error is None]
+        failed = len(results) - len(done)
+        text = ", ".join(done[:_NAMED])
+        if len(done) > _NAMED:
+            text = tr("{0} and {1} more").format(text, len(done) - _NAMED)
+        if failed:
+            text = tr("{0} ({1} failed)").format(text, failed).strip()
+        self.events.add(EventKind.APPLY, tr("Apply: {0}").format(text), is_problem=failed > 0)
         self.applied.emit(results)
+
+    @Slot()
+    def _on_stop_requested(self) -> None:
+        reason = self.motors.stop_reason
+        self.events.add(EventKind.STOP, tr("Stop: {0}").format(reason) if reason else tr("Stop"))
 
     @Slot(object)
     def _on_connection_failed(self, error: StudioError) -> None:

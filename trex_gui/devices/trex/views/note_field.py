@@ -5,7 +5,7 @@ from PySide6.QtGui import QFocusEvent
 from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.model.settings.notes import Notes
+from trex_gui.devices.trex.model.settings.draft import Notes
 from trex_gui.devices.trex.settings.notes import clean_note
 from trex_gui.ui.theme.theme import follow_theme
 from trex_gui.ui.widgets.builders import named

@@ -3,7 +3,7 @@
 from PySide6.QtGui import QUndoStack
 from pytestqt.qtbot import QtBot
 
-from trex_gui.devices.trex.model.settings.notes import Notes
+from trex_gui.devices.trex.model.settings.draft import Notes
 from trex_gui.devices.trex.settings.notes import LONGEST_NOTE
 
 

@@ -10,9 +10,8 @@ from tests.support.simulator import SimulatedDevice
 from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.model.learning.channels import Choice, LearnedChannel
 from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
-from trex_gui.devices.trex.model.setup.presets import LIMITS, Preset
 from trex_gui.devices.trex.model.setup.pulses import PAUSE, PULSE, STRONGER, WEAK
-from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup, SetupStep
+from trex_gui.devices.trex.model.setup.robot_setup import LIMITS, Preset, RobotSetup, SetupStep
 from trex_gui.devices.trex.model.setup.wiring import Driver, Movement, Rewiring, Side, Wiring
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings

@@ -4,7 +4,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.held_drive import held_drive_blocker
+from trex_gui.devices.trex.model.drive_status import held_drive_blocker
 from trex_gui.devices.trex.model.learning.preconditions import mode_blocker
 from trex_gui.devices.trex.model.motors import FIRST_CEILING
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE

@@ -2,21 +2,62 @@
 
 from collections.abc import Mapping, Sequence
 from enum import Enum, auto
+from functools import cache
 
 from PySide6.QtCore import QObject, Signal, Slot
 
+from trex_gui.core.resource_files import resource
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.client.reading import DeviceState, may_be_same_board
 from trex_gui.devices.trex.driving.timeout_stop import with_shutdown
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.learning.preconditions import mode_blocker
-from trex_gui.devices.trex.model.setup.presets import LIMITS, Preset
 from trex_gui.devices.trex.model.setup.pulses import MotorPulses
 from trex_gui.devices.trex.model.setup.wiring import Driver, Movement, Wiring
 from trex_gui.devices.trex.protocol.flags import channel_mask, channels_in
-from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.ui.devices.connection import ConnectionState
+
+LIMITS = tuple(MotorParameter.CURRENT_LIMIT.of(motor) for motor in (1, 2))
+
+_RAMPS = (
+    MotorParameter.ACCELERATION,
+    MotorParameter.BRAKE_DURATION,
+    MotorParameter.CURRENT_LIMIT_P,
+)
+
+
+class Preset(Enum):
+    """Kinds of robots. The value is the file name of a sample."""
+
+    TANK = "tank_with_mix.txt"
+    ROVER = "rover_with_serial_override.txt"
+    AUTONOMOUS = "autonomous_robot.txt"
+
+    @property
+    def product(self) -> str:
+        """Key of the board model of the sample."""
+        return _sample(self.value).product.key
+
+    def values(self, model: str) -> Mapping[str, int]:
+        """Return wire values by key for a model.
+
+        Current limits are left out if the sample is for another model, because their units and
+        the ratings of the motor drivers differ.
+        """
+        sample = _sample(self.value).parameters
+        keys = [parameter.of(motor) for motor in (1, 2) for parameter in _RAMPS]
+        return {key: sample[key] for key in (*keys, *(LIMITS if model == self.product else ()))}
+
+
+@cache
+def _sample(name: str) -> Settings:
+    settings, _ = read_settings((resource("samples") / name).read_bytes(), name)
+    return settings
+
 
 _REVERSED = ParameterKey.REVERSED_CHANNELS
 _STICKS = (1, 2)  # the channels that drive

@@ -11,8 +11,7 @@ from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_texts import timeout_warning_on
 from trex_gui.devices.trex.model.learning.preconditions import mode_blocker
-from trex_gui.devices.trex.model.setup.presets import LIMITS, Preset
-from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup, SetupStep
+from trex_gui.devices.trex.model.setup.robot_setup import LIMITS, Preset, RobotSetup, SetupStep
 from trex_gui.devices.trex.model.setup.wiring import Driver
 from trex_gui.devices.trex.protocol.descriptions import CURRENT_ACCURACY
 from trex_gui.devices.trex.protocol.device_table import device_table
