@@ -20,7 +20,6 @@ from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
 from trex_gui.core.code import Language
 from trex_gui.core.files import data_folder
-from trex_gui.devices.trex.views.pages.channels.change_menu import ChangeMenu
 from trex_gui.ui.runtime import now
 
 
@@ -217,12 +216,10 @@ def test_window_saves_nothing_itself(
     connected_window: WindowDriver, disk: SlowDisk, tmp_path: Path
 ) -> None:
     window, workspace = connected_window, trex(connected_window.program).workspace
-    calibration = window.find_only(ChangeMenu)
     recorder = workspace.recordings.recorder
     saves: dict[str, Callable[[Path], object]] = {
         "code.py": lambda path: workspace.files.shown.export_file(path, Language.PYTHON),
         "board.txt": workspace.files.shown.save_file,
-        "calibrations.txt": calibration.save_file,
         "a.trexrec": recorder.start,
     }
     for name, save in saves.items():

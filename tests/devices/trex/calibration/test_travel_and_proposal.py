@@ -307,15 +307,6 @@ def texts(check_: Check) -> list[str]:
     return [problem_text(problem) for problem in check_.problems]
 
 
-def test_remark_describes_throttle_beyond_its_rest() -> None:
-    found = check(THROTTLE, 3)
-    assert found.problems == ()
-    (text,) = found.remarks
-    assert text.startswith(
-        "Beyond its rest position the motor speeds up again, whatever the sign: at 1000"
-    )
-
-
 def test_full_speed_beyond_throttle_rest_is_reported() -> None:
     (problem,) = check(THROTTLE, 3, Calibration(2600, 2750, 4700, 75)).problems
     assert problem.kind is ProblemKind.SPEEDS_UP
@@ -362,7 +353,7 @@ def test_proposed_calibration_has_no_problems(channel: int) -> None:
 
 
 def test_switching_point_is_reported_as_inferred() -> None:
-    (text,) = check(THROTTLE, 5).remarks
+    text = check(THROTTLE, 5).remark
     assert "Active above 1495 µs, halfway between neutral and maximum (inferred)" in text
     assert text.endswith("At rest it is off.")
 

@@ -4,14 +4,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trex_gui.devices.trex.model.calibration_moves import (
-    Handle,
-    moved,
-    symmetric,
-    why_not_symmetric,
-    within_input,
-)
-from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, HIGHEST_CODED, Calibration, remap
+from trex_gui.devices.trex.model.calibration_moves import Handle, moved, within_input
+from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
 
 USUAL = Calibration(2500, 3750, 5000, 75)
@@ -34,55 +28,6 @@ def test_moved_handle_gives_a_calibration_the_board_accepts(
     made, why = moved(calibration, handle, count)
     assert made.problem() is None
     assert (handle.count(made) == count) == (why == "")
-
-
-@given(calibration=calibrations(), source=st.sampled_from(InputSource), larger=st.booleans())
-def test_symmetric_travel_is_equal_and_reaches_every_output(
-    calibration: Calibration, source: InputSource, larger: bool
-) -> None:
-    made = symmetric(calibration, source, larger=larger)
-    if why_not_symmetric(made, source):
-        return
-    assert made.problem() is None
-    assert (made.neutral, made.deadband) == (calibration.neutral, calibration.deadband)
-    assert made.neutral - made.minimum == made.maximum - made.neutral
-    first, last = made.neutral + made.deadband, made.maximum
-    outputs = {remap(raw, made) for raw in range(first, last + 1)}
-    assert outputs == set(range(FULL_SCALE + 1))
-
-
-def test_side_without_travel_cannot_be_mirrored() -> None:
-    one_sided = Calibration(3750, 3750, 5000, 75)
-    why = why_not_symmetric(symmetric(one_sided, InputSource.RC, larger=False), InputSource.RC)
-    assert why.startswith("That would leave 0 µs on each side of neutral")
-    made = symmetric(one_sided, InputSource.RC, larger=True)
-    assert not why_not_symmetric(made, InputSource.RC)
-    assert made == USUAL
-
-
-@pytest.mark.parametrize(("travel", "good"), [(75 + 127, False), (75 + 128, True)])
-def test_equal_travel_needs_a_count_for_each_output(travel: int, good: bool) -> None:
-    short = Calibration(3750 - travel, 3750, 3750 + travel, 75)
-    assert (why_not_symmetric(short, InputSource.RC) == "") is good
-
-
-@pytest.mark.parametrize(
-    ("source", "uneven", "larger", "expected"),
-    [
-        (InputSource.RC, (2700, 3700, 5000), False, (2700, 3700, 4700)),
-        (InputSource.RC, (2700, 3700, 5000), True, (2400, 3700, 5000)),
-        (InputSource.RC, (2000, 2500, 5000), True, (1250, 2500, 3750)),  # 500 µs at least
-        (InputSource.ANALOG, (100, 600, 1000), True, (177, 600, 1023)),  # 5 V at most
-    ],
-)
-def test_symmetric_travel_is_that_of_one_side_within_the_input_range(
-    source: InputSource,
-    uneven: tuple[int, int, int],
-    larger: bool,
-    expected: tuple[int, int, int],
-) -> None:
-    made = symmetric(Calibration(*uneven, 75), source, larger=larger)
-    assert made == Calibration(*expected, 75)
 
 
 @pytest.mark.parametrize(

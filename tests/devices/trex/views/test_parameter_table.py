@@ -225,31 +225,6 @@ def test_arrow_keys_bring_the_first_heading_into_sight(parameters: ParametersDri
     assert parameters.view.verticalScrollBar().value() == 0
 
 
-# --- Pinned rows ------------------------------------------------------------------------
-
-
-@with_menu
-def test_pinned_rows_are_remembered(parameters: ParametersDriver, qtbot: QtBot) -> None:
-    parameters.go_to("serial_timeout")
-    parameters.click("pinParameterButton")
-    menu_of(parameters, "motor2_current_limit")["pinParameter"].trigger()
-    assert parameters.current == "motor2_current_limit"
-
-    other = ParametersDriver(qtbot)
-    other.load(SPECS, serial_timeout=5)
-    assert other.titles[0] == "Pinned"
-    assert [other.model.rows[row].keys for row in (1, 2)] == [
-        ("serial_timeout",),
-        ("motor1_current_limit", "motor2_current_limit"),
-    ]
-    assert other.model.count == parameters.model.count, "none is shown twice"
-    other.go_to("serial_timeout")
-    other.click("pinParameterButton")
-    other.go_to("motor1_current_limit")
-    other.click("pinParameterButton")
-    assert "Pinned" not in other.titles
-
-
 # --- Context menu -----------------------------------------------------------------------
 
 
@@ -290,7 +265,6 @@ def test_menu_entries_describe_their_effect(parameters: ParametersDriver) -> Non
     assert actions["resetParameter"].text() == "Reset to default: 0 (off)"
     assert actions["copyParameter"].text() == "Copy as “serial_timeout: 15”"
     assert "leaveOutParameter" not in actions
-    assert "copyToOtherMotor" not in actions
     unchanged = menu_of(parameters, "device_number")
     assert not unchanged["resetParameter"].isEnabled()
     assert not unchanged["restoreParameter"].isEnabled()
@@ -299,15 +273,6 @@ def test_menu_entries_describe_their_effect(parameters: ParametersDriver) -> Non
 
 @with_menu
 def test_menu_edits_resets_restores_and_copies(parameters: ParametersDriver) -> None:
-    parameters.model.edit("motor1_current_limit", 25)
-    actions = menu_of(parameters, "motor1_current_limit")
-    assert actions["copyToOtherMotor"].text() == "Copy to Motor 2"
-    actions["copyToOtherMotor"].trigger()
-    assert parameters.model.values.value_of("motor2_current_limit") == 25
-    assert not menu_of(parameters, "motor1_current_limit")["copyToOtherMotor"].isEnabled()
-    for key in ("motor1_current_limit", "motor2_current_limit"):
-        parameters.model.restore(key)
-
     parameters.load(SPECS, serial_timeout=5)
     menu_of(parameters, "serial_timeout")["resetParameter"].trigger()
     assert dict(parameters.model.values.pending) == {"serial_timeout": 0}

@@ -1,11 +1,11 @@
-"""One-step changes of a calibration: move a handle, or make it symmetric."""
+"""Moves of the handles of a calibration."""
 
 from dataclasses import replace
 from enum import Enum
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.channel_text import input_range_text
-from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, HIGHEST_CODED, Calibration
+from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
 
 
@@ -83,30 +83,3 @@ def within_input(
     if lowest <= count <= highest:
         return count, ""
     return (lowest if count < lowest else highest), input_range_text(source)
-
-
-def symmetric(calibration: Calibration, source: InputSource, *, larger: bool) -> Calibration:
-    """Make the travel to both ends equal to the larger or the smaller travel.
-
-    Both ends stay within the range of the input, which may shorten the larger travel.
-    """
-    neutral = calibration.neutral
-    ends = neutral - calibration.minimum, calibration.maximum - neutral
-    lowest = min(source.lowest_count, calibration.minimum)
-    highest = max(source.highest_count, calibration.maximum)
-    travel = min(max(ends) if larger else min(ends), neutral - lowest, highest - neutral)
-    return replace(calibration, minimum=neutral - travel, maximum=neutral + travel)
-
-
-def why_not_symmetric(made: Calibration, source: InputSource) -> str:
-    """Return why equal travel made a calibration unusable. Empty if it is usable.
-
-    Each output value needs its own count. Otherwise a slight touch gives full output.
-    """
-    travel = made.maximum - made.neutral
-    if travel > made.deadband + FULL_SCALE:
-        return ""
-    return tr(
-        "That would leave {0} on each side of neutral, {1} of it deadband: too little to reach "
-        "every output value."
-    ).format(source.text(travel), source.text(made.deadband))

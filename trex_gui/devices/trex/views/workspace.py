@@ -241,7 +241,7 @@ class TrexWorkspace(Workspace):
             model.load(parameters_of("trex", "1.3"), {}, {}, power_cycled=False)
         for row in model.rows:
             for key in row.keys[:1]:
-                place = f"{tr('Parameters')} · {model.rows.titles[row.group]}"
+                place = f"{tr('Parameters')} · {model.titles[row.group]}"
                 text, show = model.text.description(key), partial(self._show_parameter, key)
                 yield Findable("parameter", key, row.name, place, text, show)
 

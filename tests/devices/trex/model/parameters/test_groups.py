@@ -90,21 +90,6 @@ def test_heading_has_no_parameter_data_and_is_passed_by(model: ParameterModel) -
     assert not model.setData(value, 3)
 
 
-def test_pinned_rows_come_first_in_their_own_order(model: ParameterModel) -> None:
-    model.pin(["serial_timeout", "current_limit", "not_a_key"])
-    keys = [model.rows[row].keys for row in range(4)]
-    limits = ("motor1_current_limit", "motor2_current_limit")
-    assert keys[:3] == [(), ("serial_timeout",), limits]
-    assert heading(model, "pinned").row() == 0
-    model.edit("serial_timeout", 5)
-    assert heading(model, "pinned").data() == "Pinned (1 modified)"
-    assert heading(model, "serial").data() == "Serial"
-    model.pin(model.rows.with_toggled("motor2_current_limit"))
-    assert model.rows.pinned == ("serial_timeout", "not_a_key")
-    assert not model.rows.is_pinned("motor1_current_limit")
-    assert model.rows.is_pinned("serial_timeout")
-
-
 def test_grouped_model_passes_qt_model_tester(
     model: ParameterModel, file: ParameterModel, qtmodeltester: ModelTester
 ) -> None:
@@ -186,12 +171,10 @@ def test_other_motor_is_left_alone_where_it_cannot_follow(model: ParameterModel)
     assert dict(model.values.pending) == expected
 
 
-def test_differing_motor_value_is_shown_and_can_be_copied(model: ParameterModel) -> None:
+def test_differing_motor_value_is_shown(model: ParameterModel) -> None:
     assert "differs" not in said(model, "motor1_current_limit", SPOKEN)
     model.edit("motor2_current_limit", 25)
     assert "Motor 2 differs: 2 A." in said(model, "motor1_current_limit", SPOKEN)
-    model.copy_to_other_motor("motor2_current_limit")
-    assert model.values.value_of("motor1_current_limit") == 25
 
 
 def test_staged_settings_keep_motors_separate_in_both_mode(qtbot: QtBot) -> None:
@@ -329,7 +312,7 @@ def test_prescaler_and_maximum_are_one_value(
     assert model.text.change("motor1_pwm_maximum") == "9766 Hz, was 2441 Hz"
     with qtbot.waitSignal(model.rejected):
         assert not model.setData(cell, frequency_code(9, 63))
-    model.copy_to_other_motor("motor1_pwm_maximum")
+    assert model.setData(model.index_of("motor2_pwm_maximum"), frequency_code(0, 127))
     assert said(model, "motor2_pwm_maximum") == "9766 Hz"
     model.both_motors = True
     model.reset("motor2_pwm_prescaler")

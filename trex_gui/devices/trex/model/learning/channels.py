@@ -47,10 +47,6 @@ class Check:
             for kind, variant, values in self._found()
         )
 
-    @property
-    def remarks(self) -> tuple[str, ...]:
-        return tuple(filter(None, (self._switch_text(), self._idle_text())))
-
     def _found(self) -> Iterator[_Found]:
         text, wanted = self.neutral.source.text, self.curve.calibration
         yield from self._useless()
@@ -69,10 +65,11 @@ class Check:
         else:
             yield from self._neutral_moved()
         if (idle := self.travel.idle) is not None:
-            place, speed = self._aside(idle)
-            if speed > _MUCH:
-                values = text(place), str(speed), FULL_SCALE
-                yield ProblemKind.SPEEDS_UP, "", values
+            source = self.neutral.source
+            place = self.neutral.value + idle.value * _ASIDE[source]
+            place = min(max(place, source.lowest_count), source.highest_count)
+            if (speed := abs(self.curve.output(place))) > _MUCH:
+                yield ProblemKind.SPEEDS_UP, "", (text(place), str(speed), FULL_SCALE)
 
     def _useless(self) -> Iterator[_Found]:
         wanted, source, idle = self.curve.calibration, self.neutral.source, self.travel.idle
@@ -108,7 +105,9 @@ class Check:
             variant = "ACTIVE" if active.pop() else "INACTIVE"
             yield ProblemKind.NEVER_SWITCHES, variant, (place,)
 
-    def _switch_text(self) -> str:
+    @property
+    def remark(self) -> str:
+        """Sentences on the switching point. Empty for a stick."""
         threshold = self.curve.threshold(self.channel)
         if threshold is None:
             return ""
@@ -121,24 +120,6 @@ class Check:
         else:
             rest = tr("At rest it is off.")
         return f"{text.format(self.neutral.source.text(round(threshold)))} {rest}"
-
-    def _aside(self, idle: Way) -> tuple[int, int]:
-        """Return a count beyond rest, on the unused side, and the speed there."""
-        source = self.neutral.source
-        place = self.neutral.value + idle.value * _ASIDE[source]
-        place = min(max(place, source.lowest_count), source.highest_count)
-        return place, abs(self.curve.output(place))
-
-    def _idle_text(self) -> str:
-        idle = self.travel.idle
-        if idle is None or self.travel.task is not Task.ONE_WAY:
-            return ""
-        place, speed = self._aside(idle)
-        text = tr(
-            "Beyond its rest position the motor speeds up again, whatever the sign: at {0} to {1} "
-            "of {2}."
-        )
-        return text.format(self.neutral.source.text(place), speed, FULL_SCALE)
 
 
 Counts = tuple[int | None, ...]  # raw counts of channels 1-5; `None` without a valid signal
@@ -301,9 +282,8 @@ class LearnedChannel:
         return rest
 
     @property
-    def remarks(self) -> tuple[str, ...]:
-        check = self._check
-        return () if check is None else check.remarks
+    def remark(self) -> str:
+        return "" if self._check is None else self._check.remark
 
     @property
     def _check(self) -> Check | None:

@@ -1,6 +1,7 @@
 """Qt model of the parameters of a board or a file, with their edits."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from enum import IntEnum
 from typing import Any
 
@@ -17,7 +18,6 @@ from PySide6.QtGui import QUndoStack
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.board import WriteResult
-from trex_gui.devices.trex.model.parameters.rows import ParameterRows
 from trex_gui.devices.trex.model.parameters.text import (
     ParameterColumn,
     ParameterText,
@@ -57,6 +57,15 @@ class ParameterRole(IntEnum):
     RESET = Qt.ItemDataRole.UserRole + 5
 
 
+@dataclass(frozen=True, slots=True)
+class ParameterRow:
+    """A heading, or one setting. `keys` has a key for each motor, or one key for the board."""
+
+    group: str
+    name: str
+    keys: tuple[str, ...] = ()
+
+
 def _number(wires: Sequence[int]) -> int:
     return wires[0] if len(wires) == 1 else frequency_code(*wires)
 
@@ -77,10 +86,20 @@ class ParameterModel(QAbstractTableModel):
         self._undo = undo or QUndoStack(self)
         self.values = ParameterValues()
         self.text = ParameterText(self.values)
-        self.rows = ParameterRows(self.values, self.text)
+        self.rows: list[ParameterRow] = []  # grouped by task
+        self.places: dict[str, tuple[int, int]] = {}  # row and column by key
         self.model_key = ""  # model of the board that the rows belong to; empty before `load`
         self.both_motors = False  # whether an edit for one motor applies to the other motor, too
         self._headers = (tr("Parameter"), tr("Motor 1"), tr("Motor 2"))
+        self.titles = {
+            "motors": tr("Motors and speed ramp"),
+            "braking": tr("Braking"),
+            "current": tr("Current"),
+            "pwm": tr("PWM"),
+            "channels": tr("Inputs"),
+            "serial": tr("Serial"),
+            "system": tr("System"),
+        }
         self._motor_colors = {ParameterColumn.MOTOR1: "motor1", ParameterColumn.MOTOR2: "motor2"}
         self._sources: dict[int, Callable[[str], Any]] = {  # data of a value, by role
             Qt.ItemDataRole.DisplayRole: self.text.value,
@@ -122,7 +141,7 @@ class ParameterModel(QAbstractTableModel):
             self.values.specs.clear()
             self.values.specs.update(wanted)
             self.text.set_board(specs.model)
-            self.rows.arrange()
+            self._arrange_rows()
         self.values.load(
             stored,
             keep_edits=keep_edits and specs.model.key == self.model_key,
@@ -142,11 +161,24 @@ class ParameterModel(QAbstractTableModel):
         if pending != self.values.modified:
             self.pending_changed.emit()
 
-    def pin(self, keys: Iterable[str]) -> None:
-        self.beginResetModel()
-        self.rows.pinned = tuple(keys)
-        self.rows.arrange()
-        self.endResetModel()
+    def _arrange_rows(self) -> None:
+        groups: dict[str, list[ParameterRow]] = {group: [] for group in self.titles}
+        for key, spec in self.values.specs.items():
+            is_named_by_another = key != self.text.together(key)[-1] or key.startswith("motor2_")
+            if not is_named_by_another:
+                other = other_motor_key(key)
+                keys = (key,) if other is None else (key, other)
+                groups[spec.task].append(ParameterRow(spec.task, self.text.short_title(key), keys))
+        self.rows = []
+        for group, rows in groups.items():
+            if rows:
+                self.rows += [ParameterRow(group, self.titles[group]), *rows]
+        self.places = {
+            each: (place, column)
+            for place, row in enumerate(self.rows)
+            for column, key in enumerate(row.keys, ParameterColumn.MOTOR1)
+            for each in self.text.together(key)
+        }
 
     def record_stored(self, stored: Mapping[str, int]) -> None:
         """Update the stored values after a verified write."""
@@ -170,7 +202,7 @@ class ParameterModel(QAbstractTableModel):
             return
         self.values.accepted = dict(accepted)
         for key in accepted:
-            if key in self.rows.places:
+            if key in self.places:
                 self._announce(key)
         self.pending_changed.emit()
 
@@ -238,16 +270,6 @@ class ParameterModel(QAbstractTableModel):
         if self.values.can_leave_out(key):
             self._change(dict.fromkeys(filter(self.values.can_leave_out, self._all_with(key))))
 
-    def copy_to_other_motor(self, key: str) -> None:
-        self._change(
-            {
-                other: self.values.value_of(each)
-                for each in self.text.together(key)
-                if (other := self.values.other_motor_of(each))
-                and self.values.value_of(each) is not None
-            }
-        )
-
     def discard_edits(self) -> None:
         """Restore the stored values, with an undo step for each."""
         for key in self.values.modified:
@@ -293,7 +315,7 @@ class ParameterModel(QAbstractTableModel):
 
     def index_of(self, key: str) -> QModelIndex:
         """Return the cell with the value of a parameter. Invalid if there is no such cell."""
-        place = self.rows.places.get(key)
+        place = self.places.get(key)
         return QModelIndex() if place is None else self.index(*place)
 
     def rowCount(self, parent: Index | None = None) -> int:
@@ -381,7 +403,7 @@ class ParameterModel(QAbstractTableModel):
 
     def _announce(self, key: str) -> None:
         """Announce a change in a parameter's row and the heading above."""
-        row = self.rows.places[key][0]
+        row = self.places[key][0]
         heading = next(each for each in range(row, -1, -1) if not self.rows[each].keys)
         for place in (row, heading):
             self.dataChanged.emit(self.index(place, 0), self.index(place, _COLUMNS - 1))

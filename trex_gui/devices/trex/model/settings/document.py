@@ -1,15 +1,14 @@
 """A settings file in an editor: its text, edits and findings."""
 
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.core.errors import BadRequest, StudioError
-from trex_gui.core.files import Finding, SettingsError, decode, load, save
+from trex_gui.core.errors import StudioError
+from trex_gui.core.files import Finding, SettingsError, decode
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.model.settings.draft import SettingsDraft, diff_against_draft
+from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.reader import BYTE_ORDER_MARK, read_settings
@@ -198,39 +197,3 @@ def text_of(data: bytes, name: str) -> tuple[str, Finding | None]:
         ).format(found.message)
         return text, Finding(found.line, found.key, message)
     return (BYTE_ORDER_MARK + text if data.startswith(BYTE_ORDER_MARK.encode()) else text), None
-
-
-def set_calibrations(
-    draft: SettingsDraft, settings: Settings, text: str
-) -> tuple[int, tuple[str, ...]]:
-    """Edit calibrations to the values of a file, as an undo step named `text`.
-
-    Returns the number of differing calibrations, and a sentence for each setting left out.
-
-    Raises:
-        BadRequest: the file has no calibrations, or is for another model.
-    """
-    if not settings.calibrations:
-        raise BadRequest(tr("it contains no calibrations"))
-    comparison = diff_against_draft(draft, replace(settings, parameters={}))
-    rows = [row for row in comparison.rows if row.after is not None and row.before != row.after]
-    if rows:
-        draft.stage(rows, text)
-    return len(rows), comparison.left_out
-
-
-def put_calibrations(shown: Settings, path: Path, title: str) -> None:
-    """Write the shown calibrations into a file. The rest of an existing file stays.
-
-    Raises:
-        SettingsError: the file cannot be read or written, or is for another model.
-    """
-    if not path.exists():
-        save(path, write_settings(replace(shown, parameters={}), title_lines=[title]))
-        return
-    before = load(path)
-    old, _ = read_settings(before, path.name)
-    if old.product.key != shown.product.key:
-        raise SettingsError.of(path, tr("these are settings of a {0}").format(old.product.name))
-    whole = replace(old, calibrations={**old.calibrations, **shown.calibrations})
-    save(path, amend(before.decode("utf-8"), whole, path.name))

@@ -124,13 +124,13 @@ class ChannelForm(QWidget):
         rest = channel.new_rest
         self._rest.setVisible(rest is not None)
         self._rest.setText(tr("Use {0} &as neutral").format(channel.source.text(rest or 0)))
-        reasons = list(channel.remarks)
+        reasons = [channel.remark]
         if channel.proposal is not None:
             self._turned.show_note(channel.proposal.reversed_reason, alarming=True)
             reasons += channel.proposal.reasons
         if self._learning.pending.has_edit(channel.number):
             reasons.insert(0, tr("This replaces a pending edit of the channel."))
-        self._reasons.setText(" ".join(reasons))
+        self._reasons.setText(" ".join(filter(None, reasons)))
 
     def _show_values(self, calibration: Calibration) -> None:
         before = self.channel.curve_before

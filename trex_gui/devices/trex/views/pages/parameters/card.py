@@ -64,13 +64,13 @@ class ParameterCard(ui.Card):
         text, both = tr("&Both motors as one"), Preferences().flag(_BOTH_MOTORS, default=False)
         self._both = ui.check_box(self, "bothMotors", text, tip=tip, checked=both)
         self._model.both_motors = both
-        default, pin, undo = self._buttons = [_push_button(each, self) for each in view.tools]
+        default, undo = self._buttons = [_push_button(each, self) for each in view.tools]
         fold = ui.row(self._fold, (self._summary, 1), spacing=4)
         head = ui.column(self._heading, self._value, self._picture, self._notes, spacing=4)
         parts = self.activate, self._findings, self._help, self._limits, fold, self._details
         notes = ui.column(note, self._note, spacing=2)
         ui.column(head, *parts, self._wire, notes, 1, into=facts, margins=0)
-        self._tools = ui.row(ui.row(default, pin), undo, 1)
+        self._tools = ui.row(default, undo, 1)
         ui.column(box, self._both, self._tools, 1, into=self)
 
         def fit() -> None:

@@ -19,17 +19,14 @@ from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, ParameterRole
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn
-from trex_gui.devices.trex.protocol.parameters import motor_name
 from trex_gui.devices.trex.views.pages.parameters.editors import ParameterDelegate
 from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter
-from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.theme import follow_theme, set_look
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ENTER, only_when_visible
 
 _PRESS = ENTER | {Qt.Key.Key_Space, Qt.Key.Key_Select}
 _LEAST = 20  # minimum width of the names, in characters
-_PINNED = "parameters/pinned"
 
 
 class ParameterView(QTableView):
@@ -42,7 +39,6 @@ class ParameterView(QTableView):
         self.filter = ParameterFilter()
         self._visible: list[int] = []  # rows
         self._model = model
-        self._model.pin(filter(None, Preferences().text(_PINNED).split(",")))
         ui.flat_table(self, "parametersView", tr("Parameters"))
         self.setModel(model)
         self.setItemDelegate(ParameterDelegate(model, self.has_finding, self))
@@ -153,26 +149,23 @@ class ParameterView(QTableView):
             "restoreParameter", model.restore, tr("Und&o edit"), icon="undo"
         )
         self._leave_out = self._action("leaveOutParameter", model.leave_out, leave_out)
-        self._to_other_motor = self._action("copyToOtherMotor", model.copy_to_other_motor)
-        self._pin = self._action("pinParameter", self._toggle_pin, tr("Pi&n to the top"))
         self._copy = self._action("copyParameter", self._copy_line, icon="copy", shortcut=copy)
-        self._pin.setIconText(tr("Pi&n"))
         self._restore.setIconText(self._restore.text())
         self._reset.setIconText(tr("Defa&ult"))
         self._menu = QMenu(self)
         self._menu.setObjectName("parameterMenu")
         self._menu.addActions([self._edit, self._try])
         self._menu.addSeparator()
-        self._menu.addActions([self._reset, self._restore, self._leave_out, self._to_other_motor])
+        self._menu.addActions([self._reset, self._restore, self._leave_out])
         self._menu.addSeparator()
-        self._menu.addActions([self._pin, self._copy])
+        self._menu.addAction(self._copy)
         self.addActions([self._reset, self._copy])
         self.update_actions()
 
     @property
     def tools(self) -> tuple[QAction, ...]:
         """Actions that also have a button beside the table."""
-        return self._reset, self._pin, self._restore
+        return self._reset, self._restore
 
     def _action(
         self,
@@ -226,24 +219,9 @@ class ParameterView(QTableView):
         )
         self._restore.setEnabled(can_edit and bool(self.currentIndex().data(ParameterRole.DIRTY)))
         self._leave_out.setVisible(model.values.can_leave_out(key))
-        other_motor = model.values.other_motor_of(key)
-        self._to_other_motor.setVisible(other_motor is not None)
-        if other_motor is not None:
-            is_other = model.text.value(other_motor) != model.text.value(key)
-            self._to_other_motor.setText(tr("Copy to {0}").format(motor_name(other_motor)))
-            self._to_other_motor.setEnabled(can_edit and is_other)
-        is_pinned = model.rows.is_pinned(key)
-        self._pin.setText(tr("U&npin") if is_pinned else tr("Pi&n to the top"))
-        self._pin.setIconText(tr("U&npin") if is_pinned else tr("Pi&n"))
         lines = self._lines(key)
         self._copy.setText(tr("Copy as “{0}”").format(", ".join(lines)))
         self._copy.setEnabled(bool(lines))
-
-    def _toggle_pin(self, key: str) -> None:
-        self._model.pin(self._model.rows.with_toggled(key))
-        if self._model.rows.is_pinned(key):
-            self.scrollToTop()
-        Preferences().set(_PINNED, ",".join(self._model.rows.pinned))
 
     def _lines(self, key: str) -> list[str]:
         """Return the value as lines of a settings file."""
