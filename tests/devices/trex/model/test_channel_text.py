@@ -83,9 +83,9 @@ def test_result_codes_of_board_are_explained() -> None:
 def test_wrong_calibration_order_is_described_in_units() -> None:
     rc = InputSource.RC
     assert wrong_order(USUAL, rc) == ""
-    assert "Minimum (1600 µs)" in wrong_order(Calibration(4000, 3750, 5000, 75), rc)
-    assert "Maximum (1200 µs)" in wrong_order(Calibration(2500, 3750, 3000, 75), rc)
-    assert "both be 2.50 V" in wrong_order(Calibration(512, 512, 512, 0), InputSource.ANALOG)
+    assert "minimum 1600 µs" in wrong_order(Calibration(4000, 3750, 5000, 75), rc)
+    assert "maximum 1200 µs" in wrong_order(Calibration(2500, 3750, 3000, 75), rc)
+    assert "both 2.50 V" in wrong_order(Calibration(512, 512, 512, 0), InputSource.ANALOG)
 
 
 def test_values_within_their_ranges_are_no_concern() -> None:

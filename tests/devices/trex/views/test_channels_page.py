@@ -86,10 +86,11 @@ def test_steps_in_one_field_are_undone_together(page: ChannelsDriver) -> None:
 
 def test_impossible_values_are_rejected_with_a_note(page: ChannelsDriver) -> None:
     page.type_into("minimumEdit", "1600")
-    assert page.note == "Minimum (1600 µs) cannot be above neutral (1500 µs)."
+    reason = "minimum 1600 µs is above neutral 1500 µs"
+    assert page.note == f"The board would reject this: {reason}."
     assert page.find(QSpinBox, "minimumEdit").text() == "1000 µs"
     page.type_into("maximumEdit", "1.2 ms")
-    assert "Maximum (1200 µs) cannot be below neutral" in page.note
+    assert "neutral 1500 µs is above maximum 1200 µs" in page.note
     page.type_into("neutralEdit", "nonsense")
     assert "not a valid value" in page.note
     page.select_channel(2)

@@ -223,7 +223,7 @@ def test_calibrations_are_typed_added_and_left_out(editor: EditorDriver) -> None
     editor.trigger("Undo")
     assert editor.document.text == TEXT
     editor.type_minimum("1900")
-    assert "cannot be above neutral" in editor.text("calibrationNote")
+    assert "is above neutral" in editor.text("calibrationNote")
     assert editor.document.text == TEXT
     check_keyboard(editor.root)
 

@@ -3,6 +3,7 @@
 from collections.abc import Collection
 from dataclasses import dataclass, replace
 from enum import Enum, auto
+from typing import Any
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -51,10 +52,8 @@ class ApplyToBoards(QObject):
 
     Each board keeps its device number and serial settings, by which the line reaches it. A board
     that does not respond, or is of another model, is left out. The first error while writing ends
-    the work, because a line that damages one write would damage the next. *Stop* also ends the
-    work, after the board that is being written is complete. Before each board is written, its
-    settings are compared with the review, and a snapshot is saved. At the end the board that was
-    selected at first is selected again.
+    the work, as does *Stop* once the present board is complete. A board whose settings differ from
+    the review is not written. At the end the first board is selected again.
     """
 
     changed = Signal()  # `plans` or `is_running`
@@ -110,20 +109,17 @@ class ApplyToBoards(QObject):
         self._home = self._boards.selected
         self._go_on()
 
-    def _plan(self, number: int) -> BoardPlan:
-        return next(plan for plan in self.plans if plan.number == number)
-
-    def _set(self, number: int, step: BoardStep, problem: str = "") -> None:
-        self._replace(replace(self._plan(number), step=step, problem=problem))
+    def _set(self, number: int, step: BoardStep, problem: str = "", **changes: Any) -> None:
+        self.plans = tuple(
+            replace(plan, step=step, problem=problem, **changes) if plan.number == number else plan
+            for plan in self.plans
+        )
+        self.changed.emit()
 
     def _finish_board(self, number: int, step: BoardStep, problem: str = "") -> None:
         """Set the outcome of a board, and continue with the next board."""
         self._set(number, step, problem)
         self._go_on()
-
-    def _replace(self, plan: BoardPlan) -> None:
-        self.plans = tuple(plan if one.number == plan.number else one for one in self.plans)
-        self.changed.emit()
 
     # --- One board after the other ------------------------------------------------------
 
@@ -170,9 +166,13 @@ class ApplyToBoards(QObject):
         if self.is_writing:
             self._write(number, changes)
         else:
-            doubts = tuple(self._device.parameters.values.doubtful(changes.rows))
-            findings = self._findings(changes)
-            self._replace(BoardPlan(number, BoardStep.REVIEWED, changes, "", findings, doubts))
+            self._set(
+                number,
+                BoardStep.REVIEWED,
+                changes=changes,
+                findings=self._findings(changes),
+                doubts=tuple(self._device.parameters.values.doubtful(changes.rows)),
+            )
             self._go_on()
 
     def _findings(self, changes: Comparison) -> tuple[LintFinding, ...]:
@@ -185,7 +185,7 @@ class ApplyToBoards(QObject):
         return lint(after, Context(port_rates=rates, used_by_line=settings.line))
 
     def _write(self, number: int, changes: Comparison) -> None:
-        if changes != self._plan(number).changes:
+        if changes != next(plan.changes for plan in self.plans if plan.number == number):
             problem = tr("Not written: the board stores other settings than when it was reviewed.")
             self._finish_board(number, BoardStep.FAILED, problem)
             return

@@ -23,11 +23,8 @@ _HIGHEST_COUNT = 255  # the current measurement is one byte (0x8D)
 _TUNED = ("acceleration", "brake_duration", "current_limit", "current_limit_p")  # ends of keys
 
 _ABORT_COUNTS = 100
-"""Default abort current in counts: 15 A, or 4 A on a Jr.
-
-It is near the drivers' continuous rating (13 A and 2.5 A). If the start of a motor exceeds it, the
-user has to set a higher abort current.
-"""
+"""Default abort current in counts: 15 A, or 4 A on a Jr, near the continuous rating of the drivers
+(13 A and 2.5 A)."""
 
 _STEP_MS = 20  # the board renews its outputs every 10 ms
 _TAIL = 0.6  # seconds for which currents are recorded after braking starts
@@ -60,7 +57,6 @@ class Bench(QObject):
         self._device = device
         self._motors = device.motors
         self._run: Run | None = None
-        self._options = True, False
         self._ends_at_limit = False
         self._ampere = 0.0  # the unit of `plan.abort_current`
         self._start = self._last_reading = 0.0
@@ -133,19 +129,17 @@ class Bench(QObject):
     def start(self) -> bool:
         if self.phase is Phase.BRAKING:
             self._finish()
-        if self.phase is not Phase.IDLE or self.blocker or not self._motors.acquire(_HOLDER):
+        if self.phase is not Phase.IDLE or self.blocker:
             return False
-        plan, motors = self.plan, self._motors
-        self._options = motors.accelerate, motors.linked
+        plan = self.plan
+        if not self._motors.acquire(_HOLDER, accelerate=plan.accelerate):
+            return False
         self._ends_at_limit = plan.abort_at_limit
-        motors.accelerate = plan.accelerate
-        if motors.linked:
-            motors.set_linked(False)  # a test drives only one motor
         self._start = self._last_reading = now()
         self._setpoints, self._readings = [], []
         self._run = Run(
             motor=plan.motor,
-            profile=plan.profile.limited(motors.ceiling),
+            profile=plan.profile.limited(self._motors.ceiling),
             accelerate=plan.accelerate,
             abort_current=plan.abort_current,
             ampere=self._device.telemetry.ampere,
@@ -269,10 +263,6 @@ class Bench(QObject):
             self._motors.release(_HOLDER)
         elif self._motors.holder == _HOLDER:  # otherwise the motors are stopped already
             self._motors.press_stop(reason=reason)
-        accelerate, linked = self._options
-        self._motors.accelerate = accelerate
-        if linked:
-            self._motors.set_linked(True)
         if self._run is not None:
             self._run = replace(self._run, end=how, reason=reason, ended=now() - self._start)
         self.changed.emit()

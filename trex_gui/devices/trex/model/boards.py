@@ -108,7 +108,7 @@ class BoardList(QObject):
             device.link in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}
             and not device.writer.running
             and not self.is_selecting
-            and not self._is_group
+            and not device.driving.is_group
         )
 
     @property
@@ -120,14 +120,8 @@ class BoardList(QObject):
     def _may_ask(self) -> bool:
         """True if other boards may be probed: not while motors are driven."""
         device = self._device
-        is_driven = device.motors.armed or device.may_move
-        is_busy = is_driven or self.is_selecting or self._is_group
-        return device.is_writable and not is_busy
-
-    @property
-    def _is_group(self) -> bool:
-        """True if several boards are driven together, and therefore polled."""
-        return self._device.settings is not None and bool(self._device.settings.group)
+        is_driven = device.motors.armed or device.may_move or device.driving.is_group
+        return device.is_writable and not (is_driven or self.is_selecting)
 
     # --- Finding ------------------------------------------------------------------------
 
@@ -157,7 +151,7 @@ class BoardList(QObject):
             return
         settings = self._device.settings
         if settings is not None and number == settings.device_number:
-            self._record(number, self._signature, Presence.SELECTED)
+            self._record(number, self._device.signature, Presence.SELECTED)
             self._go_on_after(number)
         else:
             self._prompt(number)
@@ -224,11 +218,6 @@ class BoardList(QObject):
     def _follow_addressing(self) -> None:
         reaches_several = self.has_several and not self.is_addressed
         self._device.driving.set_reaching_several(reaches_several)
-
-    @property
-    def _signature(self) -> Signature | None:
-        state = self._device.state
-        return None if state is None else state.signature
 
     @property
     def is_addressed(self) -> bool:
@@ -316,7 +305,7 @@ class BoardList(QObject):
             if self.is_selecting:  # otherwise the selected board has got another number
                 left = (one for one in others if one.presence is Presence.SELECTED)
                 boards += (replace(one, presence=Presence.RESPONDING) for one in left)
-            boards.append(LineBoard(selected, self._signature, Presence.SELECTED))
+            boards.append(LineBoard(selected, self._device.signature, Presence.SELECTED))
             self.boards = tuple(sorted(boards, key=lambda one: one.number))
             if {one.number for one in self.boards} != {one.number for one in before}:
                 self._remember()

@@ -24,24 +24,14 @@ class Handle(Enum):
 
     def count(self, calibration: Calibration) -> int:
         """Return the raw count of the handle. May be negative for a deadband."""
-        match self:
-            case Handle.MINIMUM:
-                return calibration.minimum
-            case Handle.NEUTRAL:
-                return calibration.neutral
-            case Handle.MAXIMUM:
-                return calibration.maximum
-            case Handle.DEADBAND_LOW:
-                return calibration.neutral - calibration.deadband
-            case Handle.DEADBAND_HIGH:
-                return calibration.neutral + calibration.deadband
+        if self.is_deadband:
+            width = calibration.deadband
+            return calibration.neutral + (width if self is Handle.DEADBAND_HIGH else -width)
+        return int(getattr(calibration, self.value))
 
 
 def moved(c: Calibration, handle: Handle, count: int) -> tuple[Calibration, str]:
-    """Move a handle to a raw count, or as far as the board accepts it.
-
-    Also return why the handle stopped before. Empty if it did not.
-    """
+    """Move a handle to a raw count, as far as the board accepts it. Also return what stopped it."""
     value, field = count, handle.value
     match handle:
         case Handle.MINIMUM:
@@ -74,10 +64,7 @@ def moved(c: Calibration, handle: Handle, count: int) -> tuple[Calibration, str]
 def within_input(
     calibration: Calibration, handle: Handle, count: int, source: InputSource
 ) -> tuple[int, str]:
-    """Limit a count to the range of the input. Also return why it was limited.
-
-    A handle that is already beyond the range may stay there.
-    """
+    """Limit a count to the range of the input, unless it is beyond already. Also return why."""
     now = handle.count(calibration)
     lowest, highest = min(source.lowest_count, now), max(source.highest_count, now)
     if lowest <= count <= highest:

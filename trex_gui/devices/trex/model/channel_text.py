@@ -138,17 +138,7 @@ def write_failure(error: StudioError) -> str:
 
 def wrong_order(calibration: Calibration, source: InputSource) -> str:
     """Return why the board would reject a calibration. Empty if it would accept it."""
-    lowest, middle, highest = (
-        source.text(count)
-        for count in (calibration.minimum, calibration.neutral, calibration.maximum)
-    )
-    if calibration.minimum > calibration.neutral:
-        return tr("Minimum ({0}) cannot be above neutral ({1}).").format(lowest, middle)
-    if calibration.neutral > calibration.maximum:
-        return tr("Maximum ({0}) cannot be below neutral ({1}).").format(highest, middle)
-    if calibration.minimum == calibration.maximum:
-        return tr("Minimum and maximum cannot both be {0}.").format(lowest)
-    problem = calibration.problem()
+    problem = calibration.problem(source.text)
     return tr("The board would reject this: {0}.").format(problem) if problem else ""
 
 

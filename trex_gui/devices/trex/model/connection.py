@@ -73,6 +73,12 @@ class Connection(DeviceConnection[ConnectionSettings]):
         self.selection = 0  # see `Connected.selection`
         self.is_guarded = False  # whether another process stops the motors if this process fails
         self._watchers = {"window"}
+        self._relayed = {  # signals of reports that need no more than a relay
+            Batch: self.sampled,
+            MotorsStopped: self.motors_stopped,
+            CommandsRepeated: self.commands_repeated,
+            **dict.fromkeys((LeaseChanged, SetpointsChanged, NetworkDelay), self.served),
+        }
         self.started.connect(self._submit_watched)
 
     def watch(self, watcher: str, watching: bool) -> None:
@@ -144,22 +150,22 @@ class Connection(DeviceConnection[ConnectionSettings]):
         self.submit_now(*((stop, Close()) if ending else (stop,)))
 
     def handle(self, report: object) -> None:
+        if (relay := self._relayed.get(type(report))) is not None:
+            relay.emit(report)
+            return
         match report:
-            case Batch():
-                self.sampled.emit(report)
-            case OfBoard():
-                self._handle_of_board(report)
+            case OfBoard(report=Outcome() as outcome):
+                self.answer(outcome)
+            case OfBoard(number=number, report=other_report):
+                self.of_board.emit(number, other_report)
             case GuardianChanged(is_ready=is_ready):
                 self.is_guarded = is_ready
                 self.guardian_changed.emit()
-            case LeaseChanged() | SetpointsChanged() | NetworkDelay() | Traffic():
-                self._handle_served(report)
+            case Traffic(events=events):  # of the server of a board
+                for event in events:
+                    self.log.record(event)
             case StopSent():
                 self.stop_sent.emit()
-            case MotorsStopped():
-                self.motors_stopped.emit(report)
-            case CommandsRepeated():
-                self.commands_repeated.emit(report)
             case Connected() | NotResponding() | Progress() if (
                 self.link is ConnectionState.DISCONNECTING
             ):
@@ -176,23 +182,6 @@ class Connection(DeviceConnection[ConnectionSettings]):
                 self.not_responding.emit(report)
                 text = tr("The board has stopped responding. Is its power on? Waiting for it …")
                 self._set_state(ConnectionState.NOT_RESPONDING, text)
-
-    def _handle_of_board(self, of_board: OfBoard) -> None:
-        """Handle a report of another board of the group."""
-        if isinstance(of_board.report, Outcome):
-            self.answer(of_board.report)
-        else:
-            self.of_board.emit(of_board.number, of_board.report)
-
-    def _handle_served(
-        self, report: LeaseChanged | SetpointsChanged | NetworkDelay | Traffic
-    ) -> None:
-        """Handle a report that only the server of a board sends."""
-        if isinstance(report, Traffic):
-            for event in report.events:
-                self.log.record(event)
-        else:
-            self.served.emit(report)
 
     def _handle_state(self, report: Connected) -> None:
         self.settings = report.settings

@@ -64,8 +64,8 @@ class TrexController(DeviceController[ConnectionSettings]):
         self._stops = 0  # number of stops that events have caused
         self._unconfirmed = ""  # the reason of the newest stop, if it may still be confirmed
 
-        self.simulator.ended.connect(self._on_simulator_ended)
-        self.demo_board.factory_reset.connect(self._on_demo_factory_reset)
+        self.simulator.ended.connect(self._reset_demo_settings)
+        self.demo_board.factory_reset.connect(self._reset_demo_settings)
         device.stop_wanted.connect(self._on_stop_wanted)
         device.connection.failed.connect(self._on_failed)
         device.link_changed.connect(self._record_settings)
@@ -140,12 +140,8 @@ class TrexController(DeviceController[ConnectionSettings]):
             self.set_settings(settings)
 
     @Slot()
-    def _on_simulator_ended(self) -> None:
-        """Reset line settings: a new simulated board starts with factory settings."""
-        self._demo_settings = self._default
-
-    @Slot()
-    def _on_demo_factory_reset(self) -> None:
+    def _reset_demo_settings(self) -> None:
+        """Reset line settings: a new or reset board starts with factory settings."""
         self._demo_settings = self._default
         if self.demo_in_use:
             self.device.connection.expect((ConnectionSettings(""),))

@@ -45,10 +45,7 @@ class DemoChannel:
         return self.signal not in {"silent", "invalid"}
 
     def stick(self, source: InputSource) -> float | None:
-        """Return the position of the stick in µs or V. `None` if it is unknown.
-
-        The signal is newer than the measurement.
-        """
+        """Return the position of the stick in µs or V. `None` if it is unknown."""
         found = _SIGNAL.match(self.signal)
         if found and found[2].upper() == _SIGNAL_UNITS[source]:
             return float(found[1])
@@ -111,17 +108,9 @@ class DemoSnapshot:
 
 def read_snapshot(text: str) -> DemoSnapshot:
     shown: dict[str, Any] = json.loads(text)
-    copied = (
-        "power",
-        "safe_start",
-        "override",
-        "serial_controls",
-        "boot_mode",
-        "battery",
-        "supply",
-    )
+    states = "power", "safe_start", "override", "serial_controls", "boot_mode"
     return DemoSnapshot(
-        **{name: shown[name] for name in copied},
+        **{name: shown[name] for name in (*states, "battery", "supply")},
         mode=Mode(shown["mode"]),
         jumpers=DemoJumpers(**shown["jumpers"]),
         leds=DemoLeds(**shown["leds"]),
@@ -236,10 +225,7 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
     # --- Power cycles and snapshots -----------------------------------------------------
 
     def restore_factory(self) -> None:
-        """Reset everything to its initial state, and the EEPROM to factory defaults.
-
-        Takes as long as a power cycle. An unplugged cable stays unplugged.
-        """
+        """Reset the board and its EEPROM to the initial state, with a power cycle."""
         self._unsent.clear()
         self._held.clear()
         self.set_mute(False)

@@ -22,13 +22,14 @@ from trex_gui.devices.trex.client.telemetry import Sample
 from trex_gui.devices.trex.driving.timeout_stop import turning_text
 from trex_gui.devices.trex.driving.wheels import Wheel
 from trex_gui.devices.trex.model.connection import Connection, MemberConnection, remedies_for
-from trex_gui.devices.trex.model.drive_controller import DriveController
+from trex_gui.devices.trex.model.drive_controller import DriveController, name_of_board
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.model.settings.board_files import KeptFiles
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.model.settings.edit_backup import EditBackup
 from trex_gui.devices.trex.model.settings.writer import SettingsWriter
 from trex_gui.devices.trex.model.telemetry import MixJumper, Telemetry
+from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
@@ -132,6 +133,10 @@ class Device(QObject):
         return self.board.state
 
     @property
+    def signature(self) -> Signature | None:
+        return None if self.state is None else self.state.signature
+
+    @property
     def link(self) -> ConnectionState:
         return self.connection.link
 
@@ -154,8 +159,7 @@ class Device(QObject):
         if self.state is None or not self.is_connected:
             return ""
         number = self.parameters.values.stored.get(ParameterKey.DEVICE_NUMBER)
-        name = str(self.state.signature)
-        return name if number is None else tr("{0}, device {1}").format(name, number)
+        return name_of_board(self.state.signature, number)
 
     def named(self, text: str) -> str:
         """Return a text with the number of this board, where several are driven together."""
@@ -254,9 +258,8 @@ class Device(QObject):
 
     def _on_reloaded(self, outcome: Outcome) -> None:
         if outcome.error is not None:
-            self._on_request_failed(
-                tr("Reading again failed. {0}").format(error_text(outcome.error))
-            )
+            text = tr("Reading again failed. {0}")
+            self._on_request_failed(text.format(error_text(outcome.error)))
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:

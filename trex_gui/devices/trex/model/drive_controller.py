@@ -28,6 +28,7 @@ from trex_gui.devices.trex.driving.timeout_stop import turning_text
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
+from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
@@ -254,13 +255,13 @@ class DriveController(QObject):
                 text = tr("{0} A stop was sent but is not confirmed yet.")
             self._notifier.error.emit(text.format(reason))
             self._motors.stop(reason)
-        if report.confirmed and not self._is_group:
+        if report.confirmed and not self.is_group:
             self._on_confirmed()
         elif report.confirmed and report.reason is None:
             self.confirm()
 
     @property
-    def _is_group(self) -> bool:
+    def is_group(self) -> bool:
         """True for a group. If one of its boards confirms a stop, other boards may still move."""
         settings = self._connection.settings
         return settings is not None and bool(settings.group)
@@ -289,7 +290,8 @@ class DriveController(QObject):
             "No stop is known to have reached the {0} that was driven at {1}: another board "
             "responded. If its motor still turns, cut its power."
         )
-        return text.format(_name_of(self._lost[0]), self._lost[0].settings.label)
+        lost = self._lost[0]
+        return text.format(_name_of(lost), lost.settings.label)
 
     def record_unconfirmed(self) -> None:
         """Record that a motor may be moving, after an unconfirmed stop from elsewhere."""
@@ -311,10 +313,7 @@ class DriveController(QObject):
                 self._motors.take_board(str(_identity_of(self._board)), is_renamed=True)
 
     def _identify(self, report: Connected) -> bool:
-        """Compare the connected board with the driven board and lost boards.
-
-        Return whether it is one of the lost boards.
-        """
+        """Compare the board with driven and lost boards. Return whether a lost board is back."""
         before, self._board = self._board, report
         self._was_read = self._is_identified = True
         if report.occasion is ReadReason.SELECTED:  # only after the former board has stopped
@@ -350,9 +349,9 @@ class DriveController(QObject):
                 elif report.occasion.power_cycled:
                     reason = tr("The board was restarted, so the motors were stopped.")
                 self._motors.stop(reason)
-            self.may_move = report.may_move or (self.may_move and self._is_group)
+            self.may_move = report.may_move or (self.may_move and self.is_group)
             self._motors.set_available(False)
-            if self._is_group:
+            if self.is_group:
                 self.confirm()
         if is_back:
             self.may_move = True
@@ -405,8 +404,9 @@ def _identity_of(board: Connected) -> BoardIdentity:
 
 
 def _name_of(board: Connected) -> str:
+    return name_of_board(board.state.signature, board.settings.device_number)
+
+
+def name_of_board(signature: Signature, number: int | None) -> str:
     """Return model and firmware, with the device number if there is one."""
-    name, number = str(board.state.signature), board.settings.device_number
-    if number is None:
-        return name
-    return tr("{0}, device {1}").format(name, number)
+    return str(signature) if number is None else tr("{0}, device {1}").format(signature, number)

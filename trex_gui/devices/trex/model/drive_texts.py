@@ -41,10 +41,7 @@ def speed_text(speed: int) -> str:
 
 
 def report_text(device: Device, motor: int) -> str:
-    """Return the board's report on motor 1, 2 or the auxiliary (3). May be empty.
-
-    While channel 5 gives control to serial, includes the motor's channel, which drives it next.
-    """
+    """Return the board's report on motor 1, 2 or the auxiliary (3). May be empty."""
     telemetry, state, parts = device.telemetry, device.state, []
     if motor in {1, 2} and telemetry.motor_currents is not None:
         if device.board.is_joint:
@@ -76,20 +73,14 @@ at 2 m/s goes a metre, and no working line is silent for so long."""
 
 @dataclass(frozen=True, slots=True)
 class TimeoutWarning:
-    """Problem of the serial timeout, in sentences, with a better timeout in seconds.
-
-    `seconds` is `None` if a different timeout would not help.
-    """
+    """Problem of the serial timeout, in sentences."""
 
     text: str
-    seconds: float | None
+    seconds: float | None  # a better timeout; `None` if no other timeout would help
 
 
 def timeout_warning(device: Device) -> TimeoutWarning | None:
-    """Return the problem of the serial timeout. `None` if there is none, or it is unknown.
-
-    Each board of a group has to have a timeout.
-    """
+    """Return the problem of a serial timeout in the group. `None` if there is none."""
     if (own := _own_warning(device)) is not None:
         return TimeoutWarning(device.named(own.text), own.seconds)
     for other in device.others:

@@ -118,10 +118,7 @@ class Gamepad(QObject):
         self.changed.emit()
 
     def attend(self, reason: str) -> None:
-        """Set why the user cannot see what the gamepad drives. Empty if the user can.
-
-        A reason stops motors that the gamepad drives, and prevents driving until it is empty.
-        """
+        """Set why the user cannot see what it drives. A reason stops and prevents driving."""
         if reason != self._unattended:
             self._unattended = reason
             if reason:

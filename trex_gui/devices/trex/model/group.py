@@ -23,10 +23,7 @@ from trex_gui.ui.preferences import Preferences
 
 
 class BoardGroup(QObject):
-    """Boards driven together with `device`, with common arming, stop and speed ceiling.
-
-    The setpoints of motors 1 and 2 apply to the left and the right side.
-    """
+    """Boards driven together with `device`. Motors 1 and 2 are its left and right side."""
 
     changed = Signal()  # `devices` or `wheels`
 

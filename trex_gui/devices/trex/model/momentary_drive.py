@@ -10,12 +10,7 @@ from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.ui.runtime import new_timer, now
 
-GROWTH = 127.0
-"""Largest change of speed within a second by pad, keys and gamepads. Inferred.
-
-From rest, full speed takes a second, and 30 % a third of a second.
-"""
-
+GROWTH = 127.0  # largest change of speed within a second: full speed after a second (inferred)
 _GROWTH_MS = 20
 
 
@@ -109,11 +104,9 @@ def grown(
 def mix(forward: float, turn: float, ceiling: int = FULL_SCALE) -> tuple[int, int]:
     """Return speeds of motors 1 and 2. `forward` and `turn` are -1 to 1.
 
-    Motor 1 is on the left, so turning right (positive) adds to its speed. The board mixes channels
-    alike (forward plus turn, forward minus turn; inferred there, reference section 3), so a robot
-    turns the same way by pad and by stick. If a sum is beyond full speed, both are reduced in
-    proportion, because clipping would change the curve. `ceiling` (1 to 127) is the speed of full
-    deflection.
+    Motor 1 is on the left. The board mixes channels alike (inferred, reference section 3), so a
+    robot turns the same way by pad and by stick. A sum beyond full speed reduces both in
+    proportion, to keep the curve. `ceiling` (1 to 127) is the speed of full deflection.
     """
     left, right = forward + turn, forward - turn
     scale = ceiling / max(1.0, abs(left), abs(right))
@@ -121,10 +114,7 @@ def mix(forward: float, turn: float, ceiling: int = FULL_SCALE) -> tuple[int, in
 
 
 TURN_WHILE_GOING = 0.5
-"""Turn of a key while a key for forward or back is also held.
-
-With a full turn one side would stop. Half a turn leaves a curve that can be steered.
-"""
+"""Turn of a key while a key for forward or back is held. With a full turn one side would stop."""
 
 
 class Heading(Enum):
@@ -137,10 +127,7 @@ class Heading(Enum):
 
 
 def keys_setpoint(held: Iterable[Heading]) -> tuple[float, float]:
-    """Return forward and turn of the held keys, -1 to 1 each.
-
-    Two keys for the same heading count once. Opposite keys cancel each other.
-    """
+    """Return forward and turn of the held keys. Opposite keys cancel each other."""
     headings = set(held)
     forward, turn = (sum(heading.value[way] for heading in headings) for way in (0, 1))
     return float(forward), turn * (TURN_WHILE_GOING if forward else 1.0)

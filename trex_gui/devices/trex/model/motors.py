@@ -18,20 +18,14 @@ _STEP_MS = 100
 _KEY = "motors/lockout"
 
 FIRST_CEILING = round(0.3 * FULL_SCALE)
-"""Speed ceiling of a board until the user sets a different ceiling.
-
-Inferred: slow enough to catch a robot whose motors are swapped or reversed, fast enough to start.
-"""
+"""Speed ceiling of a board until the user sets another (inferred). A robot whose motors are swapped
+can still be caught."""
 
 LOCKOUT = 3.0
-"""Default lock after a pressed stop, in seconds.
-
-Inferred from other programs: 5 s for large throttles. In programs without a lock, a slider that
-is still being dragged starts its motor again.
-"""
+"""Default lock after a pressed stop, in seconds (inferred). Without a lock, a slider that is still
+being dragged starts its motor again."""
 
 LONGEST = 10.0
-
 _AUXILIARY = 0  # the number of the auxiliary motor beside motors 1 and 2
 
 
@@ -79,6 +73,7 @@ class Motors(QObject):
         self.release_brake = FULL_SCALE  # duty when a momentary control ends, 0 (coast) to 127
         self._drives: dict[int, Drive] = {}
         self._held: set[int] = set()
+        self._options: tuple[bool, bool] | None = None  # before a control has changed them
         self._locked_until = -math.inf
         self._announced = 0
         self._lockout_timer = new_timer(self, _STEP_MS, self._on_lockout_step)
@@ -238,16 +233,24 @@ class Motors(QObject):
         if had_setpoints:
             self.setpoints_changed.emit()
         if had_holder:
+            self._restore_options()
             self.holder_changed.emit()
 
     # --- Momentary controls -------------------------------------------------------------
 
-    def acquire(self, holder: str) -> bool:
-        """Reserve the motors for a momentary control. Return whether the control has them now."""
+    def acquire(self, holder: str, *, accelerate: bool | None = None) -> bool:
+        """Reserve the motors for a momentary control. Return whether the control has them now.
+
+        With `accelerate`, set the ramp option and unlink the motors until `release`.
+        """
         if not self.armed or self.holder not in {"", holder}:
             return False
         if not self.holder:
             self.holder = holder
+            if accelerate is not None:
+                self._options = self.accelerate, self.linked
+                self.accelerate, self.linked = accelerate, False
+                self.options_changed.emit()
             self.holder_changed.emit()
         return True
 
@@ -260,6 +263,7 @@ class Motors(QObject):
         if _AUXILIARY in self._held:
             self._set_auxiliary(0)
         self._clear_holder()
+        self._restore_options()
         self.holder_changed.emit()
 
     def abort(self, holder: str, reason: str) -> None:
@@ -271,6 +275,11 @@ class Motors(QObject):
         self.holder = ""
         self._held.clear()
         self.ceiling_in_force = self.ceiling
+
+    def _restore_options(self) -> None:
+        if self._options is not None:
+            (self.accelerate, self.linked), self._options = self._options, None
+            self.options_changed.emit()
 
     # --- Setpoints ----------------------------------------------------------------------
 

@@ -10,7 +10,6 @@ from trex_gui.core.session import Outcome
 from trex_gui.core.texts import hex_text
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.raw_packets import RawPacket, packets_of, parse_hexadecimal
 from trex_gui.ui.traffic.send_row import PacketSender, SendPreview
 from trex_gui.ui.translations import error_text
@@ -49,14 +48,10 @@ class TrexPacketSender(PacketSender):
         packets = self._packets(text)
         for packet in packets:
             if _is_risky(packet):
-                said = tr("Sent by hand: {0}").format(packet.words(self._board))
+                said = tr("Sent by hand: {0}").format(packet.words(self._device.signature))
                 self._device.events.add(EventKind.NOTE, said)
             self._device.connection.traffic.expect_typed(packet.packet.raw)
             self._device.driving.send_packet(packet, partial(self._on_replied, packet))
-
-    @property
-    def _board(self) -> Signature | None:
-        return None if self._device.state is None else self._device.state.signature
 
     def _packets(self, text: str) -> tuple[RawPacket, ...]:
         settings = self._device.settings if self._device.is_connected else None
@@ -64,7 +59,7 @@ class TrexPacketSender(PacketSender):
         return packets_of(parse_hexadecimal(text), polynomial)
 
     def _line(self, packet: RawPacket) -> str:
-        words = packet.words(self._board)
+        words = packet.words(self._device.signature)
         if packet.moves:
             return tr("{0} (may move a motor)").format(words)
         if packet.writes:

@@ -26,6 +26,10 @@ class PowerCycleStage(Enum):
     UNSURE = auto()
 
 
+_UNNOTICED = {PowerCycleStage.OFF_WANTED, PowerCycleStage.UNSURE}  # the board still responds
+_WAITING = _UNNOTICED | {PowerCycleStage.ON_WANTED}
+
+
 class PowerCycle(QObject):
     """Watches the link while the user switches the board off and on."""
 
@@ -75,21 +79,16 @@ class PowerCycle(QObject):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        match self.stage, self._device.link:
-            case (
-                PowerCycleStage.OFF_WANTED | PowerCycleStage.UNSURE,
-                ConnectionState.NOT_RESPONDING,
-            ):
-                self._go(PowerCycleStage.ON_WANTED)
-            case PowerCycleStage.ON_WANTED, ConnectionState.CONNECTED:
-                self._go(PowerCycleStage.BACK)
-            case (
-                PowerCycleStage.OFF_WANTED | PowerCycleStage.ON_WANTED | PowerCycleStage.UNSURE,
-                ConnectionState.DISCONNECTED | ConnectionState.DISCONNECTING,
-            ):
-                self._go(PowerCycleStage.LOST)
-            case PowerCycleStage.LOST, ConnectionState.CONNECTED:
-                self._go(PowerCycleStage.UNSURE if self.still_waiting else PowerCycleStage.BACK)
+        stage, link = self.stage, self._device.link
+        is_closed = link in {ConnectionState.DISCONNECTED, ConnectionState.DISCONNECTING}
+        if stage in _WAITING and is_closed:
+            self._go(PowerCycleStage.LOST)
+        elif stage is PowerCycleStage.ON_WANTED and link is ConnectionState.CONNECTED:
+            self._go(PowerCycleStage.BACK)
+        elif stage in _UNNOTICED and link is ConnectionState.NOT_RESPONDING:
+            self._go(PowerCycleStage.ON_WANTED)
+        elif stage is PowerCycleStage.LOST and link is ConnectionState.CONNECTED:
+            self._go(PowerCycleStage.UNSURE if self.still_waiting else PowerCycleStage.BACK)
 
     @Slot()
     def _on_timeout(self) -> None:

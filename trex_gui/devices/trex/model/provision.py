@@ -62,7 +62,9 @@ class Provision(QObject):
         device.state_changed.connect(self._on_board_changed)
         device.applied.connect(self._on_applied)
         device.request_failed.connect(self._on_request_failed)
-        device.connection.line_closed.connect(self._on_line_closed)
+        device.connection.line_closed.connect(
+            lambda: self._on_request_failed(tr("The connection was closed."))
+        )
 
     # --- User actions -------------------------------------------------------------------
 
@@ -130,8 +132,7 @@ class Provision(QObject):
             self.comparison = self._compare()
             if self._record is not None and (stored := self._device.draft.stored):
                 rows = differing(self.comparison)
-                name = str(self._device.state.signature) if self._device.state else ""
-                self.board = self._record.propose(stored, name, rows)
+                self.board = self._record.propose(stored, str(self._device.signature or ""), rows)
         except BadRequest as error:
             self.board, self.comparison = None, Comparison(())
             self._go(ProvisionStep.UNPLUG, error_text(error))
@@ -173,10 +174,6 @@ class Provision(QObject):
     def _on_request_failed(self, reason: str) -> None:
         if self.step is ProvisionStep.WRITE and self._saving is None:
             self._on_written(reason)
-
-    @Slot()
-    def _on_line_closed(self) -> None:
-        self._on_request_failed(tr("The connection was closed."))
 
     def _on_written(self, problem: str) -> None:
         stored = self._device.draft.stored

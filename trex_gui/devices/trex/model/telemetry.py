@@ -46,15 +46,9 @@ def board_traces() -> list[TraceInfo]:
         TraceInfo(f"motor{m}_current", tr("Motor {0}").format(m), "A", f"motor{m}", str(m))
         for m in (1, 2)
     ]
+    speed = tr("Speed setpoint {0}")
     setpoints = [
-        TraceInfo(
-            f"motor{m}_setpoint",
-            tr("Speed setpoint {0}").format(m),
-            "",
-            f"motor{m}",
-            f"S{m}",
-            False,
-        )
+        TraceInfo(f"motor{m}_setpoint", speed.format(m), "", f"motor{m}", f"S{m}", shown=False)
         for m in (1, 2)
     ]
     channels = [
@@ -98,10 +92,7 @@ class Telemetry(QObject):
     text_due = Signal()  # like `frame_due` but for text, at most once in `TEXT_INTERVAL`
 
     def __init__(
-        self,
-        drive_of: Callable[[int], Drive | None],
-        newest: Newest,
-        parent: QObject | None = None,
+        self, drive_of: Callable[[int], Drive | None], newest: Newest, parent: QObject | None = None
     ) -> None:
         """`drive_of` returns the setpoint of motor 1 or 2."""
         super().__init__(parent)

@@ -5,7 +5,7 @@ Ref: Pololu TReX User's Guide 4.b (regions); TReX 1.0 command documentation 0x87
 """
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import astuple, dataclass
 from enum import StrEnum
 
@@ -71,19 +71,25 @@ class Calibration:
     maximum: int
     deadband: int
 
-    def problem(self) -> str | None:
-        """Return the reason why the board would reject the values. `None` if it accepts them."""
+    def problem(self, text: Callable[[int], str] = str) -> str | None:
+        """Return the reason why the board would reject the values. `None` if it accepts them.
+
+        `text` returns a count as it is shown.
+        """
         for name in self.__slots__:
             if not 0 <= (value := getattr(self, name)) <= HIGHEST_CODED:
                 return tr("{0} is {1}; a calibration value is 0 to {2}").format(
                     name, value, HIGHEST_CODED
                 )
         if self.minimum > self.neutral:
-            return tr("minimum {0} is above neutral {1}").format(self.minimum, self.neutral)
+            low, middle = text(self.minimum), text(self.neutral)
+            return tr("minimum {0} is above neutral {1}").format(low, middle)
         if self.neutral > self.maximum:
-            return tr("neutral {0} is above maximum {1}").format(self.neutral, self.maximum)
+            middle, high = text(self.neutral), text(self.maximum)
+            return tr("neutral {0} is above maximum {1}").format(middle, high)
         if self.minimum == self.maximum:
-            return tr("minimum and maximum are both {0}; they must differ").format(self.minimum)
+            low = text(self.minimum)
+            return tr("minimum and maximum are both {0}; they must differ").format(low)
         return None
 
     def encode(self) -> bytes:

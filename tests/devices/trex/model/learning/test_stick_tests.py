@@ -48,9 +48,6 @@ class Sticks:
     def passed(self) -> bool:
         return self.tests.passed
 
-    def to_learn_again(self) -> tuple[int, ...]:
-        return self.tests.to_learn_again
-
     def text(self, channel: int) -> str:
         return next(test.text for test in self.tests.tests if test.number == channel)
 
@@ -163,7 +160,6 @@ def test_ignored_channel_is_named_and_not_counted(connect: Callable[..., Device]
     assert not inputs.passed()
     inputs.push(1)
     assert inputs.passed()
-    assert inputs.to_learn_again() == ()
 
 
 def test_stick_test_of_only_ignored_channels_never_passes(connect: Callable[..., Device]) -> None:
@@ -171,23 +167,6 @@ def test_stick_test_of_only_ignored_channels_never_passes(connect: Callable[...,
     inputs.push(1)
     assert inputs.tests.all_ignored
     assert not inputs.passed()
-
-
-# --- What to learn again ----------------------------------------------------------------
-
-
-def test_moved_channel_that_fails_is_offered_for_relearning(
-    sticks: Callable[..., Sticks],
-) -> None:
-    inputs = sticks(1, 2)
-    inputs.hold()
-    assert inputs.to_learn_again() == ()
-    inputs.hold(2, 1900)
-    inputs.hold(2, 1500)
-    assert inputs.to_learn_again() == (2,)
-    inputs.push(2)
-    inputs.hold(2, 1700)  # it was good: nothing is wrong with its values
-    assert inputs.to_learn_again() == ()
 
 
 def test_single_wild_pulses_are_no_position_of_the_switch() -> None:

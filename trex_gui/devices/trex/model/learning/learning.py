@@ -156,11 +156,7 @@ class Learning(QObject):
         self._start(channels, LearningStep.TEST)
 
     def next(self) -> None:
-        """Continue after the user has completed or confirmed a step.
-
-        Steps: the motors are stopped, hands are off, channels without a rest position are left
-        out, all ends were held.
-        """
+        """Continue after the user has completed or confirmed a step."""
         if not self.can_go_on:
             return
         if self.step is LearningStep.DOUBT:
@@ -203,10 +199,7 @@ class Learning(QObject):
         self.changed.emit()
 
     def use_values(self) -> bool:
-        """Edit the settings as chosen, in one undo step. Return whether an edit is pending.
-
-        Emits `stored` at once if all values are stored already.
-        """
+        """Edit the settings as chosen, in one undo step. Return whether an edit is pending."""
         if not self.can_use_values:
             return False
         choices = {c.number: c.choice for c in self.channels if c.can_be_used and c.choice}

@@ -32,13 +32,10 @@ def mode_blocker(device: Device) -> str:
 class CalibrationPreconditions(QObject):
     """Watches a board whose channels are learned or tested.
 
-    In RC and analog mode, channels cannot be learned, since the sticks drive the motors and the
-    board rejects settings. Serial override (channel 5) does not help, because the next move of its
-    switch gives the motors back to the sticks.
+    In RC and analog mode, the sticks drive the motors, and the board rejects settings. Serial
+    override (channel 5) ends with the next move of its switch. Armed motors are a violation only
+    in steps in which sticks are moved.
     Ref: Pololu TReX User's Guide 4.a; command documentation 0x82, 0xA0-0xA4, 0xAF.
-
-    Armed motors are a violation only in steps in which sticks are moved. The user may drive during
-    the review.
     """
 
     violated = Signal(str)  # the reason, for the user; once, and only between `start` and `end`

@@ -9,7 +9,6 @@ from collections.abc import Sequence
 from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
-from trex_gui.devices.trex.calibration.neutral import LIMITS
 from trex_gui.devices.trex.calibration.travel import TASKS, Task
 from trex_gui.devices.trex.driving.board_reasons import safe_start_reasons
 from trex_gui.devices.trex.model.device import Device
@@ -35,7 +34,6 @@ class StickTest:
         self.on = self.off = False  # whether a switch was in its active, inactive position
         self.ignored = False  # whether the board ignores the channel: there is nothing to test
         self.passed = False  # all functions of the channel were seen, and a stick is at rest now
-        self.was_good = False  # whether the channel has passed at some time
         self._full = {1: 0, -1: 0}  # consecutive samples with full output, by sign
         self._switched = {False: 0, True: 0}
         self._zero_since: float | None = None
@@ -69,7 +67,6 @@ class StickTest:
             case Task.STICK:
                 good = self.is_at_rest and self.forward and self.reverse
         self.passed = good and not curve.ignored
-        self.was_good |= self.passed
 
     @property
     def text(self) -> str:
@@ -101,11 +98,7 @@ class StickTest:
 
 
 def idle_side(curve: ChannelCurve) -> int:
-    """Return the sign of the output on the shorter side of rest. 0 if both sides are equal.
-
-    A throttle that rests near one end of its travel shows nothing when it reaches that end: its
-    trim alone can reach it.
-    """
+    """Return the sign of the output on the shorter side of rest, which a trim alone may reach."""
     up = curve.calibration.maximum - curve.calibration.neutral
     down = curve.calibration.neutral - curve.calibration.minimum
     if up == down:
@@ -121,16 +114,12 @@ class StickTests:
         self._device = device
         self._counts: Sequence[int | None] = ()
         self._curves: dict[int, ChannelCurve] = {}
-        self._reached: dict[int, tuple[int, int]] = {}
 
     def feed(self, moment: float, counts: Sequence[int | None]) -> None:
         tests = {test.number: test for test in self.tests}
         self._counts = tuple(counts)
         self._curves.clear()
         for channel, raw in zip(CHANNELS, counts, strict=True):
-            if raw is not None:
-                low, high = self._reached.get(channel, (raw, raw))
-                self._reached[channel] = min(low, raw), max(high, raw)
             if (curve := self._device.draft.stored_curve(channel)) is not None:
                 self._curves[channel] = curve
                 if channel in tests:
@@ -153,19 +142,6 @@ class StickTests:
     @property
     def all_ignored(self) -> bool:
         return all(test.ignored for test in self.tests)
-
-    @property
-    def to_learn_again(self) -> tuple[int, ...]:
-        """Channels that were moved but have not passed. Learning them again may help."""
-        moved = LIMITS[self._device.calibrations.source].moved
-        spans = {channel: high - low for channel, (low, high) in self._reached.items()}
-        return tuple(
-            test.number
-            for test in self.tests
-            if test.output is not None
-            and not (test.was_good or test.ignored)
-            and spans.get(test.number, 0) > moved
-        )
 
     @property
     def safe_start_reasons(self) -> str:

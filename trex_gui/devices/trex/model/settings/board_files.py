@@ -74,12 +74,7 @@ class BoardFiles(QObject):
             self._timer.start()
 
     def move(
-        self,
-        old: BoardIdentity,
-        new: BoardIdentity,
-        content: Content,
-        *,
-        keeps_old: bool = False,
+        self, old: BoardIdentity, new: BoardIdentity, content: Content, *, keeps_old: bool = False
     ) -> None:
         """Save under another identity. A file that exists for `new` is renamed, not lost.
 

@@ -278,9 +278,7 @@ class SettingsDraft(QObject):
 def diff_against_draft(
     draft: SettingsDraft, settings: Settings, *, is_stored: bool = False
 ) -> Comparison:
-    """Compare the settings shown with their state after other settings are applied.
-
-    With `is_stored`, compare the stored settings, without edits.
+    """Compare the settings shown, or stored, with their state after other settings are applied.
 
     Settings that the board lacks or does not accept now are left out. The result names them.
 

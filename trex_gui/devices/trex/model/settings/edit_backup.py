@@ -24,10 +24,7 @@ class EditOffer:
 
 
 class EditBackup(QObject):
-    """Saves edits after each change, and offers edits of an earlier run.
-
-    Files are read and written in a thread.
-    """
+    """Saves edits after each change, and offers edits of an earlier run. Works in a thread."""
 
     offered = Signal()  # `offer` is new or gone
     failed = Signal(str)  # why edits cannot be saved, for the user; once until saving works again

@@ -1,6 +1,5 @@
 """Table of the settings history, with a row for each snapshot."""
 
-from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from datetime import datetime, timedelta
@@ -19,7 +18,7 @@ from PySide6.QtCore import (
 )
 
 from trex_gui.core.errors import StudioError
-from trex_gui.core.files import SettingsError
+from trex_gui.core.files import reason_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.settings.comparison_table import renew_rows
 from trex_gui.devices.trex.settings.document import Settings
@@ -30,8 +29,6 @@ from trex_gui.ui.widgets.builders import plain
 from trex_gui.ui.workers.file_worker import ProgressCallback
 
 Index = QModelIndex | QPersistentModelIndex
-
-_FINDINGS = 3
 
 
 class SnapshotColumn(IntEnum):
@@ -82,7 +79,6 @@ class SnapshotTable(QAbstractTableModel):
         self._history = history
         self.snapshots: list[Snapshot] = []
         self.listing: Listing | None = None  # `None` before the folder was read
-        self._busy_minutes: frozenset[datetime] = frozenset()
         self._contents: dict[Path, tuple[Stamp, Settings | str]] = {}  # or the damage
         self._loading: set[Path] = set()
         self._words: list[str] = []
@@ -109,12 +105,10 @@ class SnapshotTable(QAbstractTableModel):
 
     def _on_read(self, listing: Listing) -> None:
         self.listing = listing
-        minutes = Counter(_minute(snapshot) for snapshot in listing.snapshots)
-        self._busy_minutes = frozenset(minute for minute, count in minutes.items() if count > 1)
         wanted = self._matching(listing)
         renew_rows(self, self.snapshots, wanted, lambda snapshot: snapshot.path)
         self.snapshots[:] = wanted  # equal snapshots may have different stamps
-        if wanted:  # times change after midnight, or if a minute has more snapshots
+        if wanted:  # times change after midnight
             self._announce(0, len(wanted) - 1)
         self.listed.emit(listing)
 
@@ -142,17 +136,19 @@ class SnapshotTable(QAbstractTableModel):
         return next((other for other in alike if not self.problem_of(other)), None)
 
     def content_of(self, snapshot: Snapshot) -> Settings | str | None:
-        """Return the settings in a snapshot, or why it cannot be used.
-
-        `None` while the snapshot is being read. Then `loaded` follows.
-        """
+        """Return the settings or damage of a snapshot. `None` while it is being read."""
         stamp, content = self._contents.get(snapshot.path, (None, None))
         if stamp == snapshot.stamp:
             return content
         if snapshot.path not in self._loading:
             self._loading.add(snapshot.path)
             load, then = partial(self._history.load, snapshot), partial(self._on_loaded, snapshot)
-            in_background(self, load, then, lambda error: then(_in_short(error)))
+
+            def on_failed(error: StudioError) -> None:
+                reason = reason_of(error)
+                then(f"{reason[:1].upper()}{reason[1:]}.")
+
+            in_background(self, load, then, on_failed)
         return None
 
     def _on_loaded(self, snapshot: Snapshot, content: Settings | str) -> None:
@@ -231,29 +227,12 @@ class SnapshotTable(QAbstractTableModel):
         return "\n".join(lines)
 
     def time_text(self, snapshot: Snapshot) -> str:
-        """Return local time, `today 14:03`, with seconds if its minute has several snapshots."""
+        """Return local time, `today 14:03`. The tooltip has seconds."""
         local = snapshot.taken.astimezone()
-        today = datetime.now().astimezone().date()
-        is_busy = _minute(snapshot) in self._busy_minutes
-        clock = local.strftime("%H:%M:%S" if is_busy else "%H:%M")
+        today, clock = datetime.now().astimezone().date(), f"{local:%H:%M}"
         if local.date() == today:
             return tr("today {0}").format(clock)
         if local.date() == today - timedelta(days=1):
             return tr("yesterday {0}").format(clock)
         year = "" if local.year == today.year else f" {local.year}"
         return f"{local.day} {local.strftime('%b')}{year} {clock}"
-
-
-def _minute(snapshot: Snapshot) -> datetime:
-    return snapshot.taken.replace(second=0)
-
-
-def _in_short(error: StudioError) -> str:
-    if not isinstance(error, SettingsError):
-        return str(error)
-    first = error.findings[:_FINDINGS]
-    more = len(error.findings) - len(first)
-    sentences = [f"{str(found)[:1].upper()}{str(found)[1:]}." for found in first]
-    if more:
-        sentences.append(tr("And %n more problem(s).", "", more))
-    return " ".join(sentences)

@@ -13,14 +13,10 @@ from trex_gui.ui.runtime import new_timer
 _HOLDER = "setup"  # the name by which the pulses acquire the motors
 
 WEAK, STRONGER = round(0.2 * FULL_SCALE), FIRST_CEILING
-"""Speeds of a pulse: 20 % of full speed, and the speed ceiling of a new board, 30 %.
-
-Inferred: 20 % turns most geared motors whose wheels are free. A robot that stands on the floor
-nevertheless moves by a few centimetres. 30 % is for motors that 20 % does not turn.
-"""
+"""Speeds of a pulse, 20 % and 30 % of full speed (inferred). 20 % turns most geared motors whose
+wheels are free, and moves a robot on the floor by a few centimetres."""
 
 PULSE = 0.4  # seconds for which the motor is driven; long enough to see which way it turns
-
 PAUSE = 0.6  # seconds at rest between two pulses
 
 
@@ -41,14 +37,9 @@ class MotorPulses(QObject):
         self._motors = motors = device.motors
         self._speed = WEAK
         self._is_on = False
-        self._options = True, False
         self._timer = new_timer(self, round(PULSE * 1000), self._on_step, single_shot=True)
 
-        for signal in (
-            motors.arming_changed,
-            motors.setpoints_changed,
-            motors.holder_changed,
-        ):
+        for signal in (motors.arming_changed, motors.setpoints_changed, motors.holder_changed):
             signal.connect(self._on_motors_changed)
         device.link_changed.connect(self._on_link_changed)
         device.state_changed.connect(self.changed)
@@ -88,14 +79,12 @@ class MotorPulses(QObject):
 
     def start(self, motor: int, *, stronger: bool = False) -> bool:
         """Start pulses of motor 1 or 2. Return whether they have started."""
-        if self.motor or self.blocker or not self._motors.acquire(_HOLDER):
+        if self.motor or self.blocker:
             return False
-        motors = self._motors
+        # With a slow ramp nothing would move within a pulse.
+        if not self._motors.acquire(_HOLDER, accelerate=False):
+            return False
         self.motor, self._speed = motor, STRONGER if stronger else WEAK
-        self._options = motors.accelerate, motors.linked
-        motors.accelerate = False  # with a slow ramp nothing would move within a pulse
-        if motors.linked:
-            motors.set_linked(False)
         self._is_on = False
         self._on_step()
         self.changed.emit()
@@ -122,10 +111,6 @@ class MotorPulses(QObject):
         if self.motor and self._motors.holder != _HOLDER:
             self._timer.stop()
             self.motor = 0
-            accelerate, linked = self._options
-            self._motors.accelerate = accelerate
-            if linked:
-                self._motors.set_linked(True)
         self.changed.emit()
 
     @Slot()

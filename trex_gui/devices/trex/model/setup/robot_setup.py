@@ -8,7 +8,6 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.resource_files import resource
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.client.reading import DeviceState, may_be_same_board
 from trex_gui.devices.trex.driving.timeout_stop import with_shutdown
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning
@@ -97,14 +96,13 @@ class RobotSetup(QObject):
         self.pulses = MotorPulses(device, self)
         self._device = device
         self._learning = learning
-        self._model = device.parameters.model_key
-        self._former: DeviceState | None = None  # last board, while silent or while connecting
         self._completed: set[SetupStep] = set()  # left with `next`
 
         learning.edited.connect(self._handle_learned)
         learning.stored.connect(self._handle_learned)
         device.link_changed.connect(self._on_link_changed)
-        device.state_changed.connect(self._on_state_changed)
+        device.state_changed.connect(self.changed)
+        device.motors.board_changed.connect(self._clear)
         device.draft.pending_changed.connect(self.changed)
         device.mix_jumper.changed.connect(self.changed)
 
@@ -213,10 +211,7 @@ class RobotSetup(QObject):
             self.changed.emit()
 
     def record_pushed(self, channels: Sequence[int]) -> tuple[int, ...]:
-        """Record that the sticks of these channels are pushed forward or right now.
-
-        Return the channels whose input does not show the push.
-        """
+        """Record pushed sticks. Return the channels whose input does not show the push."""
         for channel in channels:
             self.rises.pop(channel, None)
             raw = self._device.telemetry.raw_of(channel)
@@ -298,29 +293,11 @@ class RobotSetup(QObject):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        """Reset the answers after a disconnection, or for another board."""
-        state = self._device.state
-        match self._device.link:
-            case ConnectionState.DISCONNECTED:
-                self._former = None
-                self._clear()
-            case ConnectionState.NOT_RESPONDING | ConnectionState.CONNECTING:
-                self._former = self._former or state
-            case ConnectionState.CONNECTED:
-                before, self._former = self._former, None
-                if before and state and not may_be_same_board(before, state):
-                    self._clear()
-        self.changed.emit()
-
-    @Slot()
-    def _on_state_changed(self) -> None:
-        """Reset the answers if the board is now another model."""
-        model = self._device.parameters.model_key
-        if model != self._model:
-            self._model = model
+        if self._device.link is ConnectionState.DISCONNECTED:
             self._clear()
         self.changed.emit()
 
+    @Slot()
     def _clear(self) -> None:
         """Reset the answers. Even a current limit means something else on another model."""
         self.movements.clear()

@@ -69,21 +69,9 @@ class LearnFlow(Flow):
     # --- Buttons ------------------------------------------------------------------------
 
     def add_buttons(self, parent: QWidget) -> Sequence[QPushButton]:
-        button = partial(ui.button, parent, default=False)
-        self._again = button(f"{self.name}AgainButton", on_click=self.learning.again)
-        tip = tr("If a channel does not get a good result, learn its values again.")
-        self._learn_again = button(
-            f"{self.name}ChannelAgainButton",
-            tip=tip,
-            on_click=self._on_learn_again,
-        )
-        return self._again, self._learn_again
-
-    @Slot()
-    def _on_learn_again(self) -> None:
-        tests = self.learning.tests
-        if tests is not None and tests.to_learn_again:
-            self.learning.start(tests.to_learn_again)
+        name, act = f"{self.name}AgainButton", self.learning.again
+        self._again = ui.button(parent, name, default=False, on_click=act)
+        return (self._again,)
 
     def back(self) -> None:
         self.learning.back()
@@ -205,11 +193,6 @@ class LearnFlow(Flow):
         waits = step is LearningStep.NEUTRAL and not (learning.has_sampled or learning.sampling)
         self._again.setVisible(not (hidden or never or waits))
         self._again.setEnabled(not learning.sampling)
-        numbers = () if learning.tests is None else learning.tests.to_learn_again
-        text = tr("&Learn channel(s) {0} again", "", len(numbers))
-        self._learn_again.setText(text.format(", ".join(map(str, numbers))))
-        is_useful = step is LearningStep.TEST and bool(numbers)
-        self._learn_again.setVisible(is_useful and not hidden)
 
 
 def _is_alarming(learning: Learning) -> bool:
