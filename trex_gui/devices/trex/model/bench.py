@@ -112,7 +112,7 @@ class Bench(QObject):
             return tr(
                 "In joint mode the board measures no current, so a test could not be aborted."
             )
-        if reason := held_drive_blocker(device, _HOLDER, is_driving=self.is_driving):
+        if reason := held_drive_blocker(device, _HOLDER):
             return reason
         if device.telemetry.motor_currents is None:
             return tr("No current has been read yet.")

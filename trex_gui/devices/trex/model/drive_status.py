@@ -1,4 +1,4 @@
-"""Drive status of a device in the window, and drivers that have shut down."""
+"""Drive status of a device, and conditions for driving a motor while a button is held."""
 
 from collections.abc import Iterable
 
@@ -59,14 +59,8 @@ def fault_text(statuses: Iterable[DriveStatus]) -> str:
     return " ".join(one.text for one in statuses if one.blocker is DriveBlocker.FAULT)
 
 
-def held_drive_blocker(
-    device: Device, holder: str, *, is_driving: bool, wheels_are_free: bool = False
-) -> str:
-    """Return why no motor can be driven now and what to do, for the user. Empty if one can.
-
-    `holder` is the name by which the motors will be acquired, `is_driving` whether it drives now,
-    `wheels_are_free` whether the user has confirmed that the wheels are off the ground.
-    """
+def held_drive_blocker(device: Device, holder: str) -> str:
+    """Return why `holder` can acquire no motor, and the remedy. Empty if it can."""
     motors = device.motors
     drives = [motors.drive(motor) for motor in (1, 2)]
     is_moving = any(drive and not drive.is_brake and drive.speed for drive in drives)
@@ -81,12 +75,10 @@ def held_drive_blocker(
     if motors.locked_for:
         text = tr("After a stop the motors are locked for another {0:.0f} s.")
         return text.format(max(1.0, motors.locked_for))
-    if not motors.armed and wheels_are_free:
-        return tr("Arm the motors first.")
     if not motors.armed:
         return tr("Put the robot on blocks, then arm the motors.")
     if motors.holder not in {"", holder}:
         return tr("Another control drives now.")
-    if not is_driving and (is_moving or motors.auxiliary > 0):
+    if not motors.holder and (is_moving or motors.auxiliary > 0):
         return tr("Bring the motors to rest first ({0}).").format(motors.text)
     return ""

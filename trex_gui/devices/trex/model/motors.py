@@ -118,6 +118,8 @@ class Motors(QObject):
         chosen = self._store.integer(self._ceiling_key, 0, 0, FULL_SCALE)
         self.is_first_drive = not chosen
         self.linked = False
+        if self._options is not None:
+            self._options = self._options[0], False
         self.board_changed.emit()
         self._limit_to(chosen or FIRST_CEILING)
 

@@ -62,9 +62,7 @@ class Provision(QObject):
         device.state_changed.connect(self._on_board_changed)
         device.applied.connect(self._on_applied)
         device.request_failed.connect(self._on_request_failed)
-        device.connection.line_closed.connect(
-            lambda: self._on_request_failed(tr("The connection was closed."))
-        )
+        device.connection.line_closed.connect(self._on_line_closed)
 
     # --- User actions -------------------------------------------------------------------
 
@@ -174,6 +172,10 @@ class Provision(QObject):
     def _on_request_failed(self, reason: str) -> None:
         if self.step is ProvisionStep.WRITE and self._saving is None:
             self._on_written(reason)
+
+    @Slot()
+    def _on_line_closed(self) -> None:
+        self._on_request_failed(tr("The connection was closed."))
 
     def _on_written(self, problem: str) -> None:
         stored = self._device.draft.stored

@@ -1,4 +1,4 @@
-"""Polled values: inputs and currents, with their history."""
+"""Polled values with their history, and the state of the mix jumper that they show."""
 
 import math
 from collections.abc import Callable, Sequence

@@ -273,7 +273,7 @@ BLOCKERS: dict[str, tuple[Callable[[Robot], object], str]] = {
         "Lift the robot",
     ),
     "a stop has locked the motors": (lambda robot: robot.device.motors.press_stop(), "locked"),
-    "the motors are not armed": (lambda robot: robot.device.motors.stop(), "Arm the motors"),
+    "the motors are not armed": (lambda robot: robot.device.motors.stop(), "arm the motors"),
     "the other motor runs": (lambda robot: robot.device.motors.set_speed(2, 30), "motor 2 +30"),
     "another control is held": (lambda robot: robot.device.motors.acquire("pad"), "Another"),
 }

@@ -1,4 +1,4 @@
-"""Settings of a board or a file, with their edits and undo."""
+"""Settings and notes of a board or a file, with their edits and undo."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager

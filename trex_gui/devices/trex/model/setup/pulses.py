@@ -58,9 +58,7 @@ class MotorPulses(QObject):
             return self.cannot_drive
         if self._device.is_connected and not self.wheels_are_free:
             return tr("Lift the robot so that its wheels turn freely, then confirm that here.")
-        return held_drive_blocker(
-            self._device, _HOLDER, is_driving=bool(self.motor), wheels_are_free=self.wheels_are_free
-        )
+        return held_drive_blocker(self._device, _HOLDER)
 
     def confirm_wheels(self, free: bool) -> None:
         """Record whether the wheels are off the ground. If not, stop everything."""

@@ -1,4 +1,4 @@
-"""The assistant that sets up a robot: its steps, and the edits that each one makes."""
+"""The assistant that sets up a robot: its steps, presets, and the edits of each step."""
 
 from collections.abc import Mapping, Sequence
 from enum import Enum, auto

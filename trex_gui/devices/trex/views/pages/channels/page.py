@@ -63,7 +63,7 @@ class ChannelsPage(PlotPage):
         self._learn = button(card, "learnButton", text)
         self._menu = ChangeMenu(device, self)
         self._menu.discard_requested.connect(self._on_discard)
-        self._change = button(card, "changeButton", tr("Cop&y, reset and files"))
+        self._change = button(card, "changeButton", tr("Cop&y and reset"))
         self._change.setMenu(self._menu)
         set_look(self._change, "link")
         self._head_buttons = (learn_all, test)
