@@ -249,6 +249,7 @@ class TraceTableView(QTableView):
         super().__init__(parent)
         flat_table(self, "traceTable", tr("Curves and their figures"))
         set_row_height(self, _ROW_ROOM)
+        self._table = model
         self.setModel(model)
         header = self.horizontalHeader()
         header.setSectionResizeMode(TraceColumn.CURVE, QHeaderView.ResizeMode.ResizeToContents)
