@@ -360,7 +360,7 @@ def needed_packages(folder: Path) -> list[str]:
     libraries = list(folder.rglob("*.so*"))
     needed: set[str] = set()
     for path in [*libraries, *(folder / name for name in PROGRAMS)]:
-        if not path.is_symlink() and "printersupport" not in path.name:  # that is recommended
+        if not path.is_symlink():
             listing = run(["objdump", "-p", path])
             needed.update(re.findall(r"^\s+NEEDED\s+(\S+)$", listing, re.MULTILINE))
     return sorted(set(debian_packages(needed - {path.name for path in libraries}).values()))

@@ -19,7 +19,7 @@ from trex_gui.devices.trex.views.changes.dialog import ChangesDialog
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.note_field import NoteField
 from trex_gui.devices.trex.views.pages.parameters.page import ParametersPage
-from trex_gui.devices.trex.views.settings_editor.printed import settings_html
+from trex_gui.devices.trex.views.settings_editor.pdf import settings_html
 from trex_gui.ui.devices.connection import ConnectionState
 
 

@@ -86,7 +86,6 @@ def test_program_does_without_the_modules_that_are_left_out(spec: ast.Module) ->
         ("platforms/libqcocoa.dylib", True),
         ("wayland-shell-integration/libxdg-shell.so", True),
         ("imageformats/libqsvg.so", True),
-        ("printsupport/libcupsprintersupport.so", True),
         ("platformthemes/libqgtk3.so", False),
         ("platforms/libqeglfs.so", False),
         ("egldeviceintegrations/libqeglfs-x11-integration.so", False),

@@ -1,4 +1,4 @@
-"""Commands that save, export or print the settings shown of a board, edits included."""
+"""Commands that save or export the settings shown of a board, edits included."""
 
 import contextlib
 from collections.abc import Callable
@@ -8,7 +8,7 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import QDialog, QFileDialog, QWidget
+from PySide6.QtWidgets import QFileDialog, QWidget
 
 from trex_gui.core.code import Language
 from trex_gui.core.errors import StudioError
@@ -163,17 +163,6 @@ class ShownSettings(QObject):
         names = ", ".join(sorted({key.source.word for key in hidden}))
         kept = tr("Calibrations that the board does not show now were kept: {0}.")
         return text, kept.format(names) if hidden else ""
-
-    def preview(self) -> QDialog | None:
-        from trex_gui.devices.trex.views.settings_editor.printed import (  # noqa: PLC0415
-            PrintedSettings,
-        )
-
-        settings, state = self._device.draft.shown, self._device.state
-        if settings is None or state is None:
-            return None
-        name = tr("{0}, settings shown").format(state.signature)
-        return PrintedSettings(settings, name).preview(self._window, self._notifier.error.emit)
 
 
 def _content_of(path: Path) -> bytes | SettingsError | None:

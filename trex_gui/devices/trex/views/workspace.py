@@ -259,7 +259,6 @@ class TrexWorkspace(Workspace):
                 Entry("new", tr("&New settings file…"), files.prompt_and_begin, keys.New, "new"),
                 Entry("open", tr("&Open settings file…"), files.prompt_and_open, "Ctrl+O", "open"),
                 Entry("save", tr("&Save settings file…"), shown.prompt_and_save, "Ctrl+S", "save"),
-                Entry("print", tr("Prin&t settings…"), shown.preview, keys.Print, "print"),
                 Entry("export", tr("&Export as code…"), shown.prompt_and_export, "", "console"),
                 SEPARATOR,
                 Entry("history", tr("&History…"), self._open_history, "Ctrl+H", "history"),
@@ -338,7 +337,7 @@ class TrexWorkspace(Workspace):
             **dict.fromkeys(
                 ("reload", "defaults", "serial_defaults", "learn", "test_sticks"), writable
             ),
-            **dict.fromkeys(("save", "print", "export"), shown),
+            **dict.fromkeys(("save", "export"), shown),
             "open": not device.writer.running,
             "record": recorder.recording or recorder.can_record,
             "run": device.motors.can_arm,

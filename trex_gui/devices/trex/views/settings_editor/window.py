@@ -5,7 +5,7 @@ from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal, SignalInstance, Slot
 from PySide6.QtGui import QAction, QCloseEvent, QKeySequence, QUndoStack
-from PySide6.QtWidgets import QDialog, QMainWindow, QPlainTextEdit, QTabWidget, QToolBar, QWidget
+from PySide6.QtWidgets import QMainWindow, QPlainTextEdit, QTabWidget, QToolBar, QWidget
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import load, save
@@ -23,7 +23,7 @@ from trex_gui.devices.trex.views.changes.files import (
 from trex_gui.devices.trex.views.motor_controls import MotorBar
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
 from trex_gui.devices.trex.views.settings_editor.channels_page import DocumentChannels
-from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
+from trex_gui.devices.trex.views.settings_editor.pdf import settings_pdf
 from trex_gui.devices.trex.views.settings_editor.text_page import TextPage
 from trex_gui.ui.devices.undo import undo_titles
 from trex_gui.ui.files import in_background
@@ -37,7 +37,7 @@ from trex_gui.ui.widgets.messages import Banner, MessageRoom
 from trex_gui.ui.widgets.placement import fit_on_screen, restore_geometry, save_geometry
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
-_TOOL_BAR = ("new", "open", "save", SEPARATOR, "undo", "redo", SEPARATOR, "send", "print")
+_TOOL_BAR = ("new", "open", "save", SEPARATOR, "undo", "redo", SEPARATOR, "send")
 
 
 class SettingsEditor(QMainWindow):
@@ -111,7 +111,6 @@ class SettingsEditor(QMainWindow):
                 Entry("save", tr("&Save"), self.save, keys.Save, "save"),
                 Entry("saveAs", tr("Save &as…"), self._prompt_and_save, "Ctrl+Shift+S"),
                 SEPARATOR,
-                Entry("print", tr("&Print…"), self.preview, keys.Print, "print"),
                 Entry("pdf", tr("Save as P&DF…"), self._prompt_and_save_pdf),
                 SEPARATOR,
                 Entry("close", tr("&Close"), self.close, keys.Close),
@@ -177,18 +176,6 @@ class SettingsEditor(QMainWindow):
     def _on_not_saved(self, error: StudioError) -> None:
         self._banner.show_problem(tr("Not saved. {0}").format(error))
 
-    def _printed(self) -> PrintedSettings | None:
-        settings = self.document.settings
-        if settings is None:
-            return None
-        remarks = [str(found) for found in self.document.findings]
-        remarks += [found.message for found in self._linter.findings]
-        return PrintedSettings(settings, self.document.name, remarks)
-
-    def preview(self) -> QDialog | None:
-        printed = self._printed()
-        return None if printed is None else printed.preview(self, self._banner.show_problem)
-
     def _prompt_and_save_pdf(self) -> None:
         name = self._folder() / Path(self.document.name).with_suffix(".pdf").name
         filters = tr("PDF (*.pdf)")
@@ -197,12 +184,14 @@ class SettingsEditor(QMainWindow):
             self.save_pdf(path)
 
     def save_pdf(self, path: Path) -> None:
-        printed = self._printed()
-        if printed is None:
+        document = self.document
+        if document.settings is None:
             return
+        remarks = [str(found) for found in document.findings]
+        remarks += [found.message for found in self._linter.findings]
         in_background(
             self,
-            partial(save, path, printed.pdf()),
+            partial(save, path, settings_pdf(document.settings, document.name, remarks)),
             lambda _: self._banner.show_news(tr("Saved in {0}.").format(path)),
             self._on_not_saved,
         )
@@ -270,7 +259,7 @@ class SettingsEditor(QMainWindow):
         connected = self._device.is_connected and self._device.state is not None
         undo, text = self.document.draft.undo, self._text.editor.document()
         enabled_actions = {
-            **dict.fromkeys(("print", "pdf", "convert", "compareFile", "compareFactory"), readable),
+            **dict.fromkeys(("pdf", "convert", "compareFile", "compareFactory"), readable),
             **dict.fromkeys(("compareBoard", "send"), readable and connected),
             "undo": undo.canUndo() if readable else text.isUndoAvailable(),
             "redo": undo.canRedo() if readable else text.isRedoAvailable(),

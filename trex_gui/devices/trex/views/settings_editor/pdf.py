@@ -1,63 +1,40 @@
-"""Printed settings, as tables with changes from the default in bold."""
+"""Settings as a PDF file: tables with changes from the default in bold."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from datetime import datetime
 from html import escape
 from itertools import groupby
 
-from PySide6.QtCore import QBuffer, QIODevice, Qt
+from PySide6.QtCore import QBuffer, QIODevice
 from PySide6.QtGui import QPageSize, QPdfWriter, QTextDocument
-from PySide6.QtWidgets import QDialog, QWidget
 
 from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_FIELDS
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.ui.widgets.placement import fit_on_screen
 
 
-class PrintedSettings(QTextDocument):
-    def __init__(self, settings: Settings, name: str, remarks: Iterable[str] = ()) -> None:
-        """`name`: the file or the board. `remarks` are printed below the tables."""
-        super().__init__()
-        self._name = name
-        font = self.defaultFont()
-        font.setPointSizeF(8)
-        self.setDefaultFont(font)
-        self.setMetaInformation(QTextDocument.MetaInformation.DocumentTitle, name)
-        # Paper is white, whatever the colours of the theme.
-        self.setDefaultStyleSheet("body { color: black }")
-        self.setHtml(f"<body>{settings_html(settings, name, remarks)}</body>")
+def settings_pdf(settings: Settings, name: str, remarks: Iterable[str]) -> bytes:
+    """Return the settings as the content of a PDF file. `remarks` are below the tables."""
+    buffer = QBuffer()
+    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+    writer = QPdfWriter(buffer)
+    writer.setPageSize(QPageSize(QPageSize.PageSizeId.A4))
+    writer.setTitle(name)
+    settings_document(settings, name, remarks).print_(writer)
+    del writer  # ends the file
+    return bytes(buffer.data().data())
 
-    def pdf(self) -> bytes:
-        """Return the pages as the content of a PDF file."""
-        buffer = QBuffer()
-        buffer.open(QIODevice.OpenModeFlag.WriteOnly)
-        writer = QPdfWriter(buffer)
-        writer.setPageSize(QPageSize(QPageSize.PageSizeId.A4))
-        writer.setTitle(self._name)
-        self.print_(writer)
-        del writer  # ends the file
-        return bytes(buffer.data().data())
 
-    def preview(self, window: QWidget, report: Callable[[str], object]) -> QDialog | None:
-        """Show the pages in a dialog that can print them. Report if Qt cannot print here."""
-        # Qt's print module is not installed everywhere. Only printing needs it.
-        try:
-            from PySide6.QtPrintSupport import QPrintPreviewDialog  # noqa: PLC0415
-        except ImportError as error:
-            text = tr("Qt's printing is not installed here ({0}); save a PDF file instead.")
-            report(text.format(error))
-            return None
-        dialog = QPrintPreviewDialog(window)
-        dialog.printer().setDocName(self._name)
-        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        dialog.setObjectName("printPreviewDialog")
-        fit_on_screen(dialog)
-        dialog.paintRequested.connect(self.print_)
-        self.setParent(dialog)
-        dialog.show()
-        return dialog
+def settings_document(settings: Settings, name: str, remarks: Iterable[str] = ()) -> QTextDocument:
+    document = QTextDocument()
+    font = document.defaultFont()
+    font.setPointSizeF(8)
+    document.setDefaultFont(font)
+    # Paper is white, whatever the colours of the theme.
+    document.setDefaultStyleSheet("body { color: black }")
+    document.setHtml(f"<body>{settings_html(settings, name, remarks)}</body>")
+    return document
 
 
 def settings_html(settings: Settings, name: str, remarks: Iterable[str] = ()) -> str:
