@@ -17,11 +17,9 @@ SPECS = {spec.key: spec for spec in parameters_of("trex", "1.2").readable}
         ("motor1_brake_duration motor1_acceleration", [10, 0], "100 ms", (1, 0)),
         ("motor2_current_limit", [127], "38.1 A", (1, 0.34)),
         ("motor2_current_limit", [1], "0.3 A", (1, 0.8 / 127)),
-        ("motor1_pwm_maximum motor1_pwm_prescaler", [63, 1], "2441 Hz, 2 ms", (1, 0)),
         ("serial_timeout", [0], "keep running", (1, 0.8)),
         ("serial_timeout uart_error_shutdown", [5, 0], "may not stop", (1, 0.2)),
         ("serial_timeout uart_error_shutdown", [5, 1], "0.5 s: the motors stop", (1, 0.2)),
-        ("reversed_channels", [2], "channel 2", (0.9, 0)),
     ],
 )
 def test_picture_is_drawn_from_the_values(
@@ -36,7 +34,7 @@ def test_picture_is_drawn_from_the_values(
 
 
 def test_unknown_effects_and_values_have_no_picture() -> None:
-    values = ParameterValues(SPECS, dict.fromkeys(SPECS, 0) | {"motor1_pwm_prescaler": 9})
-    for key in ("motor1_current_limit_p", "motor_mode", "motor1_pwm_maximum"):
+    values = ParameterValues(SPECS, dict.fromkeys(SPECS, 0))
+    for key in ("motor1_current_limit_p", "motor_mode"):
         assert picture_of(key, values) is None
     assert picture_of("motor1_acceleration", ParameterValues(SPECS)) is None

@@ -9,17 +9,14 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
-from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.parameters.values import ParameterValues
-from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.parameters import (
     FULL_SPEED_S,
     MotorParameter,
     ParameterKey,
     ParameterSpec,
     motor_name,
-    pwm_keys,
 )
 from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets.painted import Painted, Painter
@@ -105,22 +102,6 @@ def _limit(spec: ParameterSpec, wire: int, _values: ParameterValues) -> Picture:
     return Picture(text, value, (edge, *lines), place=(0.08, limit + 0.03))
 
 
-def _wave(spec: ParameterSpec, _wire: int, values: ParameterValues) -> Picture | None:
-    prescaler, maximum = map(values.value_of, pwm_keys(spec.key))
-    if prescaler is None or maximum is None:
-        return None
-    try:
-        hertz = device_table().pwm.frequency(prescaler, maximum)
-    except BadRequest:
-        return None
-    window = _window(3 / hertz, 0.0005, 0.002, 0.01, 0.05)
-    edges = [number / hertz / window / 2 for number in range(int(2 * hertz * window) + 1)]
-    levels = [0.7 * (number % 2) for number in range(len(edges) + 1)]
-    points = [(x, y) for x, *ends in zip(edges, levels, levels[1:], strict=False) for y in ends]
-    text = tr("{0:.0f} Hz, {1:g} ms of it").format(hertz, 1000 * window)
-    return Picture(text, text, (Stroke((*points, (1, levels[-1]))),))
-
-
 def _stop(
     spec: ParameterSpec, wire: int, values: ParameterValues, after: float | None = None
 ) -> Picture:
@@ -145,30 +126,15 @@ def _brake(spec: ParameterSpec, wire: int, _values: ParameterValues) -> Picture:
     return Picture(text, value, (speed,), (0.35, 0.65, 0.8 * wire / spec.maximum))
 
 
-def _curve(
-    spec: ParameterSpec, wire: int, _values: ParameterValues, output: Callable[[float], float]
-) -> Picture:
-    """Draw output over input of the selected channels. Other channels are dashed."""
-    inputs, value = [number / 20 - 1 for number in range(41)], spec.text(wire)
-    lines = [Stroke(((0.1, 0), (0.9, 0.8)), "muted", _DASHED)]
-    if wire:
-        lines.append(Stroke(tuple((0.5 + 0.4 * x, 0.4 + 0.4 * output(x)) for x in inputs)))
-    return Picture(f"{spec.name}: {value}", value, tuple(lines))
-
-
-_PICTURES: dict[str, Callable[[ParameterSpec, int, ParameterValues], Picture | None]] = {
+_PICTURES: dict[str, Callable[[ParameterSpec, int, ParameterValues], Picture]] = {
     MotorParameter.ACCELERATION: _ramp,
     ParameterKey.AUX_ACCELERATION: _ramp,
     MotorParameter.BRAKE_DURATION: _reversal,
     MotorParameter.CURRENT_LIMIT: _limit,
     MotorParameter.DEADBAND_BRAKE_PWM: _brake,
-    MotorParameter.PWM_MAXIMUM: _wave,
     ParameterKey.SERIAL_TIMEOUT: _stop,
     ParameterKey.UART_ERROR_SHUTDOWN: partial(_stop, after=0),
     ParameterKey.REQUIRED_CHANNELS: partial(_stop, after=_RC_LOSS_S),
-    ParameterKey.IGNORED_CHANNELS: partial(_curve, output=lambda _: 0),
-    ParameterKey.REVERSED_CHANNELS: partial(_curve, output=lambda x: -x),
-    ParameterKey.PARABOLIC_CHANNELS: partial(_curve, output=lambda x: x * abs(x)),
 }
 
 
