@@ -15,11 +15,7 @@ from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.devices.trex.settings.reader import read_settings
-from trex_gui.devices.trex.views.changes.files import (
-    GetSettings,
-    show_comparison,
-    show_conversion,
-)
+from trex_gui.devices.trex.views.changes.files import GetSettings, show_comparison, show_conversion
 from trex_gui.devices.trex.views.motor_controls import MotorBar
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
 from trex_gui.devices.trex.views.settings_editor.channels_page import DocumentChannels

@@ -14,10 +14,7 @@ from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels
 from trex_gui.devices.trex.views.findings_list import FindingsList
 from trex_gui.devices.trex.views.pages.channels.card import ChannelCard
 from trex_gui.devices.trex.views.pages.channels.change_menu import ChangeMenu
-from trex_gui.devices.trex.views.pages.channels.controls import (
-    CHANNEL_OPTIONS,
-    OtherSource,
-)
+from trex_gui.devices.trex.views.pages.channels.controls import CHANNEL_OPTIONS, OtherSource
 from trex_gui.devices.trex.views.pages.channels.strips import ChannelStrips
 from trex_gui.ui.plotting.page import PlotPage
 from trex_gui.ui.theme.theme import set_look, set_style_property

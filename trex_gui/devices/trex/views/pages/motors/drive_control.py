@@ -8,13 +8,7 @@ from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.descriptions import CURRENT_ACCURACY
-from trex_gui.ui.theme.theme import (
-    scaled_font,
-    set_look,
-    set_style_property,
-    set_text_color,
-    theme,
-)
+from trex_gui.ui.theme.theme import scaled_font, set_look, set_style_property, set_text_color, theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.bar import WARNING_SIGN, LimitState, limit_state
 from trex_gui.ui.widgets.labels import ElidedLabel, LiveLabel
@@ -26,7 +20,7 @@ _MOVING_KEYS = {
     *(Qt.Key.Key_PageUp, Qt.Key.Key_PageDown),
 }
 _DISCARDS = {  # events that discard a half-typed number
-    *(QEvent.Type.FocusOut, QEvent.Type.Hide, QEvent.Type.WindowDeactivate, QEvent.Type.Close),
+    *(QEvent.Type.FocusOut, QEvent.Type.Hide, QEvent.Type.WindowDeactivate, QEvent.Type.Close)
 }
 
 

@@ -127,11 +127,7 @@ class MotorsPage(QWidget):
         motors.holder_changed.connect(self._on_holder_changed)
         motors.setpoints_changed.connect(self._show_setpoints)
         motors.arming_changed.connect(self._hold_still)
-        for signal in (
-            motors.arming_changed,
-            motors.options_changed,
-            device.link_changed,
-        ):
+        for signal in (motors.arming_changed, motors.options_changed, device.link_changed):
             signal.connect(self._show_options)
         motors.stop_requested.connect(self._on_stop_requested)
         device.link_changed.connect(self._show_stored)

@@ -355,11 +355,7 @@ class ParameterDelegate(UnitDelegate):
         editor.setGeometry(place)
 
     def editorEvent(
-        self,
-        event: QEvent,
-        model: QAbstractItemModel,
-        option: QStyleOptionViewItem,
-        index: Index,
+        self, event: QEvent, model: QAbstractItemModel, option: QStyleOptionViewItem, index: Index
     ) -> bool:
         """Reset a value where its icon is clicked."""
         if (
