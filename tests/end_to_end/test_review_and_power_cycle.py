@@ -19,7 +19,7 @@ from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationK
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.settings.rules import LintFinding
-from trex_gui.devices.trex.views.pages.parameters.filters import ParameterChoice
+from trex_gui.devices.trex.views.pages.parameters.view import ParameterChoice
 
 LINE = LineSettings(57600, Detection.EVEN, 2)
 CALIBRATION = Calibration(2600, 3750, 5000, 60)

@@ -12,7 +12,7 @@ from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.parameters import ParameterSet
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
+from trex_gui.devices.trex.views.pages.parameters.page import ParameterTable
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 
 

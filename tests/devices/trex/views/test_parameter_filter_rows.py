@@ -5,7 +5,7 @@ from pytestqt.qtbot import QtBot
 
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.protocol.parameters import parameters_of
-from trex_gui.devices.trex.views.pages.parameters.filters import ParameterChoice, ParameterFilter
+from trex_gui.devices.trex.views.pages.parameters.view import ParameterChoice, ParameterFilter
 
 SPECS = parameters_of("trex", "1.2")
 FACTORY = {spec.key: spec.default for spec in SPECS.readable}

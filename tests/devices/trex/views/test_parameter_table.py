@@ -15,7 +15,7 @@ from trex_gui.devices.trex.model.parameters.parameters import ParameterRole
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.protocol.parameters import parameters_of
-from trex_gui.devices.trex.views.pages.parameters.filters import ParameterChoice
+from trex_gui.devices.trex.views.pages.parameters.view import ParameterChoice
 
 SPECS = parameters_of("trexjr", "1.2")
 OLDER = parameters_of("trexjr", "1.0")

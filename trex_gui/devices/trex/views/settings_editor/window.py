@@ -17,7 +17,7 @@ from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.views.changes.files import GetSettings, show_comparison, show_conversion
 from trex_gui.devices.trex.views.motor_controls import MotorBar
-from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
+from trex_gui.devices.trex.views.pages.parameters.page import ParameterTable
 from trex_gui.devices.trex.views.settings_editor.channels_page import DocumentChannels
 from trex_gui.devices.trex.views.settings_editor.pdf import settings_pdf
 from trex_gui.devices.trex.views.settings_editor.text_page import TextPage

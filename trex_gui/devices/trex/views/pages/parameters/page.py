@@ -1,16 +1,149 @@
-"""Page to read, edit and apply every parameter of the board."""
+"""Parameters of a board or of a file: filters, table, and card of the selected parameter."""
 
-from PySide6.QtCore import Signal, Slot
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QModelIndex, Qt, Signal, Slot
+from PySide6.QtWidgets import QTabBar, QVBoxLayout, QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.linter import BoardLinter
-from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
+from trex_gui.devices.trex.model.linter import BoardLinter, SettingsLinter
+from trex_gui.devices.trex.model.settings.draft import SettingsDraft
+from trex_gui.devices.trex.views.pages.parameters.card import ParameterCard
+from trex_gui.devices.trex.views.pages.parameters.view import (
+    ParameterChoice,
+    ParameterFilter,
+    ParameterView,
+)
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.widgets.builders import column
+from trex_gui.ui.theme.theme import set_look
+from trex_gui.ui.widgets.builders import button, column, label, named, row, search_field
 from trex_gui.ui.widgets.labels import PageHead
+
+_CLEAR = 20  # pixels for the frame of the search field
+
+
+class ParameterTable(QWidget):
+    """Parameters of a board or of a file. Has no access to a board."""
+
+    power_cycle_requested = Signal()
+
+    def __init__(
+        self,
+        draft: SettingsDraft,
+        linter: SettingsLinter,
+        parent: QWidget | None = None,
+        head: QWidget | None = None,
+    ) -> None:
+        """`head` is shown beside the filters."""
+        super().__init__(parent)
+        self._model = draft.parameters
+        self._place = ""  # key of the cell that the user has selected
+        self._is_elsewhere = False  # the table has selected another, visible cell
+
+        title = tr("Search parameters")
+        self._words = search_field(self, "parameterSearch", title, title)
+        self._words.setMinimumWidth(self._words.fontMetrics().horizontalAdvance(title) + _CLEAR)
+        self._choice = named(QTabBar(self), "parameterChoice", accessible=tr("Parameters"))
+        set_look(self._choice, "switch")
+        self._choice.setDrawBase(False)
+        self._choice.setUsesScrollButtons(False)
+        for _ in ParameterChoice:
+            self._choice.addTab("")
+        self._view = ParameterView(self._model, self)
+        self._no_match = self._no_match_note()
+        self._linter = linter
+        self._card = ParameterCard(draft, linter, self._view, self)
+        filters = row((self._words, 1), self._choice)
+        above = row(*([(head, 2)] if head else []), (filters, 3), spacing=16)
+        column(above, (row((self._view, 5), (self._card, 2), spacing=16), 1), into=self, margins=0)
+
+        self._view.selectionModel().currentChanged.connect(self._on_current_changed)
+        self._view.clicked.connect(self._on_current_changed)
+        self._card.activate.clicked.connect(self.power_cycle_requested)
+        self._words.returnPressed.connect(self._view.setFocus)
+        for changed in (
+            self._words.textChanged,
+            self._choice.currentChanged,
+            linter.changed,
+            self._model.modelReset,
+            self._model.pending_changed,
+            draft.loaded,
+        ):
+            changed.connect(self._update_rows)
+        self._update_rows()
+
+    def _no_match_note(self) -> QWidget:
+        viewport, centre = self._view.viewport(), Qt.AlignmentFlag.AlignCenter
+        note = named(QWidget(viewport), "noParameterMatches")
+        text = label(note, text=tr("No parameter matches."))
+        show_all = button(note, "showAllParameters", tr("&Show all parameters"))
+        show_all.clicked.connect(self._show_all)
+        column((text, 0, centre), (show_all, 0, centre), into=note)
+        QVBoxLayout(viewport).addWidget(note, 0, centre)
+        return note
+
+    @Slot()
+    def _show_all(self) -> None:
+        self._words.clear()
+        self._choice.setCurrentIndex(ParameterChoice.ALL)
+
+    def set_rows_enabled(self, enabled: bool) -> None:
+        """Enable edits. Disabled rows can still be searched."""
+        self._view.setEnabled(enabled)
+        self._card.set_can_edit(enabled)
+
+    def show_parameter(self, key: str) -> None:
+        """Select a parameter, even if it is filtered out, so that typing edits it."""
+        if self._model.index_of(key).isValid():
+            self._show_all()
+            self._view.setCurrentIndex(self._model.index_of(key))
+            self._view.setFocus()
+
+    @Slot(QModelIndex)
+    def _on_current_changed(self, current: QModelIndex) -> None:
+        if current.isValid():
+            self._is_elsewhere = False
+            self._place = self._view.current_key
+            above = range(current.row() - 1, -1, -1)
+            visible = next((each for each in above if not self._view.isRowHidden(each)), 0)
+            if not self._model.rows[visible].keys:
+                self._view.scrollTo(self._model.index(visible, 0))  # no key reaches a heading
+            if current.row() > 1:
+                self._view.scrollTo(current)
+        self._view.viewport().update()  # the whole row is marked
+        self._card.show_current()
+
+    @Slot()
+    def _update_rows(self) -> None:
+        """Show the rows that match, and the number of parameters of each kind."""
+        keys = frozenset(key for finding in self._linter.findings for key in finding.keys)
+        words, shown = (
+            self._words.text().casefold().split(),
+            ParameterChoice(self._choice.currentIndex()),
+        )
+        if self._view.show_rows(ParameterFilter(tuple(words), shown, keys)):
+            self._on_rows_changed()
+        values = self._model.values
+        texts = tr("All"), tr("Changed {0}"), tr("Not default {0}"), tr("Findings {0}")
+        not_default = list(filter(values.differs_from_default, values.specs))
+        kinds = (), values.modified, not_default, values.specs.keys() & keys
+        for each, members in enumerate(kinds):
+            self._choice.setTabText(each, texts[each].format(len(members)))
+        for part in (self._words, self._choice):
+            part.setEnabled(self._model.count > 0)
+
+    def _on_rows_changed(self) -> None:
+        """Select the user's cell while it is visible, else the best match."""
+        current, wanted = self._view.currentIndex(), self._model.index_of(self._place)
+        if self._is_elsewhere or self._view.is_hidden(current):
+            if not self._view.is_hidden(wanted):
+                self._view.setCurrentIndex(wanted)
+            elif self._view.is_hidden(current):
+                place = self._place
+                self._view.setCurrentIndex(self._view.filter.best_match(self._model))
+                self._is_elsewhere, self._place = bool(place), place or self._view.current_key
+        self._no_match.setVisible(self._model.count > 0 and not self._view.filter.rows(self._model))
+        self._card.show_current()
 
 
 class ParametersPage(QWidget):
