@@ -81,13 +81,6 @@ class ParametersDriver(WidgetDriver):
         place = self.place_of(self.cell(key, column))
         QTest.mouseClick(self.view.viewport(), LEFT, pos=place)
 
-    def click_reset(self, key: str) -> None:
-        """Click on the icon at the right of a value."""
-        self.place_of(self.cell(key))
-        cell = self.view.visualRect(self.cell(key))
-        place = QPoint(cell.right() - 16, cell.center().y())
-        QTest.mouseClick(self.view.viewport(), LEFT, pos=place)
-
     def go_to(self, key: str) -> None:
         self.view.setCurrentIndex(self.cell(key))
 

@@ -16,7 +16,7 @@ from PySide6.QtCore import (
     Signal,
     Slot,
 )
-from PySide6.QtGui import QFont, QIcon, QKeyEvent, QMouseEvent, QPainter, QPalette, QPen
+from PySide6.QtGui import QFont, QKeyEvent, QPainter, QPalette, QPen
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QAbstractSpinBox,
@@ -48,7 +48,6 @@ from trex_gui.ui.widgets.behaviour import ENTER
 from trex_gui.ui.widgets.builders import ComboBox, check_box, combo_box, plain, row
 
 _TOLERANCE = 1.01
-_CLICKS = {QEvent.Type.MouseButtonRelease, QEvent.Type.MouseButtonDblClick}
 _ICON = 16
 _SIGNS = {"warning": "warning", "edited": "dirty", "power": "icon"}  # with their colours
 _UNTOUCHED = "untouched"
@@ -354,19 +353,6 @@ class ParameterDelegate(UnitDelegate):
             place.moveRight(max(place.width(), view.width()) - 1)
         editor.setGeometry(place)
 
-    def editorEvent(
-        self, event: QEvent, model: QAbstractItemModel, option: QStyleOptionViewItem, index: Index
-    ) -> bool:
-        """Reset a value where its icon is clicked."""
-        if (
-            isinstance(event, QMouseEvent)
-            and event.type() in _CLICKS
-            and self._reset_place(option, index).contains(event.position().toPoint())
-        ):
-            self._model.reset(str(index.data(ParameterRole.KEY)))
-            return True
-        return super().editorEvent(event, model, option, index)
-
     def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
         super().initStyleOption(option, index)
         option.state &= ~QStyle.StateFlag.State_Selected  # `paint` shows the selection
@@ -383,7 +369,7 @@ class ParameterDelegate(UnitDelegate):
         return super().sizeHint(option, index) + QSize(_ICON + 2, 0)
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
-        """Paint the current row, a sign before a value, and the reset icon."""
+        """Paint the current row, and a sign before a value."""
         cell, is_value = QRect(option.rect), index.column() != ParameterColumn.NAME
         if index.data(ParameterRole.GROUP) is not None:
             painter.setPen(theme().color("hairline"))
@@ -399,11 +385,6 @@ class ParameterDelegate(UnitDelegate):
         if sign := self._sign(index):
             place = QRect(cell.left() + 2, cell.top(), _ICON, cell.height())
             icon(sign, _SIGNS[sign]).paint(painter, place)
-        place = self._reset_place(option, index)
-        if not place.isEmpty():
-            is_enabled = option.state & QStyle.StateFlag.State_Enabled
-            mode = QIcon.Mode.Normal if is_enabled else QIcon.Mode.Disabled
-            icon("default").paint(painter, place, Qt.AlignmentFlag.AlignCenter, mode)
         if option.state & QStyle.StateFlag.State_Selected:
             width = 2 if option.state & QStyle.StateFlag.State_HasFocus else 1
             painter.setPen(QPen(theme().color("accent"), width))
@@ -418,14 +399,6 @@ class ParameterDelegate(UnitDelegate):
         if index.data(ParameterRole.DIRTY):
             return "edited"
         return "power" if index.data(ParameterRole.WAITING) is not None else ""
-
-    def _reset_place(self, option: QStyleOptionViewItem, index: Index) -> QRect:
-        """Return the rectangle of the reset icon. Empty without an icon or without space."""
-        place, cell = QRect(0, 0, _ICON, _ICON), option.rect
-        place.moveCenter(QPoint(cell.right() - _ICON, cell.center().y()))
-        if index.data(ParameterRole.RESET) is None:
-            return QRect()
-        return place if self.sizeHint(option, index).width() < cell.width() - 2 * _ICON else QRect()
 
 
 def _write(option: QStyleOptionViewItem, color: str, *, bold: bool = False) -> None:
