@@ -11,7 +11,6 @@ from trex_gui.devices.trex.model.apply_to_boards import ApplyToBoards, BoardPlan
 from trex_gui.devices.trex.model.boards import BoardList
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
-from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.devices.trex.views.changes.dialog import Changes, ChangesDialog, Names, Rows, TickedOf
 from trex_gui.ui.widgets import builders as ui
 
@@ -50,12 +49,10 @@ class ApplyToSeveral(QObject):
             follows=(device.link_changed, device.motors.arming_changed),
             above=self._table,
         )
-        self._end = ui.button(
-            self.dialog, "endBoardsButton", tr("&End after this board"), default=False
-        )
+        text, cancel = tr("&End after this board"), self.work.cancel
+        self._end = ui.button(self.dialog, "endBoardsButton", text, default=False, on_click=cancel)
         self.dialog.add_beside_buttons(self._end)
 
-        self._end.clicked.connect(self.work.cancel)
         self._table.itemChanged.connect(self.dialog.refresh)
         self._table.currentCellChanged.connect(self.dialog.refresh)
         self.work.changed.connect(self._fill)
@@ -67,9 +64,8 @@ class ApplyToSeveral(QObject):
         if self.work.is_running:
             self.dialog.show_in_front()
             return
-        self._name = document.name
+        self._name, self._trouble = document.name, ""
         self._table.setRowCount(0)
-        self._trouble = ""
         if document.settings is None:
             self._trouble = tr("This file cannot be used: it has errors. Nothing was changed.")
         else:
@@ -78,10 +74,8 @@ class ApplyToSeveral(QObject):
         self.dialog.open_anew()
 
     def _chosen(self) -> list[int]:
-        numbers = [plan.number for plan in self.work.plans[: self._table.rowCount()]]
-        return [
-            each for row, each in enumerate(numbers) if self._item(row).checkState() is _CHECKED
-        ]
+        plans = enumerate(self.work.plans[: self._table.rowCount()])
+        return [plan.number for row, plan in plans if self._item(row).checkState() is _CHECKED]
 
     @Slot()
     def _fill(self) -> None:
@@ -130,8 +124,7 @@ class ApplyToSeveral(QObject):
                 "snapshot before. Each keeps its device number and its serial settings. The "
                 "first error while writing ends the work."
             ),
-            rows=rows
-            and Comparison(tuple(r for r in rows.rows if not r.is_missing), rows.left_out),
+            rows=rows and replace(rows, rows=tuple(r for r in rows.rows if not r.is_missing)),
             sides=(tr("Board {0}").format(plan.number) if plan is not None else "", tr("File")),
             with_ticks=False,
             # No buttons for proposals: the file is written as it is. The user can edit it.
@@ -180,8 +173,7 @@ class ApplyToSeveral(QObject):
             say = notifier.error if BoardStep.FAILED in steps else notifier.info
             say.emit(" ".join(texts))
         elif left_out:
-            text = tr("%n board(s) left out; the reason is beside each.", "", len(left_out))
-            texts.append(text)
+            texts.append(tr("%n board(s) left out; the reason is beside each.", "", len(left_out)))
         self._trouble = " ".join(texts)
 
 

@@ -144,9 +144,9 @@ def show_comparison(
         nonlocal theirs
         theirs = other() or theirs  # keep the settings of a board that is gone
         mine, trouble = document.settings, ""
-        heading, close = tr("{0} and {1}").format(document.name, other_name), tr("Close")
+        heading = tr("{0} and {1}").format(document.name, other_name)
         if mine is None or theirs is None:
-            return Changes(heading, close=close)
+            return Changes(heading, close=tr("Close"))
         try:
             rows = diff_against_draft(document.draft, theirs)
         except BadRequest as error:
@@ -163,7 +163,7 @@ def show_comparison(
             trouble=trouble,
             action="" if trouble else action,
             can_act=count > 0,
-            close=close,
+            close=tr("Close"),
             closes_first=True,
         )
 
@@ -181,7 +181,7 @@ def show_comparison(
         names=Names("compareDialog", "compare", "takeValuesButton", "closeCompareButton"),
         describe=describe,
         act=copy,
-        follows=(document.changed, *([renewed_by] if renewed_by is not None else [])),
+        follows=(document.changed,) if renewed_by is None else (document.changed, renewed_by),
     )
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     dialog.open_anew()

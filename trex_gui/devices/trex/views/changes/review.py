@@ -56,33 +56,22 @@ class Review(QObject):
         self._findings: tuple[LintFinding, ...] = ()
         self._unstaged = self._staged = -1  # undo index before and after edits that closing reverts
 
+        draft_changes = device.draft.pending_changed, device.draft.loaded
         self.dialog = ChangesDialog(
             device,
             parent,
             names=Names("reviewDialog", "review", "writeButton", "reviewCloseButton"),
             describe=self._describe,
             act=self._on_write_clicked,
-            follows=(
-                linter.changed,
-                boards.changed,
-                device.draft.pending_changed,
-                device.draft.loaded,
-                device.link_changed,
-            ),
+            follows=(linter.changed, boards.changed, device.link_changed, *draft_changes),
         )
         self._progress = progress_bar(self.dialog, "reviewProgress", tr("Progress of writing"))
         self._progress.setTextVisible(True)
         self._power = PowerCyclePanel(self._cycle, self.dialog)
         tip = tr("Every parameter, by the board's own command, at its next start")
         title = tr("&Let the board reset itself…")
-        self._reset = button(
-            self.dialog,
-            "boardResetButton",
-            title,
-            tip=tip,
-            default=False,
-            on_click=self._on_reset_clicked,
-        )
+        self._reset = button(self.dialog, "boardResetButton", title, tip=tip, default=False)
+        self._reset.clicked.connect(self._on_reset_clicked)
         self.dialog.add_above_buttons(self._power)
         self.dialog.add_beside_buttons(self._progress, 3)
         self.dialog.add_beside_buttons(self._reset)
@@ -237,8 +226,8 @@ class Review(QObject):
         if self._phase is _Phase.WRITING and self._device.writer.running:
             self._progress.setRange(0, total)
             self._progress.setValue(done)
-            text = tr("{0} of {1}: {2}").format(min(done + 1, total), total, what)
-            self._progress.setFormat(text)
+            text = tr("{0} of {1}: {2}")
+            self._progress.setFormat(text.format(min(done + 1, total), total, what))
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
@@ -273,7 +262,7 @@ class Review(QObject):
         self._phase = phase
         if phase is _Phase.DONE:
             self._staged = -1
-        if phase is not _Phase.DONE:
+        else:
             self._detail = ""
         is_waiting = self._cycle.stage is not PowerCycleStage.NONE
         self._progress.setVisible(phase is _Phase.WRITING)
@@ -303,8 +292,8 @@ class Review(QObject):
             )
         rows, stored = self._changes(), self._device.draft.stored
         if not rows.rows:
-            text, why, close = tr("Nothing to write."), self._obstacle(), tr("Close")
-            return Changes(text, rows=rows, summary=" ", trouble=why, close=close)
+            text, why = tr("Nothing to write."), self._obstacle()
+            return Changes(text, rows=rows, summary=" ", trouble=why, close=tr("Close"))
         ticked = ticked_of(rows)
         count = len(ticked)
         if stored is not None:

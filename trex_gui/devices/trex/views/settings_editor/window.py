@@ -144,17 +144,14 @@ class SettingsEditor(QMainWindow):
     def save(self) -> bool:
         """Start saving the file. Return whether saving has started."""
         path = self.document.path
-        return self._prompt_and_save() if path is None else self._save(path, ask=True)
+        return self._prompt_and_save() if path is None else self.save_to(path, ask=True)
 
     def _prompt_and_save(self) -> bool:
         title, proposal = tr("&Save settings file…"), self._folder() / self.document.name
         path = file_questions.prompt_to_save(self, title, proposal)
         return path is not None and self.save_to(path)
 
-    def save_to(self, path: Path) -> bool:
-        return self._save(path, ask=False)
-
-    def _save(self, path: Path, *, ask: bool) -> bool:
+    def save_to(self, path: Path, *, ask: bool = False) -> bool:
         trouble = self.document.trouble
         if trouble and not file_questions.may_write_fresh(self, trouble):
             return False
@@ -223,15 +220,9 @@ class SettingsEditor(QMainWindow):
     def _compare(
         self, other: GetSettings, name: str, renewed_by: SignalInstance | None = None
     ) -> None:
-        on_copied = self._banner.show_news
+        news = self._banner.show_news
         show_comparison(
-            self._device,
-            self.document,
-            other,
-            name,
-            self,
-            on_copied=on_copied,
-            renewed_by=renewed_by,
+            self._device, self.document, other, name, self, on_copied=news, renewed_by=renewed_by
         )
 
     def convert(self) -> None:
@@ -276,9 +267,8 @@ class SettingsEditor(QMainWindow):
     @Slot(object)
     def _on_repaired(self, repairs: tuple[str, ...]) -> None:
         if not repairs:
-            self._banner.show_problem(
-                tr("Nothing could be repaired: correct the text in the lines named below.")
-            )
+            text = tr("Nothing could be repaired: correct the text in the lines named below.")
+            self._banner.show_problem(text)
             return
         parts = [tr("Repaired: {0}.").format("; ".join(repairs))]
         if not self.document.readable:
@@ -292,11 +282,11 @@ class SettingsEditor(QMainWindow):
         return self.saver.answer()
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        if not self.saver.may_leave(self.answer(), self.save, self.close):
+        if self.saver.may_leave(self.answer(), self.save, self.close):
+            self._on_closing()
+            super().closeEvent(event)
+        else:
             event.ignore()
-            return
-        self._on_closing()
-        super().closeEvent(event)
 
     def close_at_once(self) -> None:
         self._on_closing()

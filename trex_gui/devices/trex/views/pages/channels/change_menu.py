@@ -1,9 +1,9 @@
 """Menu of actions on whole calibrations: copy, reset, discard."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 
-from PySide6.QtCore import Signal, Slot
+from PySide6.QtCore import Slot
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QWidget
 
@@ -19,9 +19,8 @@ from trex_gui.ui.widgets.builders import Trigger, action
 class ChangeMenu(QMenu):
     """Actions on the calibration of one channel. Each edit is one undo step."""
 
-    discard_requested = Signal()  # the user wants to discard the edits of the channel
-
-    def __init__(self, device: Device, parent: QWidget) -> None:
+    def __init__(self, device: Device, discard: Callable[[], object], parent: QWidget) -> None:
+        """Create the menu. `discard` discards the edits of the channel."""
         super().__init__(parent)
         self._device = device
         self._channel = 1
@@ -42,7 +41,6 @@ class ChangeMenu(QMenu):
         reset = self._add(self, "resetCalibrationAction", text, self._reset, icon="default")
         reset.setToolTip(tr("Assumed values: Pololu publishes no factory defaults"))
         text = tr("&Discard the edits of this channel")
-        discard = self.discard_requested.emit
         self._discard = self._add(self, "discardChannelAction", text, discard, icon="undo")
 
     @staticmethod

@@ -56,10 +56,8 @@ class ChannelsPage(PlotPage):
         # Changing values must not change the minimum width of the page.
         self._live.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         set_style_property(self._live, "textSize", "caption")
-        text = tr("Learn &this channel…")
-        self._learn = button(card, "learnButton", text)
-        self._menu = ChangeMenu(device, self)
-        self._menu.discard_requested.connect(self._on_discard)
+        self._learn = button(card, "learnButton", tr("Learn &this channel…"))
+        self._menu = ChangeMenu(device, self._discard, self)
         self._change = button(card, "changeButton", tr("Cop&y and reset"))
         self._change.setMenu(self._menu)
         set_look(self._change, "link")
@@ -261,18 +259,16 @@ class ChannelsPage(PlotPage):
     def _on_text_due(self) -> None:
         if self._device.board.serial_controls is not self._control:
             self._show_texts()
-        self._live.setText(self._live_text(self._raw))
+        text, plot = "", self._card.plot
+        if self._device.telemetry.raw is not None and self._is_active:
+            curve = None if plot is None else plot.curve
+            text = channel_text.live_text(self.source, self._raw, curve)
+        self._live.setText(text)
 
     @property
     def _raw(self) -> int | None:
         """Raw count of the selected channel, if the board measures it now."""
         return self._device.telemetry.raw_of(self.channel) if self._is_active else None
-
-    def _live_text(self, raw: int | None) -> str:
-        if self._device.telemetry.raw is None or not self._is_active:
-            return ""
-        curve = self._card.plot.curve if self._card.plot is not None else None
-        return channel_text.live_text(self.source, raw, curve)
 
     # --- Edits --------------------------------------------------------------------------
 
@@ -286,8 +282,7 @@ class ChannelsPage(PlotPage):
         self._rejection = why
         self._show_note()
 
-    @Slot()
-    def _on_discard(self) -> None:
+    def _discard(self) -> None:
         text = tr("Discard edits of channel {0}").format(self.channel)
         with self._device.draft.one_edit(text):
             self._device.calibrations.restore(self.channel)

@@ -86,13 +86,12 @@ class PartRow(QWidget):
 
     def set_parts(self, names: list[str], none: str = "") -> None:
         """List axes or buttons by their names. `none`: text of the entry for no selection."""
-        texts = [none, *names] if none else names
-        if texts != [self._combo.itemText(row) for row in range(self._combo.count())]:
+        items = [*([(none, None)] if none else []), *((name, at) for at, name in enumerate(names))]
+        shown = [self._combo.itemText(row) for row in range(self._combo.count())]
+        if shown != [text for text, _ in items]:
             self._combo.clear()
-            if none:
-                self._combo.addItem(none)
-            for number, name in enumerate(names):
-                self._combo.addItem(name, number)
+            for item in items:
+                self._combo.addItem(*item)
 
     @property
     def number(self) -> int | None:

@@ -11,7 +11,6 @@ from trex_gui.devices.trex.model.gamepad import Gamepad
 from trex_gui.devices.trex.views.pages.motors.gamepad_dialog import GamepadDialog
 from trex_gui.gamepad.pads import SdlPads
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.builders import ComboBox
 from trex_gui.ui.widgets.labels import Note
 
 
@@ -41,8 +40,8 @@ class GamepadPanel(QWidget):
             tip=title,
             on_activate=lambda index: self.gamepad.select(self.gamepad.pads[index]),
         )
-        adjust = ComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
-        self._pads.setSizeAdjustPolicy(adjust)
+        policy = self._pads.SizeAdjustPolicy
+        self._pads.setSizeAdjustPolicy(policy.AdjustToMinimumContentsLengthWithIcon)
         self._pads.setMinimumContentsLength(12)
         text, accessible = tr("Set &up…"), tr("Set up the gamepad")
         self._set_up = ui.button(self, "gamepadSetUpButton", text, accessible=accessible)
@@ -61,8 +60,7 @@ class GamepadPanel(QWidget):
         )
 
         pad = ui.row((self._pads, 1), self._set_up)
-        parts = self._on, pad, self._state, self._unfocused
-        ui.column(*parts, into=self, margins=0, spacing=6)
+        ui.column(self._on, pad, self._state, self._unfocused, into=self, margins=0, spacing=6)
 
         self._set_up.clicked.connect(self._on_set_up_clicked)
         self.gamepad.changed.connect(self._on_gamepad_changed)

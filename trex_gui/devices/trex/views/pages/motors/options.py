@@ -75,14 +75,13 @@ class DriveWith(ui.Card):
     def __init__(self, device: Device, parent: QWidget) -> None:
         super().__init__(tr("Drive with"), parent)
         self.setObjectName("driveWith")
-        self._device, self._motors = device, device.motors
-        motors = device.motors
+        self._device = device
+        self._motors = motors = device.motors
         tip = tr(
             "Held keys drive wherever the focus is on this page, except in number fields, "
             "tables and lists; sliders then get no arrow keys. In the pad they always drive."
         )
-        text = tr("Arrow ke&ys or WASD")
-        self.keys = ui.check_box(self, "driveWithKeys", text, tip=tip)
+        self.keys = ui.check_box(self, "driveWithKeys", tr("Arrow ke&ys or WASD"), tip=tip)
         text = tr("Both motors &linked")
         self._link = ui.check_box(self, "linkMotors", text, on_toggle=motors.set_linked)
         gamepad = GamepadPanel(device, self)
@@ -130,9 +129,8 @@ class Options(ui.Card):
             "brakes fully"
         )
         title = tr("&Brake strength")
-        accessible = title.replace("&", "")
         brake = _StrengthEntry(0, self._on_brake_chosen, self)
-        self._brake = ui.named(brake, "brakeEntry", accessible=accessible, tip=tip)
+        self._brake = ui.named(brake, "brakeEntry", accessible=title.replace("&", ""), tip=tip)
         self._brake.setSpecialValueText(tr("coast (0 %)"))
         motors.set_release_brake(self._store.integer("motors/brake", FULL_SCALE, 0, FULL_SCALE))
         tip = tr(
@@ -153,14 +151,12 @@ class Options(ui.Card):
             "Stop both motors and the auxiliary when another page is shown or the window is "
             "minimised"
         )
-        self.stop_on_leaving = self._create_stored(
-            "stopOnLeaving", text, tip, "motors/stop_on_leaving"
-        )
+        store = "motors/stop_on_leaving"
+        self.stop_on_leaving = self._create_stored("stopOnLeaving", text, tip, store)
         text = tr("Sliders return to &zero")
         tip = tr("A slider drives only while you hold it; letting go brakes its motor")
-        self.return_to_zero = self._create_stored(
-            "returnToZero", text, tip, "motors/return_to_zero"
-        )
+        store = "motors/return_to_zero"
+        self.return_to_zero = self._create_stored("returnToZero", text, tip, store)
 
         numbers = ui.grid(spacing=(_SPACING, _SPACING), stretch=[(0, 1)])
         for line, (text, entry) in enumerate(((title, brake), (lock_title, lock))):
@@ -171,7 +167,7 @@ class Options(ui.Card):
         ui.column(*parts, into=self, margins=0, spacing=_SPACING)
 
         accelerate.toggled.connect(partial(setattr, motors, "accelerate"))
-        self._lock.chosen.connect(motors.set_lockout)
+        lock.chosen.connect(motors.set_lockout)
         motors.options_changed.connect(self._on_options_changed)
         self._on_options_changed()
 
