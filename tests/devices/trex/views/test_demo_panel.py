@@ -17,22 +17,12 @@ from tests.support.virtual_time import VirtualRuntime
 from tests.support.window import WindowDriver
 from trex_gui.composition import build
 from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, PACKETS
-from trex_gui.devices.trex.model.demo import (
-    DemoJumpers,
-    DemoLeds,
-    DemoSnapshot,
-    read_snapshot,
-)
+from trex_gui.devices.trex.model.demo import DemoJumpers, DemoLeds, DemoSnapshot, read_snapshot
 from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import SimulatedBoards
-from trex_gui.devices.trex.views.demo_panel import (
-    jumper_hint,
-    led_patterns,
-    led_words,
-    state_text,
-)
+from trex_gui.devices.trex.views.demo_panel import jumper_hint, led_patterns, led_words, state_text
 from trex_gui.ui.devices.demo_panel import DemoDock
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.program import Program

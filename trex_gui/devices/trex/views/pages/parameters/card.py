@@ -115,33 +115,34 @@ class ParameterCard(ui.Card):
 
     @Slot()
     def show_current(self) -> None:
-        key, text = self._view.current_key, self._model.text
-        self._picture.show_parameter(key, self._model.values)
-        is_open = bool(key) and self._fold.isChecked()
+        key, text, values = self._view.current_key, self._model.text, self._model.values
+        self._view.update_actions()
+        self._picture.show_parameter(key, values)
         for each in (self._facts, self._both):
             each.setVisible(bool(key))
-        self.activate.setVisible(key in self._model.values.active)
+        for each in (self._help, self._details):  # empty labels need a name
+            each.setAccessibleName("" if key else self.accessibleName())
+        if not key:
+            return
+        keys, is_open, notes = text.together(key), self._fold.isChecked(), " ".join(text.notes(key))
+        self.activate.setVisible(key in values.active)
         self.activate.setEnabled(self._can_edit)
         self._details.setVisible(is_open)
         self._wire.setVisible(is_open and self._model.open_key(key) is not None)
         self._wire.setEnabled(self._can_edit)
-        is_edited = bool(key) and any(map(self._model.values.is_modified, text.together(key)))
+        is_edited = any(map(values.is_modified, keys))
         set_text_color(self._value, "dirty" if is_edited else "window_text")
-        shown = {self._heading: text.title, self._value: text.change, self._help: text.description}
-        shown[self._limits] = text.limits
-        for each, words in shown.items():
-            each.setText(words(key) if key else "")
-        self._summary.setText(f"{'▾' if is_open else '▸'} {text.summary(key)}" if key else "")
-        notes = " ".join(text.notes(key)) if key else ""
+        self._heading.setText(text.title(key))
+        self._value.setText(text.change(key))
+        self._help.setText(text.description(key))
+        self._limits.setText(text.limits(key))
+        self._summary.setText(f"{'▾' if is_open else '▸'} {text.summary(key)}")
         self._notes.setText(notes)
         self._notes.setVisible(bool(notes))
-        self._details.setText(_details(text, key) if key else "")
-        for each in (self._help, self._details):
-            each.setAccessibleName("" if key else self.accessibleName())
-        self._note.show_note_on(*((text.together(key)[0], text.title(key)) if key else ("", "")))
+        self._details.setText(_details(text, key))
+        self._note.show_note_on(keys[0], text.title(key))
         self._findings.refresh()
-        self._both.setEnabled(bool(key) and self._model.values.other_motor_of(key) is not None)
-        self._view.update_actions()
+        self._both.setEnabled(values.other_motor_of(key) is not None)
 
     @Slot(bool)
     def _on_both_toggled(self, both: bool) -> None:
