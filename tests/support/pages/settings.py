@@ -226,12 +226,6 @@ class HistoryDialog(ComparisonDialog):
             view.selectionModel().setCurrentIndex(index, flags.Select | flags.Rows)
         self.wait_for_files()
 
-    def compare_with_file(self) -> None:
-        box = self.combo("compareWithCombo")
-        box.setCurrentIndex(2)
-        box.activated.emit(box.currentIndex())
-        self.wait_for_files()
-
     def answer(self, *, yes: bool) -> None:
         self.wait(self.question.isVisible)
         self.click("historyQuestionYes" if yes else "questionCancel")

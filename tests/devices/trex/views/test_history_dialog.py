@@ -1,4 +1,4 @@
-"""The history without a board: looking back, comparing, deleting, keeping."""
+"""The history without a board: looking back, comparing, deleting."""
 
 from collections.abc import Iterator
 from datetime import timedelta
@@ -6,16 +6,14 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QStandardItemModel
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QFileDialog, QLabel, QLineEdit, QPushButton, QSpinBox, QWidget
+from PySide6.QtWidgets import QFileDialog, QLabel, QLineEdit, QPushButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.pages.settings import HistoryDialog
 from tests.support.snapshots import take
 from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.settings.history import BOUND_FILE, Bound
 from trex_gui.devices.trex.views.history_dialog import HistoryDialog as HistoryWidget
 
 MINUTE = timedelta(minutes=1)
@@ -70,7 +68,7 @@ def test_snapshot_gets_a_name_that_the_search_finds(dialog: HistoryDialog) -> No
     assert dialog.count() == 1
 
 
-def test_two_snapshots_or_a_reference_are_compared(dialog: HistoryDialog) -> None:
+def test_two_snapshots_are_compared_with_each_other(dialog: HistoryDialog) -> None:
     for ago, wire in ((3, 5), (2, 6), (1, 7)):
         take(dialog.history, ago * MINUTE, serial_timeout=wire)
     dialog.open()
@@ -78,27 +76,6 @@ def test_two_snapshots_or_a_reference_are_compared(dialog: HistoryDialog) -> Non
     dialog.wait(lambda: dialog.values() == {"serial_timeout": ("0.7 s", "0.5 s")})
     dialog.select_snapshot(0, 1, 2)
     dialog.wait_for_text("comparisonSummary", "two to compare")
-
-    dialog.select_snapshot(0)
-    box = dialog.combo("compareWithCombo")
-    model = box.model()
-    assert isinstance(model, QStandardItemModel)
-    assert not model.item(0).isEnabled()  # the board
-    assert dialog.values() == {"serial_timeout": ("0.6 s", "0.7 s")}
-
-
-def test_settings_file_can_be_the_reference(
-    dialog: HistoryDialog, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    snapshot = take(dialog.history, serial_timeout=7)
-    path = tmp_path / "rover.txt"
-    path.write_bytes(snapshot.path.read_bytes().replace(b"serial_timeout: 7", b"serial_timeout: 4"))
-    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
-    dialog.open()
-    dialog.compare_with_file()
-    assert dialog.values() == {"serial_timeout": ("0.4 s", "0.7 s")}
-    model, across = dialog.table.model(), Qt.Orientation.Horizontal
-    assert model.headerData(1, across) == "rover.txt"
 
 
 def test_only_snapshot_shows_what_it_contains(dialog: HistoryDialog) -> None:
@@ -144,11 +121,9 @@ def test_what_another_program_did_appears_on_refresh(dialog: HistoryDialog) -> N
     take(dialog.history, MINUTE, serial_timeout=5)
     dialog.open()
     take(dialog.history)
-    dialog.history.set_limit(77)
     dialog.refresh()
     assert dialog.count() == 2
     assert dialog.selected_row() == 1  # what was looked at stays
-    assert dialog.find(QSpinBox, "keptField").value() == 77
 
 
 # --- User actions ---------------------------------------------------------------------
@@ -203,62 +178,3 @@ def test_copy_is_saved_as_a_settings_file(
     dialog.click("saveSnapshotButton")
     dialog.wait_for_files()
     assert "Nothing was saved" in dialog.banner
-
-
-# --- How many are kept ------------------------------------------------------------------
-
-
-def test_only_a_lower_bound_asks_and_says_how_many_are_removed(dialog: HistoryDialog) -> None:
-    for ago in (3, 2, 1):
-        take(dialog.history, ago * MINUTE)
-    dialog.open()
-    dialog.find(QSpinBox, "keptField").setValue(1)
-    dialog.click("keptButton")
-    dialog.wait_for_files()
-    assert dialog.question.text == "Permanently remove the oldest 2 of 3 snapshots?"
-    dialog.answer(yes=False)
-    assert (len(dialog.history.snapshots()), dialog.history.bound()) == (3, Bound())
-    assert dialog.find(QSpinBox, "keptField").value() == 500
-    dialog.find(QSpinBox, "keptField").setValue(1)
-    dialog.click("keptButton")
-    dialog.wait_for_files()
-    dialog.answer(yes=True)
-    assert (len(dialog.history.snapshots()), dialog.history.bound()) == (1, Bound(1))
-    assert dialog.count() == 1
-
-    assert not dialog.is_enabled("keptButton")
-    dialog.find(QSpinBox, "keptField").setValue(1000)  # more need no question
-    dialog.click("keptButton")
-    dialog.wait_for_files()
-    assert dialog.history.bound() == Bound(1000)
-    dialog.find(QSpinBox, "keptField").setValue(0)
-    dialog.click("keptButton")
-    dialog.wait_for_files()
-    assert dialog.history.bound() == Bound(None)
-    assert not dialog.is_enabled("keptButton")
-    assert not dialog.question.isVisible()
-
-
-def test_damaged_bound_is_reported_until_it_is_set(dialog: HistoryDialog) -> None:
-    take(dialog.history)
-    (dialog.history.folder / BOUND_FILE).write_text("kept: some\n", encoding="utf-8")
-    dialog.open()
-    assert "none is removed" in dialog.banner
-    dialog.find(QSpinBox, "keptField").setValue(20)
-    dialog.click("keptButton")
-    dialog.wait_for_files()
-    assert dialog.history.bound() == Bound(20)
-    assert dialog.banner == ""
-
-
-def test_bound_is_set_only_once_the_snapshots_are_counted(dialog: HistoryDialog) -> None:
-    """Otherwise it would remove snapshots without a question."""
-    take(dialog.history, MINUTE)
-    take(dialog.history)
-    dialog._action.trigger()
-    dialog.find(QSpinBox, "keptField").setValue(1)
-    assert not dialog.is_enabled("keptButton")
-    dialog.wait_for_files()
-    dialog.click("keptButton")
-    dialog.answer(yes=False)
-    assert len(dialog.history.snapshots()) == 2

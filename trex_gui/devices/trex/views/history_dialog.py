@@ -3,8 +3,8 @@
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QItemSelectionModel, Qt, QUrl, Signal, Slot
-from PySide6.QtGui import QDesktopServices, QKeySequence, QShortcut
+from PySide6.QtCore import QEvent, QItemSelectionModel, Qt, Signal, Slot
+from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QAbstractItemView, QStackedWidget, QTableView, QWidget
 
 from trex_gui.core.errors import StudioError
@@ -12,8 +12,8 @@ from trex_gui.core.files import load, save
 from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.settings.snapshots import Listing, SnapshotColumn, SnapshotTable
-from trex_gui.devices.trex.settings.history import KEPT, SettingsHistory, Snapshot
+from trex_gui.devices.trex.model.settings.snapshots import SnapshotColumn, SnapshotTable
+from trex_gui.devices.trex.settings.history import Snapshot
 from trex_gui.devices.trex.views.motor_controls import MotorBar
 from trex_gui.devices.trex.views.snapshot_pane import SnapshotPane
 from trex_gui.ui.files import in_background
@@ -26,7 +26,6 @@ from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.messages import Banner, InlinePrompt, MessageRoom
 from trex_gui.ui.widgets.placement import restore_geometry, save_geometry
 
-_MOST_KEPT = 999_999
 _WIDEST = 34  # the initial width of a column, in characters
 
 
@@ -45,7 +44,6 @@ class HistoryDialog(ReusedDialog):
         self._table = SnapshotTable(device.writer.history, self)
         self._place: tuple[int, Path | None] = 0, None  # row, path of the newest selected snapshot
         self._is_fitted = False
-        self._bound_problem = ""
         self._later = new_timer(self, 0, self._renew, single_shot=True)
         # Starts after the window is drawn, since the reading thread slows this one down.
         self._reading = new_timer(self, 0, self.refresh, single_shot=True)
@@ -67,8 +65,6 @@ class HistoryDialog(ReusedDialog):
         self._delete = button("deleteSnapshotButton", tr("&Delete…"), icon="clear")
         self._pane = SnapshotPane(device, self._table, notifier, self)
         bar = MotorBar(device, "historyStopButton", self)
-        self._bound = _BoundField(self._history, self._question, notifier, self)
-        self._folder = button("openFolderButton", tr("&Open folder"))
         self._close = button("closeHistoryButton", tr("&Close"), on_click=self.close)
         text = tr(
             "There are no snapshots yet.\n\nBefore settings are applied or defaults restored, "
@@ -88,7 +84,7 @@ class HistoryDialog(ReusedDialog):
         self._pages = QStackedWidget(self)
         self._pages.addWidget(halves)
         self._pages.addWidget(nothing)
-        bar.fill(self._bound, bar.armed, 1, self._folder, self._close)
+        bar.fill(bar.armed, 1, self._close)
         messages = MessageRoom(self, self._banner, self._question)  # over the heading
         head = ui.label(self, text=self.windowTitle(), size="title")
         parts = ui.column(head, messages, (self._pages, 1), margins=(8, 8, 8, 0))
@@ -99,14 +95,11 @@ class HistoryDialog(ReusedDialog):
         self._save.clicked.connect(self._on_save_clicked)
         self._name.clicked.connect(self._on_name_clicked)
         self._delete.clicked.connect(self._on_delete_clicked)
-        self._folder.clicked.connect(self._on_folder_clicked)
         self._search.textChanged.connect(self._table.set_words)
         self._table.listed.connect(self._on_listed)
         self._table.loaded.connect(self._later.start)
         self._table.failed.connect(self._banner.show_problem)
-        self._pane.present_chosen.connect(self._on_present_chosen)
         self._pane.restore_requested.connect(self.restore_requested)
-        self._bound.changed.connect(self.refresh)
         draft = device.draft
         for changed in (
             draft.pending_changed,
@@ -140,7 +133,7 @@ class HistoryDialog(ReusedDialog):
 
     @Slot()
     def refresh(self) -> None:
-        """Read the folder and the bound again."""
+        """Read the folder again."""
         self._table.refresh()
 
     # --- The list -----------------------------------------------------------------------
@@ -165,20 +158,14 @@ class HistoryDialog(ReusedDialog):
             self._place = self._table.snapshots.index(chosen[0]), chosen[0].path
         self._later.start()
 
-    @Slot(object)
-    def _on_listed(self, listing: Listing) -> None:
+    @Slot()
+    def _on_listed(self) -> None:
         count = self._table.rowCount()
         if count and not self._chosen:
             row, path = self._place
             self._select(path, row)
-        self._none.setVisible(bool(listing.snapshots) and count == 0)
+        self._none.setVisible(bool(self._table.listing) and count == 0)
         self._fit_columns()
-        self._bound.show_bound(listing)
-        problem, self._bound_problem = self._bound_problem, listing.bound.problem
-        if self._bound_problem:
-            self._banner.show_problem(self._bound_problem)
-        elif problem and self._banner.text == problem:
-            self._banner.clear()
         self._renew()
 
     def _fit_columns(self) -> None:
@@ -215,11 +202,10 @@ class HistoryDialog(ReusedDialog):
     @Slot()
     def _renew(self) -> None:
         self._later.stop()
-        chosen, listing = self._chosen, self._table.listing
-        self._pages.setCurrentIndex(int(listing is not None and not listing.snapshots))
+        chosen = self._chosen
+        self._pages.setCurrentIndex(int(self._table.listing == ()))
         if self.focusWidget() is self._pages.currentWidget():  # moved here from the hidden list
             self._close.setFocus()
-        self._folder.setEnabled(listing is not None and listing.has_folder)
         self._pane.show_chosen(chosen)
         self._save.setEnabled(len(chosen) == 1 and not self._table.problem_of(chosen[0]))
         self._name.setEnabled(len(chosen) == 1)
@@ -230,13 +216,6 @@ class HistoryDialog(ReusedDialog):
         row = self._table.row_of(self._chosen[0].path)
         if row is not None:
             self._view.edit(self._table.index(row, SnapshotColumn.NAME))
-
-    @Slot()
-    def _on_present_chosen(self) -> None:
-        """Compare the older of two selected snapshots with the user's choice."""
-        if len(self._chosen) == 2:
-            self._select(self._chosen[-1].path)
-        self._renew()
 
     @Slot()
     def _on_save_clicked(self) -> None:
@@ -281,90 +260,9 @@ class HistoryDialog(ReusedDialog):
 
         in_background(self, remove_all, lambda _: self.refresh(), on_failed)
 
-    @Slot()
-    def _on_folder_clicked(self) -> None:
-        folder = self._history.folder
-        if not QDesktopServices.openUrl(QUrl.fromLocalFile(str(folder))):
-            self._banner.show_news(tr("The snapshots are in {0}.").format(folder))
-
     def reject(self) -> None:  # Esc, the Close button and the window's cross call this
         self._later.stop()
         self._reading.stop()
         save_geometry(self, "history")
         self._question.withdraw()
         super().reject()
-
-
-class _BoundField(QWidget):
-    """`Keep 500 snapshots`. The Set button saves the bound, and 0 keeps all."""
-
-    changed = Signal()  # the bound was set, and snapshots may be removed
-
-    def __init__(
-        self, history: SettingsHistory, question: InlinePrompt, notifier: Notifier, parent: QWidget
-    ) -> None:
-        super().__init__(parent)
-        self._notifier = notifier
-        self._history = history
-        self._question = question
-        self._listing: Listing | None = None  # `None` before the snapshots are counted
-
-        title = tr("How many snapshots are kept")
-        self._count = ui.spin_box(self, "keptField", title, 0, _MOST_KEPT, value=KEPT)
-        self._count.setSpecialValueText(tr("all"))
-        self._count.setKeyboardTracking(True)
-        self._count.valueChanged.connect(self._on_edited)
-        self._set = ui.button(self, "keptButton", tr("&Set"), default=False)
-        self._set.clicked.connect(self._on_set_clicked)
-        keep = ui.label(self, text=tr("&Keep"), buddy=self._count)
-        snapshots = ui.label(self, text=tr("snapshots"))
-        ui.row(keep, self._count, snapshots, self._set, into=self, margins=0)
-        self._on_edited()
-
-    def show_bound(self, listing: Listing) -> None:
-        """Show the stored bound. An edit in progress stays."""
-        if self._wanted == self._stored:
-            self._count.setValue(listing.bound.kept or 0)
-        self._listing = listing
-        self._on_edited()
-
-    @property
-    def _wanted(self) -> int | None:
-        return self._count.value() or None
-
-    @property
-    def _stored(self) -> int | None:
-        return KEPT if self._listing is None else self._listing.bound.kept
-
-    @Slot()
-    def _on_edited(self) -> None:
-        listing, is_edited = self._listing, self._wanted != self._stored
-        self._set.setEnabled(listing is not None and (is_edited or bool(listing.bound.problem)))
-
-    @Slot()
-    def _on_set_clicked(self) -> None:
-        snapshots = () if self._listing is None else self._listing.snapshots
-        wanted, total = self._wanted, len(snapshots)
-        removed = 0 if wanted is None else sum(not each.name for each in snapshots[wanted:])
-        if not removed:
-            self._save(wanted)
-            return
-
-        def on_cancelled() -> None:
-            self._count.setValue(self._stored or 0)
-            self._on_edited()
-
-        text = tr("Permanently remove the oldest %n of {0} snapshots?", "", removed)
-        remove = tr("Remove {0}").format(removed)
-        answer = Answer("historyQuestionYes", remove, lambda: self._save(wanted))
-        self._question.prompt(text.format(total), answer, otherwise=on_cancelled)
-        self._count.setValue(wanted or 0)
-        self._set.setEnabled(False)
-
-    def _save(self, kept: int | None) -> None:
-        def on_failed(error: StudioError) -> None:
-            self._notifier.error.emit(str(error))
-            self._on_edited()
-
-        keep = partial(self._history.set_limit, kept)
-        in_background(self, keep, lambda _: self.changed.emit(), on_failed)

@@ -1,15 +1,12 @@
-"""Settings of a snapshot, compared with the board, another snapshot or a file."""
+"""Settings of a snapshot, compared with the board or another snapshot."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal, Slot
-from PySide6.QtGui import QStandardItemModel
 from PySide6.QtWidgets import QWidget
 
-from trex_gui.core.errors import BadRequest, StudioError
-from trex_gui.core.files import load
-from trex_gui.core.texts import title_of
+from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.draft import diff_against_draft
@@ -18,33 +15,18 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.comparison import compare
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.history import Snapshot
-from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.labels import Note
-
-_BOARD, _NEXT, _FILE = range(3)  # items of the list "Compare with"
-
-
-@dataclass(frozen=True, slots=True)
-class _Present:
-    """Left side of a comparison."""
-
-    item: int  # in the list "Compare with"
-    title: str  # title of the column
-    settings: Settings | None = None  # `None` for the board with its edits
 
 
 class SnapshotPane(QWidget):
     """Snapshot compared with other settings on its left, and a button to restore it."""
 
     restore_requested = Signal()  # settings of the snapshot are edits now; to be reviewed
-    present_chosen = Signal()  # the user selected the left side of the comparison
 
     def __init__(
         self, device: Device, table: SnapshotTable, notifier: Notifier, parent: QWidget
@@ -54,38 +36,24 @@ class SnapshotPane(QWidget):
         self._device = device
         self._table = table
         self._chosen: tuple[Snapshot, ...] = ()
-        self._shown: tuple[Path, _Present] | None = None
-        self._choice = _BOARD
-        self._file: _Present | None = None
+        self._shown: tuple[Path, str] | None = None  # snapshot, and title of the left side
 
         self._title = ui.label(self, "snapshotTitle", wrap=True, size="heading")
         self._details = ui.label(self, "snapshotDetails", wrap=True, size="caption")
-        self._box = ui.combo_box(
-            self,
-            "compareWithCombo",
-            "",
-            items=(
-                tr("the board as it is now, with edits"),
-                tr("the snapshot beside it"),
-                tr("a settings file…"),
-            ),
-            on_activate=self._on_activated,
-        )
-        label = ui.label(self, text=tr("Compare &with:"), buddy=self._box)
         self._rows = ComparisonView(self)
         self._note = ui.named(Note(2, self), "restoreNote")
         self._restore = ui.button(self, "restoreButton", default=False)
         set_look(self._restore, "primary")
 
         below = ui.row((self._note, 1), (self._restore, 0, Qt.AlignmentFlag.AlignTop))
-        above = self._title, self._details, ui.row(label, (self._box, 1)), (self._rows, 1)
+        above = self._title, self._details, (self._rows, 1)
         ui.column(*above, below, into=self, margins=(6, 0, 0, 0))
         self._restore.clicked.connect(self._on_restore_clicked)
         self._rows.ticked_changed.connect(self._update_restore)
         self.show_chosen(())
 
     def show_chosen(self, chosen: tuple[Snapshot, ...]) -> None:
-        """Compare one snapshot with the present settings, or two snapshots with each other."""
+        """Compare a snapshot with the board, or two snapshots with each other."""
         self._chosen = chosen
         reason = tr("Select a snapshot to see what it would restore.")
         if 0 < len(chosen) <= 2:
@@ -95,36 +63,39 @@ class SnapshotPane(QWidget):
         if reason:
             self._shown = None
             self._rows.show_nothing(reason)
-        self._box.setEnabled(self._shown is not None)
         self._update_restore()
 
     def _compare(self, snapshot: Snapshot, other: Snapshot | None) -> str:
-        """Compare a snapshot with `other` or the user's choice. Return the reason if it fails."""
+        """Compare a snapshot with `other` or the board. Return the reason if it fails.
+
+        Without a board of its model, it is compared with the snapshot beside it.
+        """
         self._describe(snapshot)
         settings = self._table.content_of(snapshot)
         if not isinstance(settings, Settings):
             return self._unread(snapshot)
-        present = self._present_for(snapshot, settings, other)
-        if isinstance(present, str):
-            return present
-        summary = ""
-        if present.settings is None:
+        with_board = other is None and not self._board_blocker(snapshot)
+        if with_board:
+            title = tr("Now, with edits")
             comparison = diff_against_draft(self._device.draft, settings)
+        elif beside := other or self._table.neighbour(snapshot):
+            content = self._table.content_of(beside)
+            if not isinstance(content, Settings):
+                return self._unread(beside)
+            title, comparison = self._table.time_text(beside), compare(content, settings)
         else:
-            comparison = compare(present.settings, settings)
-        if not comparison.differing:
-            summary = tr("No setting differs.")
-        shown, table = (snapshot.path, present), self._rows.table
+            nothing = replace(settings, parameters={}, calibrations={})
+            title, comparison = "–", compare(nothing, settings)
+        shown, table = (snapshot.path, title), self._rows.table
         if shown != self._shown:
             self._rows.show_nothing()
         self._shown = shown
-        self._box.setCurrentIndex(present.item)
         self._rows.show_comparison(
             comparison,
-            present.title,
+            title,
             self._table.time_text(snapshot),
-            with_ticks=present.settings is None,
-            summary=summary,
+            with_ticks=with_board,
+            summary="" if comparison.differing else tr("No setting differs."),
             tick_new=len(table.ticked) == table.comparison.offered,
         )
         return ""
@@ -134,27 +105,6 @@ class SnapshotPane(QWidget):
         problem = self._table.content_of(snapshot)
         text = tr("This snapshot is damaged and cannot be restored. {0}")
         return text.format(problem) if problem else tr("Reading…")
-
-    def _present_for(
-        self, snapshot: Snapshot, settings: Settings, other: Snapshot | None
-    ) -> _Present | str:
-        """Return the left side, or the reason why it is missing."""
-        blocker = self._board_blocker(snapshot)
-        model = self._box.model()
-        if isinstance(model, QStandardItemModel):
-            model.item(_BOARD).setEnabled(not blocker)
-            model.item(_BOARD).setToolTip(ui.plain(blocker))
-        if other is None and self._choice == _FILE and self._file is not None:
-            return self._file
-        if other is None and self._choice == _BOARD and not blocker:
-            return _Present(_BOARD, tr("Now, with edits"))
-        beside = other or self._table.neighbour(snapshot)
-        if beside is None:
-            return _Present(_NEXT, "–", replace(settings, parameters={}, calibrations={}))
-        content = self._table.content_of(beside)
-        if not isinstance(content, Settings):
-            return self._unread(beside)
-        return _Present(_NEXT, self._table.time_text(beside), content)
 
     def _describe(self, snapshot: Snapshot) -> None:
         title = tr("{0}, before {1}") if snapshot.reason else "{0}"
@@ -183,8 +133,6 @@ class SnapshotPane(QWidget):
             return tr("To restore one of the two, select it alone.")
         if blocker := self._board_blocker(self._chosen[0]):
             return blocker
-        if self._shown[1].settings is not None:
-            return tr("To restore, compare with the board.")
         if not self._device.is_connected:
             return tr("The board does not respond, so nothing can be restored.")
         if self._device.writer.running:
@@ -223,28 +171,3 @@ class SnapshotPane(QWidget):
             self._notifier.error.emit(tr("Nothing was restored: {0}").format(error))
         else:
             self.restore_requested.emit()
-
-    @Slot(int)
-    def _on_activated(self, item: int) -> None:
-        if item == _FILE:
-            self._prompt_for_file()
-        else:
-            self._choice = item
-        self.present_chosen.emit()
-
-    def _prompt_for_file(self) -> None:
-        path = file_questions.prompt_to_open(self, title_of(tr("&Open settings file…")))
-        if path is None:
-            return
-
-        def on_read(settings: Settings) -> None:
-            file_questions.remember_folder(path)
-            self._file = _Present(_FILE, path.name, settings)
-            self._choice = _FILE
-            self.present_chosen.emit()
-
-        def on_failed(error: StudioError) -> None:
-            text = tr("{0} cannot be compared with: {1}")
-            self._notifier.error.emit(text.format(path.name, error))
-
-        in_background(self, lambda: read_settings(load(path), path.name)[0], on_read, on_failed)

@@ -1,7 +1,6 @@
 """Table of the settings history, with a row for each snapshot."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from datetime import datetime, timedelta
 from enum import IntEnum
 from functools import partial
@@ -22,7 +21,7 @@ from trex_gui.core.files import reason_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.settings.comparison_table import renew_rows
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.history import Bound, SettingsHistory, Snapshot, Stamp
+from trex_gui.devices.trex.settings.history import SettingsHistory, Snapshot, Stamp
 from trex_gui.ui.files import in_background, start_in_background
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.widgets.builders import plain
@@ -45,22 +44,15 @@ _LABELS = {SnapshotColumn.NAME: "name", SnapshotColumn.NOTE: "note"}
 """Columns that the user edits, and their parameter names in `SettingsHistory.label`."""
 
 
-@dataclass(frozen=True, slots=True)
-class Listing:
-    snapshots: tuple[Snapshot, ...]  # all snapshots, newest first
-    bound: Bound
-    has_folder: bool
-
-
 def _read(
     history: SettingsHistory, known: Mapping[Path, Snapshot], progress: ProgressCallback
-) -> Listing:
+) -> tuple[Snapshot, ...]:
     """Read the folder, in a thread. `known` has the snapshots that were listed before."""
     files, snapshots = history.files(), list[Snapshot]()
     for number, file in enumerate(files, 1):
         snapshots.append(history.look_at(file, known.get(history.folder / file[2])))
         progress(number / len(files))
-    return Listing(tuple(snapshots), history.bound(), history.folder.is_dir())
+    return tuple(snapshots)
 
 
 class SnapshotTable(QAbstractTableModel):
@@ -70,7 +62,7 @@ class SnapshotTable(QAbstractTableModel):
     the snapshot is loaded, and is remembered.
     """
 
-    listed = Signal(object)  # the `listing`, after the folder was read or the search has changed
+    listed = Signal()  # the folder was read, or the search has changed
     loaded = Signal()  # `content_of` knows another snapshot
     failed = Signal(str)  # why the folder cannot be listed, for the user
 
@@ -78,7 +70,7 @@ class SnapshotTable(QAbstractTableModel):
         super().__init__(parent)
         self._history = history
         self.snapshots: list[Snapshot] = []
-        self.listing: Listing | None = None  # `None` before the folder was read
+        self.listing: tuple[Snapshot, ...] | None = None  # `None` before the folder was read
         self._contents: dict[Path, tuple[Stamp, Settings | str]] = {}  # or the damage
         self._loading: set[Path] = set()
         self._words: list[str] = []
@@ -91,29 +83,28 @@ class SnapshotTable(QAbstractTableModel):
             self.beginResetModel()
             self.snapshots = self._matching(self.listing)
             self.endResetModel()
-            self.listed.emit(self.listing)
+            self.listed.emit()
 
     def refresh(self) -> None:
         """Read the folder again. Rows that stay keep their place."""
         self._cancel()
-        before = () if self.listing is None else self.listing.snapshots
-        known = {snapshot.path: snapshot for snapshot in before}
+        known = {snapshot.path: snapshot for snapshot in self.listing or ()}
         read = partial(_read, self._history, known)
         self._cancel = start_in_background(
             self, read, self._on_read, lambda error: self.failed.emit(str(error))
         )
 
-    def _on_read(self, listing: Listing) -> None:
+    def _on_read(self, listing: tuple[Snapshot, ...]) -> None:
         self.listing = listing
         wanted = self._matching(listing)
         renew_rows(self, self.snapshots, wanted, lambda snapshot: snapshot.path)
         self.snapshots[:] = wanted  # equal snapshots may have different stamps
         if wanted:  # times change after midnight
             self._announce(0, len(wanted) - 1)
-        self.listed.emit(listing)
+        self.listed.emit()
 
-    def _matching(self, listing: Listing) -> list[Snapshot]:
-        return [each for each in listing.snapshots if not self._words or self._matches(each)]
+    def _matching(self, listing: tuple[Snapshot, ...]) -> list[Snapshot]:
+        return [each for each in listing if not self._words or self._matches(each)]
 
     def _matches(self, snapshot: Snapshot) -> bool:
         text = " ".join((*self._cells(snapshot), self._tip(snapshot))).casefold()
