@@ -24,7 +24,7 @@ def dialog(qtbot: QtBot) -> Iterator[HistoryDialog]:
     window = QWidget()
     qtbot.addWidget(window)
     dialog = HistoryWidget(Device(), window)
-    window.addAction("History", dialog.open_history).setObjectName("historyAction")
+    window.addAction("History", dialog.show_in_front).setObjectName("historyAction")
     yield HistoryDialog(WidgetDriver(window, qtbot))
     dialog.close()
 

@@ -85,7 +85,7 @@ def assistant(
     dialog = Steps(robot.device, flow)
     qtbot.addWidget(dialog)
     robot.connect()
-    flow.open()
+    flow.show_in_front()
     yield Assistant(robot, dialog, flow, qtbot)
     dialog.close()
     qtbot.waitUntil(robot.device.shut_down)

@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from PySide6.QtCore import QObject, Qt, Signal, Slot
+from PySide6.QtCore import QObject, Qt, Slot
 from PySide6.QtWidgets import (
     QListWidget,
     QListWidgetItem,
@@ -31,8 +31,6 @@ _WIDEST = "00 · TReX Jr 1.2  "
 
 class BoardPanel(QWidget):
     """Selects the board that the pages show. Visible for several boards, or during a scan."""
-
-    file_requested = Signal()
 
     def __init__(
         self,
@@ -67,23 +65,13 @@ class BoardPanel(QWidget):
         self._cancel = button("cancelScanButton", tr("Cancel"), tip=tip)
         tip = tr("Give the board that is selected another device number")
         self._change = button("changeNumberButton", tr("Change number…"), icon="edited", tip=tip)
-        tip = tr("Write a settings file to several boards; each keeps its number")
-        self._file = button("fileToBoardsButton", tr("Apply a file…"), icon="apply", tip=tip)
         tip = tr("Drive several boards as one robot, with one pad and one Stop")
         self._together = button("groupButton", tr("Drive together…"), icon="motor", tip=tip)
         self._alone = button("partButton", tr("Drive alone"), icon="motor")
 
         title = ui.label(self, "boardsTitle", tr("Boards on this line"), bold=True, wrap=True)
         search = self._scanned, self._progress, self._scan, self._cancel
-        items = (
-            title,
-            (self._list, 1),
-            *search,
-            self._change,
-            self._file,
-            self._together,
-            self._alone,
-        )
+        items = title, (self._list, 1), *search, self._change, self._together, self._alone
         ui.column(*items, into=self, margins=(8, 8, 0, 8))
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
         follow_theme(self, "width", self._update_width)
@@ -91,7 +79,6 @@ class BoardPanel(QWidget):
         self._scan.clicked.connect(boards.scan)
         self._cancel.clicked.connect(boards.cancel_scan)
         self._change.clicked.connect(self.change_number)
-        self._file.clicked.connect(self.file_requested)
         self._together.clicked.connect(self.join_boards)
         self._alone.clicked.connect(group.part)
         group.changed.connect(self._update)
@@ -143,8 +130,6 @@ class BoardPanel(QWidget):
         self._scan.setEnabled(boards.can_scan)
         can_change = boards.can_change_number and boards.has_several
         self._change.setEnabled(can_change and not is_scanning)
-        can_write = device.is_writable and not is_scanning and not self._group.devices
-        self._file.setEnabled(can_write and boards.has_several)
         self._list.setEnabled(boards.can_select)
         is_group = bool(self._group.devices)
         self._together.setVisible(not is_group and self._group.can_change)

@@ -239,9 +239,6 @@ class CheckBoardFlow(Flow):
             may_go_back=self._at > 0,
         )
 
-    def open(self) -> None:
-        self.opened.emit(True)
-
     def back(self) -> None:
         self._at -= 1
         self.changed.emit()

@@ -127,8 +127,8 @@ class HistoryDialog(ReusedDialog):
         view.selectionModel().selectionChanged.connect(self._on_selection_changed)
         return view
 
-    def open_history(self) -> None:
-        self.show_in_front()
+    def show_in_front(self) -> None:
+        super().show_in_front()
         self._reading.start()
 
     @Slot()

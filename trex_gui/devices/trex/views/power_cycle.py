@@ -135,4 +135,4 @@ class PowerCycleFlow(Flow):
         """Start a power cycle and show its steps, if a board is connected."""
         if self._device.is_connected:  # not while the window closes
             self._cycle.start()
-            self.opened.emit(True)
+            self.show_in_front()

@@ -215,9 +215,6 @@ class ProvisionFlow(Flow):
         for field in (self._first.profile, self._first.record):
             field.textChanged.connect(self.changed)
 
-    def open(self) -> None:
-        self.opened.emit(True)
-
     def leave(self, *, closed: bool) -> None:
         if closed:
             self.work.stop()

@@ -68,8 +68,8 @@ class RobotsDialog(ReusedDialog):
         self._table.itemActivated.connect(self._on_connect)
         self._on_selected()
 
-    def open_list(self) -> None:
-        self.show_in_front()
+    def show_in_front(self) -> None:
+        super().show_in_front()
         self.search()
 
     @Slot()

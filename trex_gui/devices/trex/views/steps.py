@@ -65,6 +65,9 @@ class Flow(QObject):
     name = ""  # starts the object names
     size = 1040, 600  # pixels of the dialog
 
+    def show_in_front(self) -> None:
+        self.opened.emit(True)
+
     def add_buttons(self, parent: QWidget) -> Sequence[QPushButton]:
         """Create further buttons of this task, beside Back, Skip and Next."""
         del parent

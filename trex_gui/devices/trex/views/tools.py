@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TypeVar
 
 from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.boards import BoardList
@@ -16,9 +17,11 @@ from trex_gui.devices.trex.views.learning.flow import LearnFlow
 from trex_gui.devices.trex.views.provision import ProvisionFlow
 from trex_gui.devices.trex.views.robots import RobotsDialog
 from trex_gui.devices.trex.views.setup.flow import SetupFlow
-from trex_gui.devices.trex.views.steps import Steps
+from trex_gui.devices.trex.views.steps import Flow, Steps
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.notifier import Remedy
+
+FlowT = TypeVar("FlowT", bound=Flow)
 
 
 @dataclass
@@ -47,21 +50,17 @@ class Tools:
     def learn(self) -> LearnFlow:
         flow = LearnFlow(self.learning)
         flow.apply_requested.connect(self.review)
-        Steps(self.device, flow, self.frame)
-        return flow
+        return self._in_dialog(flow)
 
     @cached_property
     def setup(self) -> SetupFlow:
         flow = SetupFlow(self.device, self.learning)
         flow.apply_requested.connect(self.review)
-        Steps(self.device, flow, self.frame)
-        return flow
+        return self._in_dialog(flow)
 
     @cached_property
     def provision(self) -> ProvisionFlow:
-        flow = ProvisionFlow(self.device)
-        Steps(self.device, flow, self.frame)
-        return flow
+        return self._in_dialog(ProvisionFlow(self.device))
 
     @cached_property
     def robots(self) -> RobotsDialog:
@@ -81,5 +80,8 @@ class Tools:
         flow = CheckBoardFlow(self.device)
         flow.find_requested.connect(lambda: self.frame.apply_remedy(Remedy.FIND))
         flow.connect_requested.connect(self.frame.apply_remedy)
+        return self._in_dialog(flow)
+
+    def _in_dialog(self, flow: FlowT) -> FlowT:
         Steps(self.device, flow, self.frame)
         return flow

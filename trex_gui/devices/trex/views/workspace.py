@@ -20,13 +20,12 @@ from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.views.board.page import BoardPage
 from trex_gui.devices.trex.views.boards import BoardPanel
 from trex_gui.devices.trex.views.help import GUIDE, TOPICS, message_help
-from trex_gui.devices.trex.views.lease_prompt import LeasePrompt
 from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
 from trex_gui.devices.trex.views.motor_controls import ControlBar, arm
 from trex_gui.devices.trex.views.pages.currents import CurrentsPage
 from trex_gui.devices.trex.views.pages.errors import ErrorsPage
 from trex_gui.devices.trex.views.pages.parameters.page import ParametersPage
-from trex_gui.devices.trex.views.prompts import ClosePrompt, RestorePrompt
+from trex_gui.devices.trex.views.prompts import ClosePrompt, LeasePrompt, RestorePrompt
 from trex_gui.devices.trex.views.recordings import Recordings
 from trex_gui.devices.trex.views.settings_commands import SettingsCommands
 from trex_gui.devices.trex.views.settings_files import SettingsFiles
@@ -73,7 +72,6 @@ class TrexWorkspace(Workspace):
 
         self._boards = boards = BoardList(device, self)
         self._panel = panel = BoardPanel(boards, device, controller.group, self)
-        panel.file_requested.connect(self._apply_to_boards)
         tabs = ui.named(self.pages, "tabs", accessible=tr("Pages"))
         ui.tab_order(panel, tabs.tabBar())
         diagnostics = Diagnostics(self, "diagnostics", frame.show_help)
@@ -130,7 +128,7 @@ class TrexWorkspace(Workspace):
     def _create_board_page(self, parent: QWidget) -> QWidget:
         start = partial(StartPanel, start_texts(), self._frame, self)
         page = BoardPage(self._device, self._controller.group, start, parent)
-        page.setup_requested.connect(self._set_up)
+        page.setup_requested.connect(partial(self._open, "setup"))
         page.page_wanted.connect(self.show_page)
         return page
 
@@ -198,19 +196,12 @@ class TrexWorkspace(Workspace):
         review = self._settings.review
         return Tools(self._device, self._boards, self._learning, review, self._frame)
 
-    @Slot()
     def _apply_to_boards(self) -> None:
         self.files.prompt_for_document(self._tools.apply_to_boards.open_file)
 
-    @Slot()
-    def _set_up(self) -> None:
-        self._tools.setup.open()
-
-    def _open_robots(self) -> None:
-        self._tools.robots.open_list()
-
-    def _provision(self) -> None:
-        self._tools.provision.open()
+    def _open(self, tool: str) -> None:
+        """Open a window of `Tools` by its name there."""
+        getattr(self._tools, tool).show_in_front()
 
     @Slot(object)
     def _learn(self, channels: Sequence[int] = CHANNELS) -> None:
@@ -219,15 +210,6 @@ class TrexWorkspace(Workspace):
     @Slot()
     def _test_sticks(self) -> None:
         self._tools.learn.test()
-
-    def _open_bench(self) -> None:
-        self._tools.bench.show_in_front()
-
-    def _open_history(self) -> None:
-        self._tools.history.open_history()
-
-    def _check_board(self) -> None:
-        self._tools.check_board.open()
 
     @Slot(object)
     def _show_parameter(self, key: object) -> None:
@@ -250,6 +232,8 @@ class TrexWorkspace(Workspace):
         keys = QKeySequence.StandardKey
         settings = self._settings
         reload, review, activate = settings.reload, settings.review, settings.guide
+        tool = self._open
+        provision, check_board = partial(tool, "provision"), partial(tool, "check_board")
         factory = partial(settings.review_defaults, serial_only=False)
         serial = partial(settings.review_defaults, serial_only=True)
         plot_title = tr("Plot of currents in its o&wn window")
@@ -261,7 +245,7 @@ class TrexWorkspace(Workspace):
                 Entry("save", tr("&Save settings file…"), shown.prompt_and_save, "Ctrl+S", "save"),
                 Entry("export", tr("&Export as code…"), shown.prompt_and_export, "", "console"),
                 SEPARATOR,
-                Entry("history", tr("&History…"), self._open_history, "Ctrl+H", "history"),
+                Entry("history", tr("&History…"), partial(tool, "history"), "Ctrl+H", "history"),
                 SEPARATOR,
                 *self.recordings.entries(),
             ),
@@ -282,13 +266,13 @@ class TrexWorkspace(Workspace):
                 Entry("number", tr("Change device nu&mber…"), self._panel.change_number),
                 Entry("to_boards", tr("A&pply a file to several boards…"), self._apply_to_boards),
                 Entry("group", tr("Drive together…"), self._panel.join_boards),
-                Entry("robots", tr("Robots on the net&work…"), self._open_robots),
+                Entry("robots", tr("Robots on the net&work…"), partial(tool, "robots")),
                 SEPARATOR,
-                Entry("setup", tr("Set &up my robot…"), self._set_up, "", "settings"),
-                Entry("provision", tr("Set up one board after anot&her…"), self._provision),
+                Entry("setup", tr("Set &up my robot…"), partial(tool, "setup"), "", "settings"),
+                Entry("provision", tr("Set up one board after anot&her…"), provision),
                 Entry("learn", tr("Lear&n channels…"), self._learn, "", "calibrate"),
                 Entry("test_sticks", tr("&Test the sticks…"), self._test_sticks),
-                Entry("bench", tr("&Bench test…"), self._open_bench, "Ctrl+B", "plot"),
+                Entry("bench", tr("&Bench test…"), partial(tool, "bench"), "Ctrl+B", "plot"),
                 SEPARATOR,
                 Entry("defaults", tr("Restore factor&y defaults…"), factory),
                 Entry("serial_defaults", tr("Restore ser&ial defaults…"), serial),
@@ -300,7 +284,7 @@ class TrexWorkspace(Workspace):
                 Entry("demo", tr("&Demo TReX panel"), self._demo.toggle, checkable=True),
             ),
             Menu.HELP: (
-                Entry("check_board", tr("&Board does not respond…"), self._check_board, "", "find"),
+                Entry("check_board", tr("&Board does not respond…"), check_board, "", "find"),
                 Entry("guide", tr("&User's guide of the board (online)…"), _open_guide),
                 SEPARATOR,
             ),

@@ -58,7 +58,7 @@ class LearnFlow(Flow):
         if not self.is_learning:
             self._offers_test = False
             begin()
-        self.opened.emit(True)
+        self.show_in_front()
 
     @property
     def is_learning(self) -> bool:

@@ -66,11 +66,11 @@ class SetupFlow(Flow):
         is_learning = learning.step is not LearningStep.ENDED and not learning.is_test
         return is_learning and self.setup.step is SetupStep.STICKS
 
-    def open(self) -> None:
+    def show_in_front(self) -> None:
         if not self._is_open:
             self._is_open = True
             self.setup.go_to(SetupStep.DRIVER)  # the answers given so far are kept
-        self.opened.emit(True)
+        super().show_in_front()
 
     def add_buttons(self, parent: QWidget) -> Sequence[QPushButton]:
         return self._learn.add_buttons(parent)
