@@ -7,9 +7,8 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.window import LEFT, WidgetDriver
 from trex_gui.devices.trex.model.bench import Bench, Phase
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.views.bench.dialog import BenchDialog
+from trex_gui.devices.trex.views.bench.dialog import BenchDialog, FiguresTable
 from trex_gui.devices.trex.views.bench.plot import BenchPlot
-from trex_gui.devices.trex.views.bench.results import FiguresTable
 from trex_gui.ui.widgets.behaviour import HoldButton
 
 

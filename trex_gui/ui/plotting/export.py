@@ -193,19 +193,6 @@ def _rows(columns: Sequence[Floats], progress: ProgressCallback) -> Iterator[lis
         yield from np.column_stack([column[first : first + _CHUNK] for column in columns]).tolist()
 
 
-def with_heading(picture: QImage, heading: str) -> QImage:
-    """Return a picture in the colours of the window, with a heading above it."""
-    ratio = picture.devicePixelRatio()
-    size = picture.deviceIndependentSize().toSize()
-    image = QImage((QSize(size.width(), size.height() + _HEADING_HEIGHT) * ratio), picture.format())
-    image.setDevicePixelRatio(ratio)
-    image.fill(theme().color("window"))
-    with Painter(image, smooth=False) as painter:
-        _paint_heading(painter, heading)
-        painter.drawImage(QPoint(0, _HEADING_HEIGHT), picture)
-    return image
-
-
 def _paint_heading(painter: QPainter, heading: str) -> None:
     font = QFont(painter.font())
     font.setPixelSize(_FONT_PIXELS)

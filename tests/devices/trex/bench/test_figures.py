@@ -34,12 +34,6 @@ def test_inrush_crossing_steady_current_has_not_settled() -> None:
     assert found.settled == pytest.approx(0.4)
 
 
-def test_wider_band_settles_earlier() -> None:
-    run = run_of(readings((0.5, 1.0), (0.5, 3.0), (1.2, 4.0)))
-    assert figures(run).settled == pytest.approx(1.0)
-    assert figures(run, band=0.3).settled == pytest.approx(0.5)
-
-
 def test_mean_and_charge_cover_only_driven_time() -> None:
     run = run_of([(index / 100, 3.6) for index in range(301)], ended=2.0)
     found = figures(run)

@@ -1,12 +1,11 @@
 """The window of bench tests, its button to hold, and what it shows."""
 
-import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QImage, QKeyEvent, QMouseEvent
+from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QCheckBox, QDoubleSpinBox, QSpinBox, QWidget
 from pytestqt.qtbot import QtBot
@@ -18,7 +17,6 @@ from trex_gui.devices.trex.bench.run import End, Profile, Shape
 from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.views.bench.dialog import BenchDialog
-from trex_gui.devices.trex.views.bench.results import FiguresTable
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.behaviour import HoldButton
 
@@ -201,17 +199,6 @@ def test_result_is_shown_beside_the_previous_or_a_selected_one(dialog: BenchTest
     assert dialog.figure(0, 1) == "–"
 
 
-def test_settling_band_can_be_selected(dialog: BenchTestDialog) -> None:
-    rising = [(index / 80, index / 40) for index in range(80)]
-    dialog.bench.add_run(run_of(rising + [(1 + index / 80, 2.0) for index in range(80)]))
-    assert dialog.figure(5, 0) == "850 ms"  # two counts are more than a tenth of 2 A
-    dialog.find(QSpinBox, "benchBand").setValue(50)
-    assert dialog.figure(5, 0) == "500 ms"
-    header = dialog.find(FiguresTable, "benchFigures").verticalHeaderItem(5)
-    assert header is not None
-    assert header.text() == "Settled within 50 % after"
-
-
 def test_reason_for_an_abort_is_shown(dialog: BenchTestDialog) -> None:
     reason = "Motor 1 drew 12.00 A, more than the abort current of 10 A."
     dialog.bench.add_run(run_of(READINGS, ended=0.5, end=End.ABORTED, reason=reason))
@@ -249,21 +236,6 @@ def test_invalid_file_is_rejected_with_the_reason(
     dialog.wait_for_files()
     assert words in dialog.note
     assert dialog.bench.runs == ()
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="every folder can be written to")
-def test_run_is_saved_as_a_picture_of_its_plot(dialog: BenchTestDialog, tmp_path: Path) -> None:
-    dialog.bench.add_run(run_of(READINGS))
-    dialog.dialog.save_run(dialog.bench.runs[0], tmp_path / "test.PNG")
-    dialog.wait_for_files()
-    picture = QImage(str(tmp_path / "test.PNG"))
-    plot = dialog.plot
-    assert picture.width() == plot.width() * plot.devicePixelRatio()
-    assert picture.height() > plot.height() * plot.devicePixelRatio(), "no room for the heading"
-    assert "Saved as test.PNG" in dialog.note
-    dialog.dialog.save_run(dialog.bench.runs[0], tmp_path / "nowhere" / "test.png")
-    dialog.wait_for_files()
-    assert "test.png was not saved" in dialog.note
 
 
 def test_plot_shows_values_under_the_mouse(dialog: BenchTestDialog) -> None:

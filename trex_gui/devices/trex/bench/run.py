@@ -17,7 +17,7 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 SHORTEST = 0.2  # least seconds of a test or a period: ten steps of the profile
 LONGEST = 120.0  # most seconds of a test; the user holds a button throughout
 LONGEST_GAP = 0.5  # seconds between two readings over which no charge is counted
-BAND = 0.1  # default deviation that counts as settled, as a share of the steady current
+BAND = 0.1  # deviation that counts as settled, as a share of the steady current
 _TAIL = 0.3  # final share of a constant setpoint, whose current counts as steady
 _SHORTEST_PLATEAU = 0.4  # seconds of a constant setpoint, with ten readings in its tail
 _NOISE_COUNTS = 2  # least reading that is a current; a single count may be noise
@@ -179,8 +179,7 @@ class Figures:
     delay: float | None = None  # s from the first setpoint to the first reading that is a current
 
 
-def figures(run: Run, band: float = BAND) -> Figures:
-    """Return the figures of a test. `band` is the share of `steady` (0 to 1) for `settled`."""
+def figures(run: Run) -> Figures:
     command = next((time for time, speed in run.setpoints if speed), None)
     driven = [(time, amps) for time, amps in run.currents if 0 <= time <= run.ended]
     if command is None or not driven:
@@ -192,7 +191,7 @@ def figures(run: Run, band: float = BAND) -> Figures:
     steady = fmean(tail) if tail and last - first >= _SHORTEST_PLATEAU else None
     settled = None
     if steady:
-        within = max(band * steady, noise) + 1e-9
+        within = max(BAND * steady, noise) + 1e-9
         held = [(time, amps) for time, amps in driven if command <= time < last]
         left_at = max((time for time, amps in held if abs(amps - steady) > within), default=-1.0)
         settled = next((time - command for time, _ in held if time > left_at), None)

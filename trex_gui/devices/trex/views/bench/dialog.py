@@ -1,13 +1,19 @@
-"""Window of bench tests: hold a button, see the motor current, tune, and hold it again."""
+"""Window of bench tests: hold a button, see current and figures, tune, and hold it again."""
 
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QSignalBlocker, Signal, Slot
-from PySide6.QtGui import QImage, QShowEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal, Slot
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHeaderView,
+    QTableWidget,
+    QTableWidgetItem,
+    QWidget,
+)
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import reason_of, save
@@ -15,17 +21,17 @@ from trex_gui.core.texts import title_of
 from trex_gui.core.timing import FRAME_MS
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.bench.files import load_run, to_csv
-from trex_gui.devices.trex.bench.run import BAND, End, Run
+from trex_gui.devices.trex.bench.run import BAND, End, Figures, Run, figures
 from trex_gui.devices.trex.model.bench import Bench, Phase
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.views.bench.forms import PlanForm, TuningForm
-from trex_gui.devices.trex.views.bench.results import FiguresTable
 from trex_gui.devices.trex.views.motor_controls import ArmButton, MotorBar
-from trex_gui.ui.files import ResultT, in_background, save_picture
+from trex_gui.ui.files import ResultT, in_background
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import HoldButton, ReusedDialog, only_when_visible
+from trex_gui.ui.widgets.bar import MINUS, NO_VALUE
+from trex_gui.ui.widgets.behaviour import HoldButton, ReusedDialog, name_headers, only_when_visible
 from trex_gui.ui.widgets.file_questions import (
     last_folder,
     prompt_to_open,
@@ -69,10 +75,6 @@ class BenchDialog(ReusedDialog):
         self._compare = ui.combo_box(
             self, "benchCompare", title, on_change=self._on_compare_changed
         )
-        title = tr("How far from the steady current counts as settled, in percent")
-        self._band = ui.spin_box(self, "benchBand", title, 2, 50, value=round(100 * BAND))
-        self._band.setSuffix(tr(" %"))
-        self._band.setKeyboardTracking(True)
         self._figures = FiguresTable(self)
         tuning = TuningForm(device, bench, self)
         forms = ui.named(QWidget(self), "benchForms")
@@ -89,21 +91,19 @@ class BenchDialog(ReusedDialog):
         tip = tr("Open a saved test")
         ask = self._prompt_and_open
         self._open = button("benchOpenButton", tr("&Open…"), tip=tip, on_click=ask)
-        tip = tr("Save this test to compare with later, or a picture of it")
+        tip = tr("Save this test to compare with later")
         ask = self._prompt_and_save
         self._save = button("benchSaveButton", tr("Sa&ve…"), tip=tip, on_click=ask)
         close = button("benchCloseButton", tr("&Close"), on_click=self.close)
 
         compare_title = ui.label(self, text=tr("Compar&e with"), buddy=self._compare)
-        band_title = ui.label(self, text=tr("Settled &within"), buddy=self._band)
-        compare = ui.row(compare_title, (self._compare, 1), band_title, self._band)
+        compare = ui.row(compare_title, (self._compare, 1))
         self._right = ui.column(compare, self._figures)
         middle = ui.row(left, (self._right, 1))
         bar.fill(run, bar.armed, 1, self._open, self._save, close)
         ui.column(self._note, (middle, 1), bar, into=self)
-        ui.tab_order(left, self._compare, self._band, self._figures, bar.stop)
+        ui.tab_order(left, self._compare, self._figures, bar.stop)
 
-        self._band.valueChanged.connect(self._show_figures)
         self._hold.hold_started.connect(bench.start)
         self._hold.hold_ended.connect(bench.release)
         tuning.apply.clicked.connect(self.apply_requested)
@@ -141,8 +141,8 @@ class BenchDialog(ReusedDialog):
     def _prompt_and_save(self) -> None:
         run = self.bench.runs[-1]
         name = f"bench_motor{run.motor}_{run.profile.shape.value}_{run.started:%Y%m%d_%H%M%S}.csv"
-        title, kinds = tr("Save bench test"), tr("Bench tests (*.csv);;Pictures (*.png)")
-        if path := prompt_to_save(self, title, last_folder() / name, kinds):
+        kinds = tr("Bench tests (*.csv);;All files (*)")
+        if path := prompt_to_save(self, tr("Save bench test"), last_folder() / name, kinds):
             self.save_run(run, path)
 
     @Slot()
@@ -152,12 +152,7 @@ class BenchDialog(ReusedDialog):
             self.open_run(path)
 
     def save_run(self, run: Run, path: Path) -> None:
-        """Write a test, or a picture of the plot if the name ends in .png."""
-        if path.suffix.lower() == ".png":
-            work = partial(save_picture, path, self._picture(run))
-        else:
-            work = partial(save, path, to_csv(run))
-        text = tr("Saved as {0}.").format(path.name)
+        text, work = tr("Saved as {0}.").format(path.name), partial(save, path, to_csv(run))
         self._start(work, path, lambda _: self._report(text), tr("{0} was not saved: {1}."))
 
     def open_run(self, path: Path) -> None:
@@ -185,15 +180,6 @@ class BenchDialog(ReusedDialog):
     def _report(self, text: str) -> None:
         self._message = text
         self._on_text_due()
-
-    def _picture(self, run: Run) -> QImage:
-        if self._plot is None:
-            return QImage()
-        from trex_gui.ui.plotting.export import with_heading  # noqa: PLC0415 - as the plot
-
-        heading = tr("Bench test of motor {0}: {1}").format(run.motor, run.title)
-        picture = self._plot.grab().toImage()
-        return with_heading(picture, f"{heading}, {run.started:%Y-%m-%d %H:%M}")
 
     # --- Display ------------------------------------------------------------------------
 
@@ -279,7 +265,7 @@ class BenchDialog(ReusedDialog):
     @Slot()
     def _show_figures(self) -> None:
         run = None if self.bench.is_driving else self.bench.current
-        self._figures.show_runs(run, self._before, self._band.value() / 100)
+        self._figures.show_runs(run, self._before)
 
     def _want_frame(self) -> None:
         """Draw at most once a frame, so that drawing does not delay the line."""
@@ -296,3 +282,82 @@ class BenchDialog(ReusedDialog):
         self._plot.show_runs(self.bench.current, self._before)
         if self.bench.phase is not Phase.IDLE:
             self._want_frame()
+
+
+def _rows() -> tuple[tuple[str, str, str, str], ...]:
+    """Return name, field of `Figures`, unit and explanation of each row."""
+    until_braking = tr("From the first setpoint until braking.")
+    return (
+        (tr("Peak current"), "peak", "A", tr("The highest reading.")),
+        (tr("Steady current"), "steady", "A", tr("At the end of the first constant speed.")),
+        (tr("Mean current"), "mean", "A", until_braking),
+        (tr("Charge"), "charge", "mAh", until_braking),
+        (
+            tr("Setpoint to current"),
+            "delay",
+            "ms",
+            tr("Until the first reading of two counts: the line, the board and its measurement."),
+        ),
+        (
+            tr("Settled within {0:.0f} % after").format(100 * BAND),
+            "settled",
+            "ms",
+            tr(
+                "Until the current stayed within this share of the steady current, or within two "
+                "counts of it."
+            ),
+        ),
+    )
+
+
+class FiguresTable(QTableWidget):
+    """Table of figures: this test, the test compared with it, and the difference."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        rows = _rows()
+        super().__init__(len(rows), 3, parent)
+        self.setObjectName("benchFigures")
+        self.setAccessibleName(tr("Figures of the test"))
+        name_headers(self)
+        self.setHorizontalHeaderLabels([tr("This test"), tr("Compared"), tr("Change")])
+        for index, (name, _, _, explanation) in enumerate(rows):
+            header = QTableWidgetItem(name)
+            header.setToolTip(ui.plain(explanation))
+            self.setVerticalHeaderItem(index, header)
+            for column in range(3):
+                item = QTableWidgetItem(NO_VALUE)
+                item.setFlags(Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable)
+                item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+                item.setToolTip(ui.plain(explanation))
+                self.setItem(index, column, item)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setTabKeyNavigation(False)
+        self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        for headers in (self.horizontalHeader(), self.verticalHeader()):
+            headers.setHighlightSections(False)
+        ui.set_row_height(self, 12)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+
+    def show_runs(self, run: Run | None, before: Run | None) -> None:
+        now, then = (Figures() if test is None else figures(test) for test in (run, before))
+        for index, (_, field, unit, _) in enumerate(_rows()):
+            one, other = getattr(now, field), getattr(then, field)
+            change = None if one is None or other is None else one - other
+            texts = _text(one, unit), _text(other, unit), _text(change, unit, "+")
+            for column, text in enumerate(texts):
+                self.model().setData(self.model().index(index, column), text)
+
+    def sizeHint(self) -> QSize:
+        rows = self.rowCount() * self.verticalHeader().defaultSectionSize()
+        height = rows + self.horizontalHeader().sizeHint().height() + 2 * self.frameWidth()
+        return QSize(super().sizeHint().width(), height)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(super().minimumSizeHint().width(), self.sizeHint().height() // 2)
+
+
+def _text(value: float | None, unit: str, sign: str = "") -> str:
+    if value is None:
+        return NO_VALUE
+    number = f"{1000 * value:{sign}.0f}" if unit == "ms" else f"{Number(value):{sign}.2f}"
+    return f"{number.replace('-', MINUS)} {unit}"
