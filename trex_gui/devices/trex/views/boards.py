@@ -3,12 +3,7 @@
 from functools import partial
 
 from PySide6.QtCore import QObject, Qt, Slot
-from PySide6.QtWidgets import (
-    QListWidget,
-    QListWidgetItem,
-    QSizePolicy,
-    QWidget,
-)
+from PySide6.QtWidgets import QListWidget, QListWidgetItem, QSizePolicy, QWidget
 
 from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
@@ -33,11 +28,7 @@ class BoardPanel(QWidget):
     """Selects the board that the pages show. Visible for several boards, or during a scan."""
 
     def __init__(
-        self,
-        boards: BoardList,
-        device: Device,
-        group: BoardGroup,
-        parent: QWidget | None = None,
+        self, boards: BoardList, device: Device, group: BoardGroup, parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
         self.setObjectName("boardPanel")

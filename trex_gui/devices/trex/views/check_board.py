@@ -28,7 +28,7 @@ _SIGHTS = (
         tr_noop("Both off"),
         tr_noop("No power"),
         tr_noop(
-            "Check the supply and its leads. If only a blue LED is lit, the board has no firmware.",
+            "Check the supply and its leads. If only a blue LED is lit, the board has no firmware."
         ),
     ),
     (
@@ -37,7 +37,7 @@ _SIGHTS = (
         tr_noop("Running, serial commands control the motors"),
         tr_noop(
             "Compare the wires with the picture, then search with Find. Green lights while the "
-            "board receives a command: if it never does, nothing arrives.",
+            "board receives a command: if it never does, nothing arrives."
         ),
     ),
     (
@@ -47,7 +47,7 @@ _SIGHTS = (
         tr_noop(
             "As above: the board responds in RC and analog mode, too. Red lights while it "
             "receives a command. Fast flashes are safe-start; five at the start say which channels "
-            "are learned.",
+            "are learned."
         ),
     ),
     (
@@ -56,7 +56,7 @@ _SIGHTS = (
         tr_noop("Learning mode"),
         tr_noop(
             "The board does not respond while it learns its channels. Remove the SO–G jumper, "
-            "then switch the board off and on.",
+            "then switch the board off and on."
         ),
     ),
     (
@@ -65,7 +65,7 @@ _SIGHTS = (
         tr_noop("Waiting for the boot loader hand-shake"),
         tr_noop(
             "Switch the board off, remove the mix and SO–G jumpers, and switch it on. Or go on "
-            "with the hand-shake for lost serial settings.",
+            "with the hand-shake for lost serial settings."
         ),
     ),
     (
@@ -114,9 +114,7 @@ class _Step:
 _STEPS = (
     _Step(
         tr_noop("Jumpers"),
-        tr_noop(
-            "Switch the board off. Remove the mode jumper. Put the mix and SO–G jumpers on.",
-        ),
+        tr_noop("Switch the board off. Remove the mode jumper. Put the mix and SO–G jumpers on."),
         (True, True, "mode", "mix", "so_ground"),
         ("off", "off"),
         tr_noop("Both off"),
@@ -146,14 +144,14 @@ _STEPS = (
         tr_noop("Green flashes once a second"),
         tr_noop(
             "The boot loader answers each byte with a question mark. The serial settings should "
-            "be those of the factory now.",
+            "be those of the factory now."
         ),
     ),
     _Step(
         tr_noop("Connect"),
         tr_noop(
             "Switch the board off and on, with all three jumpers removed. Then connect at 19200 "
-            "baud, without parity and CRC.",
+            "baud, without parity and CRC."
         ),
         (False, False),
         ("on", "off"),

@@ -10,13 +10,7 @@ from trex_gui.core.texts import title_of
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.board.drive_status import drive_statuses
 from trex_gui.devices.trex.driving.blockers import DriveBlocker, Effect
-from trex_gui.devices.trex.driving.wheels import (
-    LEFT,
-    RIGHT,
-    Wheel,
-    front_and_back,
-    left_and_right,
-)
+from trex_gui.devices.trex.driving.wheels import LEFT, RIGHT, Wheel, front_and_back, left_and_right
 from trex_gui.devices.trex.model.boards import BoardList
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import drive_inputs

@@ -21,12 +21,7 @@ from trex_gui.devices.trex.discovery import NUMBERS
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.provision import Provision, ProvisionStep
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.provision_record import (
-    KNOWN,
-    NEW,
-    NUMBER_ONLY,
-    ProvisionRecord,
-)
+from trex_gui.devices.trex.settings.provision_record import KNOWN, NEW, NUMBER_ONLY, ProvisionRecord
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.pulse_controls import PulseControls

@@ -163,9 +163,7 @@ class SettingsFiles(QObject):
 
     @Slot(object)
     def open_editor(self, document: SettingsDocument) -> None:
-        from trex_gui.devices.trex.views.settings_editor.window import (  # noqa: PLC0415
-            SettingsEditor,
-        )
+        from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor  # noqa: PLC0415
 
         editor = SettingsEditor(document, self._device)
         self.editors.append(editor)
@@ -193,10 +191,7 @@ class SettingsFiles(QObject):
         self._offer(document, tr("Applied"))
 
     def _offer(
-        self,
-        document: SettingsDocument,
-        side: str = "",
-        edit: Callable[[], object] | None = None,
+        self, document: SettingsDocument, side: str = "", edit: Callable[[], object] | None = None
     ) -> None:
         """Show the changes that a document would make. `side` names it in place of `File`."""
         if self._loading is not None:

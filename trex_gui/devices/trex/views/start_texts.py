@@ -8,10 +8,7 @@ from trex_gui.ui.widgets.circuit import Jumper
 
 def ttl_wiring() -> Wires:
     return Wires(
-        tr("TReX"),
-        tr("Adapter"),
-        (("TX", "SI"), ("RX", "SO"), ("GND", "GND")),
-        _to_connect(),
+        tr("TReX"), tr("Adapter"), (("TX", "SI"), ("RX", "SO"), ("GND", "GND")), _to_connect()
     )
 
 
@@ -51,10 +48,7 @@ def start_texts() -> StartTexts:
         ),
         none=tr("No board at hand?"),
         demo=tr("&Try the demo"),
-        files=(
-            ("open", tr("Open &settings file…")),
-            ("open_recording", tr("&Open recording…")),
-        ),
+        files=(("open", tr("Open &settings file…")), ("open_recording", tr("&Open recording…"))),
     )
 
 

@@ -8,11 +8,7 @@ from PySide6.QtGui import QPaintEvent, QPen, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.translation import Number, tr, tr_noop
-from trex_gui.devices.trex.board.drive_status import (
-    AUXILIARY,
-    DriveInputs,
-    SetpointSource,
-)
+from trex_gui.devices.trex.board.drive_status import AUXILIARY, DriveInputs, SetpointSource
 from trex_gui.devices.trex.board.errors import error_names
 from trex_gui.devices.trex.board.quality import quality_text
 from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, PACKETS, led_patterns

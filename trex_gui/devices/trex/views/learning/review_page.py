@@ -216,10 +216,7 @@ class ReviewPage(Page):
         if channel.raw is None:
             self._live.setText(tr("No signal now: the output is 0."))
             return
-        curves = (
-            (tr("proposed"), channel.curve_after),
-            (tr("as it was"), channel.curve_before),
-        )
+        curves = ((tr("proposed"), channel.curve_after), (tr("as it was"), channel.curve_before))
         outputs = [
             f"{text} {signed_text(curve.output(channel.raw))}" for text, curve in curves if curve
         ]
