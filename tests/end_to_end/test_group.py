@@ -21,9 +21,8 @@ def boards(window: WindowDriver, start_simulator: StartSimulator) -> VirtualSimu
     window.wait(lambda: not window.has("boardsProgress"))
     window.click("groupButton")
     dialog = window.dialog("groupDialog")
-    preset = dialog.combo("groupPreset")
-    preset.setCurrentIndex(1)
-    preset.activated.emit(1)
+    dialog.combo("wheel72Side").setCurrentIndex(0)
+    dialog.combo("wheel91Side").setCurrentIndex(1)
     dialog.click("joinBoards")
     window.wait(lambda: window.device.is_connected and window.motors.is_available)
     return started

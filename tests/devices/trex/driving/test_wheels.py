@@ -8,7 +8,6 @@ from trex_gui.devices.trex.driving.wheels import (
     RIGHT,
     Wheel,
     front_and_back,
-    left_and_right,
     packed,
     setpoints_of,
     unpacked,
@@ -16,6 +15,10 @@ from trex_gui.devices.trex.driving.wheels import (
 from trex_gui.devices.trex.protocol.driving import Drive
 
 BOTH = SetMotors((SetMotor(LEFT, Drive.at(30), True), SetMotor(RIGHT, Drive.at(-20), True)))
+
+LEFT_AND_RIGHT = tuple(
+    Wheel(board, motor, side) for board, side in ((7, LEFT), (9, RIGHT)) for motor in (1, 2)
+)
 
 
 def speeds(found: dict[int, SetMotor | SetMotors]) -> dict[int, dict[int, int]]:
@@ -34,7 +37,7 @@ def test_sides_go_to_the_motors_of_each_arrangement() -> None:
         7: {1: 30, 2: -20},
         9: {1: 30, 2: -20},
     }
-    assert speeds(setpoints_of(left_and_right((7, 9)), BOTH)) == {
+    assert speeds(setpoints_of(LEFT_AND_RIGHT, BOTH)) == {
         7: {1: 30, 2: 30},
         9: {1: -20, 2: -20},
     }
@@ -50,7 +53,7 @@ def test_reversed_motor_turns_the_other_way_and_brakes_alike() -> None:
 
 
 def test_wheels_are_kept_as_text() -> None:
-    wheels = (*left_and_right((0, 127)), Wheel(9, 2, RIGHT, is_reversed=True))
+    wheels = (*LEFT_AND_RIGHT, Wheel(127, 2, RIGHT, is_reversed=True))
     assert unpacked(packed(wheels)) == wheels
     assert unpacked("") == ()
     for text in ("7.3.1+", "7.1+", "x", "7.1.1"):

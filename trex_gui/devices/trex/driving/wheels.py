@@ -39,12 +39,6 @@ def front_and_back(boards: Iterable[int]) -> tuple[Wheel, ...]:
     return tuple(Wheel(board, side, side) for board in boards for side in (LEFT, RIGHT))
 
 
-def left_and_right(boards: Iterable[int]) -> tuple[Wheel, ...]:
-    """Return the wheels of two boards that each drive one side."""
-    sides = zip(boards, (LEFT, RIGHT), strict=True)
-    return tuple(Wheel(board, motor, side) for board, side in sides for motor in (1, 2))
-
-
 def packed(wheels: Iterable[Wheel]) -> str:
     """Return wheels as a text for the preferences: `7.1.1+ 7.2.2-`."""
     return " ".join(f"{w.board}.{w.motor}.{w.side}{'-' if w.is_reversed else '+'}" for w in wheels)

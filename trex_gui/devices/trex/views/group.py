@@ -1,16 +1,14 @@
 """Boards that are driven together: dialog that joins them, and a card for each board."""
 
-from dataclasses import replace
-
 from PySide6.QtCore import QSize, Slot
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QBoxLayout, QCheckBox, QComboBox, QWidget
+from PySide6.QtWidgets import QBoxLayout, QCheckBox, QLabel, QWidget
 
 from trex_gui.core.texts import title_of
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.board.drive_status import drive_statuses
 from trex_gui.devices.trex.driving.blockers import DriveBlocker, Effect
-from trex_gui.devices.trex.driving.wheels import LEFT, RIGHT, Wheel, front_and_back, left_and_right
+from trex_gui.devices.trex.driving.wheels import LEFT, RIGHT, Wheel
 from trex_gui.devices.trex.model.boards import BoardList
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import drive_inputs
@@ -33,8 +31,7 @@ class GroupDialog(ReusedDialog):
     ) -> None:
         super().__init__(parent)
         self._boards, self._group = boards, group
-        self._rows: dict[tuple[int, int], tuple[QComboBox, QCheckBox]] = {}
-        self._labels: dict[tuple[int, int], QWidget] = {}
+        self._rows: dict[tuple[int, int], tuple[QLabel, ui.ComboBox, QCheckBox]] = {}
         self.setObjectName("groupDialog")
         self.setWindowTitle(title_of(tr("Drive together…")))
         resize_with_font(self, 560, 360)
@@ -42,9 +39,6 @@ class GroupDialog(ReusedDialog):
             "One pad, one arming and one Stop drive these boards as one robot. A board that does "
             "not follow any more stops the others."
         )
-        self._preset = ui.named(QComboBox(self), "groupPreset", accessible=tr("Arrangement"))
-        self._preset.addItems([tr("Front and back"), tr("Left and right")])
-        label = ui.label(self, text=tr("Arran&gement:"), buddy=self._preset)
         self._table = QWidget(self)
         self._grid = ui.grid(self._table, margins=0)
         bar = MotorBar(device, "groupStopButton", self)
@@ -53,17 +47,16 @@ class GroupDialog(ReusedDialog):
         )
         close = ui.button(bar, "closeGroup", tr("Close"), default=False, on_click=self.close)
         bar.fill(bar.armed, 1, close, self._join)
-        preset = ui.row(label, (self._preset, 1))
-        ui.column(Muted(about, self), preset, self._table, (QWidget(self), 1), bar, into=self)
-        self._preset.activated.connect(self._on_preset)
+        ui.column(Muted(about, self), self._table, 1, bar, into=self)
 
     def ask(self) -> None:
         numbers = [one.number for one in self._boards.boards]
         self._create_rows(numbers)
-        wheels = self._group.proposed(numbers)
-        self._show_wheels(wheels)
-        self._preset.setCurrentIndex(int({one.side for one in wheels if one.motor == 1} == {1, 2}))
-        self._preset.setEnabled(len(numbers) == 2)
+        proposed = {(one.board, one.motor): one for one in self._group.proposed(numbers)}
+        for place, (_, side, turns) in self._rows.items():
+            wheel = proposed.get(place)
+            side.setCurrentIndex(side.findData(_NOT_DRIVEN if wheel is None else wheel.side))
+            turns.setChecked(wheel is not None and wheel.is_reversed)
         self.show_in_front()
 
     def _create_rows(self, numbers: list[int]) -> None:
@@ -75,31 +68,18 @@ class GroupDialog(ReusedDialog):
                 continue
             number, motor = number_and_motor
             name, key = tr("Board {0}, motor {1}").format(number, motor), f"wheel{number}{motor}"
-            side = ui.named(QComboBox(self._table), f"{key}Side", accessible=name)
-            for text, value in (
-                (tr("left"), LEFT),
-                (tr("right"), RIGHT),
-                (tr("not driven"), _NOT_DRIVEN),
-            ):
-                side.addItem(text, value)
+            sides = (tr("left"), LEFT), (tr("right"), RIGHT), (tr("not driven"), _NOT_DRIVEN)
+            side = ui.combo_box(
+                self._table, f"{key}Side", name, items=sides, on_change=self._on_changed
+            )
             turns = QCheckBox(tr("reversed"), self._table)
             ui.named(turns, f"{key}Reversed", accessible=f"{name}, {tr('reversed')}")
-            side.currentIndexChanged.connect(self._on_changed)
-            label = ui.label(self._table, text=name)
-            for column, widget in enumerate((label, side, turns)):
+            widgets = self._rows[number_and_motor] = ui.label(self._table, text=name), side, turns
+            for column, widget in enumerate(widgets):
                 self._grid.addWidget(widget, row, column)
-            self._rows[number_and_motor] = side, turns
-            self._labels[number_and_motor] = label
         for number_and_motor, widgets in self._rows.items():
-            for widget in (*widgets, self._labels[number_and_motor]):
+            for widget in widgets:
                 widget.setVisible(number_and_motor in wanted)
-
-    def _show_wheels(self, wheels: tuple[Wheel, ...]) -> None:
-        known = {(one.board, one.motor): one for one in wheels}
-        for place, (side, turns) in self._rows.items():
-            wheel = known.get(place)
-            side.setCurrentIndex(side.findData(_NOT_DRIVEN if wheel is None else wheel.side))
-            turns.setChecked(wheel is not None and wheel.is_reversed)
 
     @property
     def wheels(self) -> tuple[Wheel, ...]:
@@ -107,17 +87,8 @@ class GroupDialog(ReusedDialog):
         shown = {one.number for one in self._boards.boards}
         return tuple(
             Wheel(board, motor, side.currentData(), turns.isChecked())
-            for (board, motor), (side, turns) in self._rows.items()
+            for (board, motor), (_, side, turns) in self._rows.items()
             if board in shown and side.currentData() != _NOT_DRIVEN
-        )
-
-    @Slot(int)
-    def _on_preset(self, index: int) -> None:
-        numbers = [one.number for one in self._boards.boards]
-        wanted = (front_and_back, left_and_right)[index](numbers)
-        turned = {(one.board, one.motor) for one in self.wheels if one.is_reversed}
-        self._show_wheels(
-            tuple(replace(w, is_reversed=(w.board, w.motor) in turned) for w in wanted)
         )
 
     @Slot(int)
