@@ -12,7 +12,6 @@ from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.devices.trex.model.demo import DemoJumpers, DemoSnapshot
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.views.board.parts import MotorPart
-from trex_gui.devices.trex.views.demo_panel import Drawing
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets.sliders import StickSlider
 
@@ -98,10 +97,6 @@ def test_stick_sliders_set_channel_inputs(window: WindowDriver, panel: DemoPanel
     learning = WidgetDriver(window.dialog("learnDialog").root, window.qtbot)
     learning.wait_for_text("learnNote", "Release every stick")
     assert trex(window.program).controller.demo_board.automatic == frozenset()
-    learning.click("learnNextButton")
-    learning.wait_for_text("learnNote", "Push every stick")
-    drawing = panel.find_only(Drawing)
-    panel.wait(lambda: drawing.marked == set(CHANNELS))
 
 
 def test_parts_of_the_drawing_are_pressed(panel: DemoPanel) -> None:

@@ -4,9 +4,9 @@ from collections.abc import Callable
 from functools import partial
 from typing import TypeVar
 
-from PySide6.QtCore import QPointF, QRectF, QRegularExpression, Qt, Slot
+from PySide6.QtCore import QPointF, QRectF, QRegularExpression, Qt
 from PySide6.QtGui import QKeySequence, QPaintEvent, QPen, QShortcut
-from PySide6.QtWidgets import QLabel, QLayout, QWidget
+from PySide6.QtWidgets import QLayout, QWidget
 
 from trex_gui.core.translation import Number, tr, tr_noop
 from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, PACKETS
@@ -20,7 +20,6 @@ from trex_gui.devices.trex.model.demo import (
     DemoSnapshot,
 )
 from trex_gui.devices.trex.model.drive_texts import direction_text
-from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.protocol.descriptions import CHANNEL_ROLES, who_controls
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode, channels_in
 from trex_gui.devices.trex.views.board.parts import (
@@ -125,9 +124,7 @@ def motor_text(motor: DemoMotor) -> str:
 
 
 class DemoBoardView(DemoPanelBody[DemoSnapshot]):
-    def __init__(
-        self, controller: TrexController, learning: Learning, parent: QWidget | None = None
-    ) -> None:
+    def __init__(self, controller: TrexController, parent: QWidget | None = None) -> None:
         board = controller.demo_board
         super().__init__(board, controller, "demoState", state_text, parent)
         tip = tr(
@@ -135,7 +132,7 @@ class DemoBoardView(DemoPanelBody[DemoSnapshot]):
         )
         factory = ui.button(self, "demoFactory", tr("Factory state"), icon="reload", tip=tip)
         factory.clicked.connect(board.restore_factory)
-        self._drawing = Drawing(board, learning, self)
+        self._drawing = Drawing(board, self)
         self.arrange([self._drawing, _other_rows(board, self)], factory)
 
     def show_head(self, snapshot: DemoSnapshot | None) -> None:
@@ -209,14 +206,12 @@ def _other_rows(board: DemoBoard, parent: QWidget) -> BoardRows:
 class Drawing(BoardRows):
     """The simulated board and its plugged-in parts, which can be moved and pressed."""
 
-    def __init__(self, board: DemoBoard, learning: Learning, parent: QWidget) -> None:
+    def __init__(self, board: DemoBoard, parent: QWidget) -> None:
         super().__init__("", Columns(), parent)
         never_mirror(self)
         ui.named(self, "demoDrawing", accessible=tr("The board"))
-        self._demo, self._learning = board, learning
-        self._sticks: dict[int, tuple[QLabel, StickSlider]] = {}
+        self._demo = board
         self._plugs: list[PlugPart] = []
-        self.marked: set[int] = set()
         self._motion = Animation(self, self._on_frame)
         self._inputs = inputs = ui.grid(margins=0, spacing=(2, 0), stretch=[(0, 1)])
         for channel in CHANNELS:
@@ -234,8 +229,6 @@ class Drawing(BoardRows):
         picture = ui.column(above, ui.row(*columns, spacing=8), spacing=12)
         self._grid.addLayout(picture, 0, 0, 1, -1)
         follow_theme(self, "room", self._update_space)
-        for changed in (learning.changed, learning.measured):
-            changed.connect(self._on_learned)
 
     def _update_space(self) -> None:
         line, width = self.fontMetrics().height(), self.fontMetrics().horizontalAdvance
@@ -320,7 +313,6 @@ class Drawing(BoardRows):
         grid.addWidget(value, row, 1, Qt.AlignmentFlag.AlignRight)
         grid.addWidget(slider, row + 1, 0, 1, 2)
         grid.addWidget(plug, row, 2, 2, 1)
-        self._sticks[channel] = name, slider
         self._plugs.append(plug)
         self.controls += slider, plug
 
@@ -445,22 +437,10 @@ class Drawing(BoardRows):
         for motor in self._motors.values():
             motor.turn(seconds)
 
-    @Slot()
-    def _on_learned(self) -> None:
-        if self.marked != self._learning.to_move:
-            self.marked = self._learning.to_move
-            self.update()
-
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
         body, color = QRectF(self._body.geometry()), theme().color
         with Painter(self) as painter:
-            painter.setPen(QPen(color("accent"), 2))
-            painter.setBrush(color("selected"))
-            for channel in self.marked:
-                name, slider = self._sticks[channel]
-                stick = name.geometry().united(slider.geometry())
-                painter.drawRoundedRect(stick.adjusted(-3, 2, 2, -2), 5, 5)
             painter.setPen(QPen(color("board_edge"), 4))
             painter.setBrush(Qt.BrushStyle.NoBrush)
             ends = []

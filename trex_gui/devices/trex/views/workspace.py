@@ -161,7 +161,7 @@ class TrexWorkspace(Workspace):
     def _create_demo_view(self, parent: QWidget) -> QWidget:
         from trex_gui.devices.trex.views.demo_panel import DemoBoardView  # noqa: PLC0415
 
-        return DemoBoardView(self._controller, self._learning, parent)
+        return DemoBoardView(self._controller, parent)
 
     @Slot()
     def _show_plot(self) -> None:

@@ -107,14 +107,6 @@ class Learning(QObject):
         return self.step in {LearningStep.DOUBT, LearningStep.TRAVEL}
 
     @property
-    def to_move(self) -> set[int]:
-        """Channels whose sticks the user has to move now."""
-        if self.step is LearningStep.TRAVEL:
-            return {c.number for c in self.channels if c.travel and not c.travel.is_enough}
-        tests = self.tests.tests if self.step is LearningStep.TEST and self.tests else ()
-        return {test.number for test in tests if not (test.passed or test.ignored)}
-
-    @property
     def included(self) -> list[LearnedChannel]:
         return [channel for channel in self.channels if channel.is_included]
 
