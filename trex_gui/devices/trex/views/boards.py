@@ -6,7 +6,7 @@ from PySide6.QtCore import QObject, Qt, Slot
 from PySide6.QtWidgets import QListWidget, QListWidgetItem, QSizePolicy, QWidget
 
 from trex_gui.core.texts import title_of
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.discovery import NUMBERS
 from trex_gui.devices.trex.model.boards import BoardList, LineBoard, Presence
 from trex_gui.devices.trex.model.device import Device
@@ -22,6 +22,13 @@ from trex_gui.ui.widgets.labels import Muted
 
 _NUMBER = Qt.ItemDataRole.UserRole
 _WIDEST = "00 · TReX Jr 1.2  "
+_STATES = {
+    Presence.SELECTED: tr_noop("selected"),
+    Presence.RESPONDING: tr_noop("responding"),
+    Presence.SILENT: tr_noop("not responding"),
+    Presence.UNREADABLE: tr_noop("reply unreadable"),
+    Presence.UNKNOWN: tr_noop("not asked yet"),
+}
 
 
 class BoardPanel(QWidget):
@@ -51,14 +58,15 @@ class BoardPanel(QWidget):
         self._progress.setRange(0, NUMBERS)
         button = partial(ui.button, self)
         tip = tr("Ask for each device number which board has it; nothing is changed")
-        self._scan = button("scanBoardsButton", tr("Find boards"), icon="find", tip=tip)
-        tip = tr("Ask for no more numbers")
-        self._cancel = button("cancelScanButton", tr("Cancel"), tip=tip)
+        self._scan = button(
+            "scanBoardsButton", tr("Find boards"), icon="find", tip=tip, on_click=boards.scan
+        )
+        self._cancel = button("cancelScanButton", tr("Cancel"), on_click=boards.cancel_scan)
         tip = tr("Give the board that is selected another device number")
         self._change = button("changeNumberButton", tr("Change number…"), icon="edited", tip=tip)
         tip = tr("Drive several boards as one robot, with one pad and one Stop")
         self._together = button("groupButton", tr("Drive together…"), icon="motor", tip=tip)
-        self._alone = button("partButton", tr("Drive alone"), icon="motor")
+        self._alone = button("partButton", tr("Drive alone"), icon="motor", on_click=group.part)
 
         title = ui.label(self, "boardsTitle", tr("Boards on this line"), bold=True, wrap=True)
         search = self._scanned, self._progress, self._scan, self._cancel
@@ -67,13 +75,10 @@ class BoardPanel(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
         follow_theme(self, "width", self._update_width)
 
-        self._scan.clicked.connect(boards.scan)
-        self._cancel.clicked.connect(boards.cancel_scan)
         self._change.clicked.connect(self.change_number)
         self._together.clicked.connect(self.join_boards)
-        self._alone.clicked.connect(group.part)
-        group.changed.connect(self._update)
-        for changed in (boards.changed, device.link_changed, device.motors.arming_changed):
+        arming_changed = device.motors.arming_changed
+        for changed in (group.changed, boards.changed, device.link_changed, arming_changed):
             changed.connect(self._update)
         self._update()
 
@@ -171,16 +176,7 @@ class BoardPanel(QWidget):
                 return tr("selected, armed")
             case Presence.SELECTED if device.may_move:
                 return tr("selected, may be moving")
-            case Presence.SELECTED:
-                return tr("selected")
-            case Presence.RESPONDING:
-                return tr("responding")
-            case Presence.SILENT:
-                return tr("not responding")
-            case Presence.UNREADABLE:
-                return tr("reply unreadable")
-            case Presence.UNKNOWN:
-                return tr("not asked yet")
+        return tr(_STATES[board.presence])
 
 
 class NumberDialog(QObject):

@@ -208,11 +208,10 @@ class CheckBoardFlow(Flow):
 
     def add_buttons(self, parent: QWidget) -> Sequence[QPushButton]:
         button = partial(ui.button, parent, default=False)
-        self._find = button("checkFindButton", tr("&Find now"))
+        self._find = button("checkFindButton", tr("&Find now"), on_click=self.find_requested)
         tip = tr("19200 baud, without parity and CRC, whatever the device number")
         text = tr("&Connect at factory settings")
         self._connect = button("checkConnectButton", text, tip=tip, on_click=self._connect_now)
-        self._find.clicked.connect(self.find_requested)
         return self._find, self._connect
 
     def shown(self) -> Shown:

@@ -163,8 +163,7 @@ def _other_rows(board: DemoBoard, parent: QWidget) -> BoardRows:
         "demoAutomatic",
         tr("Move by themselves"),
         tr("All sticks swing slowly; moving one holds that one"),
-        # A click checks a box that is partially checked or unchecked.
-        lambda _checked: board.set_automatic(len(board.automatic) < len(CHANNELS)),
+        board.set_automatic,
         lambda _snapshot: len(board.automatic) == len(CHANNELS),
     )
     tip = tr("Hold all sticks centred, as safe-start requires")
@@ -174,11 +173,6 @@ def _other_rows(board: DemoBoard, parent: QWidget) -> BoardRows:
         text = jumper_hint(snapshot)
         return text or tr("Mode is read at power-up; Mix takes effect at once."), bool(text)
 
-    def update(_snapshot: DemoSnapshot) -> None:
-        if 0 < len(board.automatic) < len(CHANNELS):
-            automatic.setCheckState(Qt.CheckState.PartiallyChecked)
-
-    rows.on_snapshot(update)
     rows.add_wide((power, 1), (cycle, 0))
     rows.note("demoHint", 2, hint)
     rows.add_row(tr("Battery"), battery, volts)

@@ -101,12 +101,8 @@ class HistoryDialog(ReusedDialog):
         self._table.failed.connect(self._banner.show_problem)
         self._pane.restore_requested.connect(self.restore_requested)
         draft = device.draft
-        for changed in (
-            draft.pending_changed,
-            draft.loaded,
-            device.state_changed,
-            device.link_changed,
-        ):
+        of_board = draft.pending_changed, draft.loaded, device.state_changed, device.link_changed
+        for changed in of_board:
             changed.connect(self._on_board_changed)
         for ended in (device.applied, device.request_failed):
             ended.connect(self._on_written)

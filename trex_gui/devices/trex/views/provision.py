@@ -53,9 +53,7 @@ class ProfilePage(Page):
         super().__init__("provisionProfilePage", tr("What every board gets"))
         grid = ui.grid(self, margins=0, spacing=(8, 12), stretch=[(1, 1)])
         add = partial(self._add_path, grid)
-        self.profile = self._add_path(
-            grid, "provisionProfile", tr("&Profile:"), self._select_profile
-        )
+        self.profile = add("provisionProfile", tr("&Profile:"), self._select_profile)
         self.record = add("provisionRecord", tr("&Record:"), self._select_record)
         self.names = ui.named(QLineEdit("robot {number}", self), "provisionNames")
         title = tr("First device number")
@@ -180,8 +178,6 @@ class BoardStep(Page):
 
 
 class MotorsStep(Page):
-    """Turns each motor while its button is held."""
-
     def __init__(self, work: Provision, device: Device) -> None:
         super().__init__("provisionMotorsPage", tr("Hold each button: does its motor turn?"))
         self._controls = PulseControls("provision", device, work.pulses, self)
