@@ -195,8 +195,6 @@ def test_result_is_shown_beside_the_previous_or_a_selected_one(dialog: BenchTest
     assert dialog.figure(0, 1) == "6.00 A"
     compare.setCurrentIndex(compare.count() - 1)  # the oldest
     assert dialog.figure(0, 1) == "12.00 A"
-    compare.setCurrentIndex(1)  # nothing
-    assert dialog.figure(0, 1) == "–"
 
 
 def test_reason_for_an_abort_is_shown(dialog: BenchTestDialog) -> None:
@@ -236,22 +234,3 @@ def test_invalid_file_is_rejected_with_the_reason(
     dialog.wait_for_files()
     assert words in dialog.note
     assert dialog.bench.runs == ()
-
-
-def test_plot_shows_values_under_the_mouse(dialog: BenchTestDialog) -> None:
-    dialog.bench.add_run(run_of(READINGS))
-    plot = dialog.plot
-    dialog.wait(lambda: plot.highest >= 12.0)
-    viewport = dialog.find(QWidget, "benchCurrents")
-    where = QPointF(viewport.width() / 2, viewport.height() / 2)
-    none = Qt.MouseButton.NoButton
-    event = QMouseEvent(
-        QEvent.Type.MouseMove,
-        where,
-        QPointF(viewport.mapToGlobal(where.toPoint())),
-        none,
-        none,
-        Qt.KeyboardModifier.NoModifier,
-    )
-    QCoreApplication.sendEvent(viewport, event)
-    assert dialog.text("benchValues").endswith("+40  4.00 A")

@@ -45,7 +45,7 @@ from trex_gui.ui.widgets.scroll_box import ScrollBox
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.bench.plot import BenchPlot
 
-_PREVIOUS, _NOTHING = -1, -2  # comparisons to select, in addition to the runs
+_PREVIOUS = -1  # comparison to select, in addition to the runs
 
 
 class BenchDialog(ReusedDialog):
@@ -241,7 +241,6 @@ class BenchDialog(ReusedDialog):
         with QSignalBlocker(self._compare):
             self._compare.clear()
             self._compare.addItem(tr("the previous test"), _PREVIOUS)
-            self._compare.addItem(tr("nothing"), _NOTHING)
             for run in reversed(self.bench.runs[:-1]):
                 self._compare.addItem(text.format(run.started, run.motor, run.title), run)
             data = [self._compare.itemData(row) for row in range(self._compare.count())]
@@ -252,8 +251,6 @@ class BenchDialog(ReusedDialog):
         chosen, runs = self._compare.currentData(), self.bench.runs
         if isinstance(chosen, Run):
             return chosen
-        if chosen == _NOTHING:
-            return None
         index = -1 if self.bench.phase is not Phase.IDLE else -2
         return runs[index] if len(runs) >= -index else None
 

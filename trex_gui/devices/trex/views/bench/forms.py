@@ -159,13 +159,6 @@ class PlanForm(ui.Card):
         self._period.setAccessibleName(name.replace("&", ""))
         self._period_name.setEnabled(shape.has_period)
         self._period.setEnabled(shape.has_period)
-        tips = {
-            Shape.STEP: tr("A step has no period."),
-            Shape.RAMP: tr("How long the speed rises before it is constant."),
-            Shape.REVERSE: tr("Half of it in each direction."),
-            Shape.SINE: tr("One full cycle, forward and back."),
-        }
-        self._period.setToolTip(ui.plain(tips[shape]))
 
 
 class TuningForm(ui.Card):

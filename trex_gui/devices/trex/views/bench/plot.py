@@ -3,7 +3,7 @@
 import math
 
 import numpy as np
-from PySide6.QtCore import QSize, Qt, Slot
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import QWidget
 
@@ -13,8 +13,8 @@ from trex_gui.devices.trex.bench.run import Profile, Run
 from trex_gui.ui.plotting.axes import count_labels, round_up, ticks, value_labels
 from trex_gui.ui.plotting.canvas import PlotCanvas
 from trex_gui.ui.plotting.history import Floats
-from trex_gui.ui.widgets.bar import MINUS, NO_VALUE
-from trex_gui.ui.widgets.builders import column, label, row
+from trex_gui.ui.widgets.bar import MINUS
+from trex_gui.ui.widgets.builders import column, row
 from trex_gui.ui.widgets.labels import LegendKey
 from trex_gui.ui.widgets.painted import Painted
 
@@ -51,8 +51,6 @@ class BenchPlot(Painted):
             canvas.setMinimumHeight(70)
             has_labels = canvas is self._currents
             canvas.set_margins(left=f"{MINUS}127", top=half, right=side, x_axis=has_labels)
-            canvas.hovered.connect(self._on_hovered)
-            canvas.unhovered.connect(self._on_unhovered)
         dash = Qt.PenStyle.DashLine
         self._planned = self._speeds.add_curve("muted", 1, dash)
         self._setpoints = self._speeds.add_curve("window_text")
@@ -60,10 +58,9 @@ class BenchPlot(Painted):
         self._limit_line = self._currents.add_line("warning", dash)
         self._drawn_before = self._currents.add_curve("muted")
         self._drawn = self._currents.add_curve("accent")
-        both = canvases.values()
-        self._ends = [canvas.add_line("neutral", dash, vertical=True) for canvas in both]
-        self._cursors = [canvas.add_line("pointer", vertical=True) for canvas in both]
-        self._values = label(self, "benchValues")
+        self._ends = [
+            canvas.add_line("neutral", dash, vertical=True) for canvas in canvases.values()
+        ]
         self._before_key = LegendKey(tr("Compared"), "muted", self)
         self._abort_key = LegendKey("", "danger", self, dash)
         self._limit_key = LegendKey("", "warning", self, dash)
@@ -72,7 +69,7 @@ class BenchPlot(Painted):
         current = LegendKey(tr("Current"), "accent", self)
         keys = setpoint, planned, current, self._before_key, self._abort_key, self._limit_key
         gap = self.fontMetrics().averageCharWidth() * 2
-        legend = row(*keys, 1, self._values, spacing=gap)
+        legend = row(*keys, 1, spacing=gap)
         column(legend, (self._speeds, 2), (self._currents, 3), into=self, margins=0, spacing=2)
         self.show_runs(None, None)
 
@@ -111,7 +108,6 @@ class BenchPlot(Painted):
         self._before_key.setVisible(before is not None)
         for end in self._ends:
             end.set_value(run.ended if run is not None else None)
-        self._on_unhovered()
 
     def sizeHint(self) -> QSize:
         return QSize(self.fontMetrics().averageCharWidth() * 70, self.fontMetrics().height() * 16)
@@ -128,35 +124,6 @@ class BenchPlot(Painted):
             [(at, f"{Number(at):g} s") for at in marks],
             value_labels(ticks(0, self.highest, step), tr("A")),
         )
-
-    @Slot(float)
-    def _on_hovered(self, x: float) -> None:
-        """Show the values under the mouse, with a cursor in both plots."""
-        at = self._speeds.x_at(x)
-        if self._run is None or not 0 <= at <= self.seconds:
-            self._on_unhovered()
-            return
-        for cursor in self._cursors:
-            cursor.set_value(at)
-        parts = [
-            tr("{0:.2f} s").format(Number(at)),
-            f"{self._run.setpoint_at(at):+d}".replace("-", MINUS),
-            _amps_at(self._run, at),
-        ]
-        if self._before is not None:
-            parts.append(f"({_amps_at(self._before, at)})")
-        self._values.setText("  ".join(parts))
-
-    @Slot()
-    def _on_unhovered(self) -> None:
-        for cursor in self._cursors:
-            cursor.set_value(None)
-        self._values.setText("")
-
-
-def _amps_at(run: Run, at: float) -> str:
-    amps = run.current_at(at)
-    return f"{NO_VALUE} A" if amps is None else f"{Number(amps):.2f} A"
 
 
 def _arrays(points: object) -> tuple[Floats, Floats]:
