@@ -22,7 +22,7 @@ from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import SimulatedBoards
-from trex_gui.devices.trex.views.demo_panel import jumper_hint, led_patterns, led_words, state_text
+from trex_gui.devices.trex.views.demo_panel import led_patterns, led_words, state_text
 from trex_gui.ui.devices.demo_panel import DemoDock
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.program import Program
@@ -78,26 +78,6 @@ def test_dark_led_is_described_in_the_language(qapp: QApplication) -> None:
 )
 def test_board_state_is_described(snapshot: DemoSnapshot, words: str) -> None:
     assert words in state_text(snapshot)
-
-
-@pytest.mark.parametrize(
-    ("snapshot", "hint"),
-    [
-        (SERIAL, ""),
-        (RC, ""),
-        (replace(SERIAL, jumpers=RC.jumpers), "Power cycle to enter RC mode."),
-        (replace(RC, jumpers=SERIAL.jumpers), "Power cycle to enter serial mode."),
-        (replace(SERIAL, jumpers=RC.jumpers, power=False), "Power on to enter RC mode."),
-        (replace(RC, jumpers=DemoJumpers("rc", True, True)), "Power cycle to learn the inputs."),
-        (
-            replace(SERIAL, jumpers=DemoJumpers("serial", True, True)),
-            "Power cycle to start the boot loader.",
-        ),
-        (replace(RC, jumpers=DemoJumpers("rc", True, True), boot_mode="learning: done"), ""),
-    ],
-)
-def test_moved_jumper_hints_at_the_power_cycle(snapshot: DemoSnapshot, hint: str) -> None:
-    assert jumper_hint(snapshot) == hint
 
 
 # --- LEDs -------------------------------------------------------------------------------

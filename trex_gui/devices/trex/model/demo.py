@@ -17,7 +17,6 @@ STICK_ENDS = {InputSource.RC: (900.0, 2100.0), InputSource.ANALOG: (0.0, 5.0)}
 
 _SIGNAL = re.compile(r"([\d.]+) ?(us|V)", re.IGNORECASE)  # noise may follow
 _SIGNAL_UNITS = {InputSource.RC: "US", InputSource.ANALOG: "V"}
-_JUMPERS_OF_MODE = {Mode.RC: "rc", Mode.ANALOG: "analog"}
 
 
 BOOT_TEXTS = {
@@ -100,10 +99,6 @@ class DemoSnapshot:
     @property
     def source(self) -> InputSource:
         return self.mode.source
-
-    @property
-    def active_mode_jumper(self) -> str:
-        return _JUMPERS_OF_MODE.get(self.mode, "serial")
 
 
 def read_snapshot(text: str) -> DemoSnapshot:

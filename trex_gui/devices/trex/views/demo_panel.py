@@ -33,7 +33,7 @@ from trex_gui.ui.devices.demo_panel import Columns, DemoPanelBody, Rows, add_cab
 from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.circuit import paint_block, paint_body, text_width
-from trex_gui.ui.widgets.labels import LiveLabel
+from trex_gui.ui.widgets.labels import LiveLabel, Muted
 from trex_gui.ui.widgets.leds import Leds
 from trex_gui.ui.widgets.painted import Animation, Painter, never_mirror
 from trex_gui.ui.widgets.sliders import StickSlider
@@ -98,24 +98,6 @@ def _safe_start_text(snapshot: DemoSnapshot) -> str:
     return tr("Safe-start: the motors wait until the sticks are centred.")
 
 
-def jumper_hint(snapshot: DemoSnapshot) -> str:
-    """Return the effect of the jumpers, now or after a power cycle. Empty if there is none."""
-    jumpers = snapshot.jumpers
-    if snapshot.boot_mode is not None:
-        return ""
-    when = tr("Power cycle") if snapshot.power else tr("Power on")
-    if jumpers.mix and jumpers.so_ground:
-        if jumpers.mode == "serial":
-            return tr("{0} to start the boot loader.").format(when)
-        return tr("{0} to learn the inputs.").format(when)
-    if jumpers.mode != snapshot.active_mode_jumper:
-        wanted = {"serial": tr("serial"), "rc": tr("RC"), "analog": tr("analog")}
-        return tr("{0} to enter {1} mode.").format(when, wanted.get(jumpers.mode, jumpers.mode))
-    if jumpers.so_ground:
-        return tr("SO–G holds the serial output to ground: no reply gets out.")
-    return ""
-
-
 def motor_text(motor: DemoMotor) -> str:
     """Return the state of a motor, such as `forward 64`."""
     if motor.direction == "brake":
@@ -169,12 +151,8 @@ def _other_rows(board: DemoBoard, parent: QWidget) -> BoardRows:
     tip = tr("Hold all sticks centred, as safe-start requires")
     centre = ui.button(rows, "demoCentre", tr("Centre"), tip=tip, on_click=board.centre_sticks)
 
-    def hint(snapshot: DemoSnapshot) -> tuple[str, bool]:
-        text = jumper_hint(snapshot)
-        return text or tr("Mode is read at power-up; Mix takes effect at once."), bool(text)
-
     rows.add_wide((power, 1), (cycle, 0))
-    rows.note("demoHint", 2, hint)
+    rows.add_wide(Muted(tr("Mode is read at power-up; Mix takes effect at once."), rows))
     rows.add_row(tr("Battery"), battery, volts)
     rows.add_wide((automatic, 1), (centre, 0))
     once_tip = tr(
