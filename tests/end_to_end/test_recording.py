@@ -58,10 +58,6 @@ def test_session_is_recorded_and_opened_without_a_board(
     assert "µs" in player.text("channel1AtPosition")
     recordings.open_file(path)
     assert recordings.windows == [opened]
-    player.click("settingsAtPositionButton")
-    (editor,) = trex(window.program).workspace.files.editors
-    assert editor.document.readable
-    editor.close()
     opened.close()
     assert recordings.windows == []
 

@@ -1,6 +1,5 @@
 """Window of a recording: curves, events, playback and export."""
 
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -96,10 +95,8 @@ class RecordingWindow(QMainWindow):
         playback.failed.connect(self._on_failed)
         theme().changed.connect(self.plot.draw)
 
-    def arrange(
-        self, stop: QWidget, buttons: Sequence[QWidget], below_plot: QWidget, above_events: QWidget
-    ) -> None:
-        controls = self.copy_button, self._show_all, *buttons, self._export, self._picture
+    def arrange(self, stop: QWidget, below_plot: QWidget, above_events: QWidget) -> None:
+        controls = self.copy_button, self._show_all, self._export, self._picture
         top = ui.row((self._heading, 1), *controls)
         left, right = QWidget(self), QWidget(self)
         ui.column((self.plot, 1), below_plot, into=left, margins=(0, 0, 6, 0))

@@ -125,13 +125,8 @@ def test_values_follow_slider_keys_and_events(window: RecordingWindow) -> None:
     events.setCurrentIndex(model.index(1, 0))
     events.activated.emit(model.index(1, 0))
     assert window.playback.position == pytest.approx(T0 + 45)
-
     for place, settings in ((10, HEADER.settings), (40, LATER)):
-        window.playback.set_position(T0 + place)
-        with window.qtbot.waitSignal(window.window.settings_wanted) as wanted:
-            window.click("settingsAtPositionButton")
-        (document,) = wanted.args
-        assert (document.text, document.name) == (settings, f"minute at 0:00:{place}")
+        assert window.playback.state_at(T0 + place).settings == settings
 
 
 def test_shown_span_is_exported_as_csv_and_pictures(

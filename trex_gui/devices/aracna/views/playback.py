@@ -56,7 +56,6 @@ class RobotPlaybackWindow(RecordingWindow):
         self._joints.toggled.connect(self._on_toggled)
         self.arrange(
             StopSequenceButton(robot, "aracnaPlaybackStopButton", self),
-            [],
             below_plot=self._joints,
             above_events=beside,
         )

@@ -53,7 +53,6 @@ class BoardPanel(QWidget):
         self._list.setToolTip(tip)
         self._list.itemClicked.connect(self._on_chosen)
         self._list.itemActivated.connect(self._on_chosen)
-        self._scanned = ui.named(Muted("", self), "boardsScanned")
         self._progress = ui.progress_bar(self, "boardsProgress", tr("Progress of the search"))
         self._progress.setRange(0, NUMBERS)
         button = partial(ui.button, self)
@@ -69,7 +68,7 @@ class BoardPanel(QWidget):
         self._alone = button("partButton", tr("Drive alone"), icon="motor", on_click=group.part)
 
         title = ui.label(self, "boardsTitle", tr("Boards on this line"), bold=True, wrap=True)
-        search = self._scanned, self._progress, self._scan, self._cancel
+        search = self._progress, self._scan, self._cancel
         items = title, (self._list, 1), *search, self._change, self._together, self._alone
         ui.column(*items, into=self, margins=(8, 8, 0, 8))
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
@@ -118,9 +117,8 @@ class BoardPanel(QWidget):
         is_scanning = boards.scanned is not None
         self.setVisible(is_open and (boards.has_several or is_scanning))
         self._show_boards()
-        self._scanned.setText(tr("Number {0} of {1} …").format(boards.scanned, NUMBERS - 1))
         self._progress.setValue(boards.scanned or 0)
-        for widget in (self._scanned, self._progress, self._cancel):
+        for widget in (self._progress, self._cancel):
             widget.setVisible(is_scanning)
         self._scan.setVisible(not is_scanning)
         self._scan.setEnabled(boards.can_scan)

@@ -1,6 +1,6 @@
 """Window of a recording of a board."""
 
-from PySide6.QtCore import Signal, Slot
+from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QFormLayout, QLabel, QWidget
 
 from trex_gui.core.texts import signed_text
@@ -9,12 +9,10 @@ from trex_gui.devices.trex.client.telemetry import Control, Currents, ModeSample
 from trex_gui.devices.trex.model.channel_text import input_text
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.playback import Playback
-from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.recording import BoardSnapshot
 from trex_gui.devices.trex.views.motor_controls import MotorBar
-from trex_gui.ui.playback.transport import time_text
 from trex_gui.ui.playback.window import RecordingWindow
 from trex_gui.ui.plotting.figures import TraceColumn, TraceTable, TraceTableView
 from trex_gui.ui.widgets import builders
@@ -24,17 +22,9 @@ _WIDEST = "0000.0 µs (0000), remapped −000 "
 
 
 class PlaybackWindow(RecordingWindow):
-    settings_wanted = Signal(object)  # the `SettingsDocument` at the position, to be opened
-
     def __init__(self, playback: Playback, device: Device) -> None:
         super().__init__(playback, "playback")
         self.playback = playback
-        text = tr("&Settings at this time…")
-        tip = tr("Open the settings that the board stored at this time")
-        self._settings = builders.button(
-            self, "settingsAtPositionButton", text, icon="settings", tip=tip
-        )
-        self._settings.clicked.connect(self._on_settings_clicked)
         self._table = TraceTable(self.plot, self)
         table = TraceTableView(self._table, self)
         table.setColumnHidden(TraceColumn.NOW, True)  # there is no newest value
@@ -43,7 +33,7 @@ class PlaybackWindow(RecordingWindow):
 
         bar, values = MotorBar(device, "playbackStopButton", self), ValuesPanel(playback, self)
         bar.fill(bar.armed)
-        self.arrange(bar, [self._settings], below_plot=table, above_events=values)
+        self.arrange(bar, below_plot=table, above_events=values)
 
     def device_text(self) -> str:
         return self.playback.header.board
@@ -55,17 +45,6 @@ class PlaybackWindow(RecordingWindow):
     @Slot()
     def update_figures(self) -> None:
         self._table.refresh()
-
-    @Slot()
-    def update_state(self) -> None:
-        super().update_state()
-        self._settings.setEnabled(self.playback.is_loaded)
-
-    @Slot()
-    def _on_settings_clicked(self) -> None:
-        seconds = self.playback.position - self.playback.start
-        name = tr("{0} at {1}").format(self.playback.path.stem, time_text(seconds))
-        self.settings_wanted.emit(SettingsDocument(self.playback.state().settings, name))
 
 
 class ValuesPanel(QWidget):

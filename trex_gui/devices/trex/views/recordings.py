@@ -4,7 +4,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Signal, Slot
+from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.recording.kept import create_kept_folder
@@ -26,8 +26,6 @@ _WITH_RUN = "recording/with_run"
 
 
 class Recordings(RecordingManager["PlaybackWindow"]):
-    settings_wanted = Signal(object)  # a `SettingsDocument` to open in the settings editor
-
     def __init__(self, device: Device, window: QWidget) -> None:
         texts = RecordingTexts(
             stem="trex",
@@ -48,9 +46,7 @@ class Recordings(RecordingManager["PlaybackWindow"]):
         from trex_gui.devices.trex.model.playback import Playback  # noqa: PLC0415
         from trex_gui.devices.trex.views.playback import PlaybackWindow  # noqa: PLC0415
 
-        window = PlaybackWindow(Playback(recording), self._device)
-        window.settings_wanted.connect(self.settings_wanted)
-        return window
+        return PlaybackWindow(Playback(recording), self._device)
 
     def entries(self) -> Entries:
         choose, with_run = self.select_and_open, tr("Start recording &when the motors are armed")

@@ -39,15 +39,13 @@ class SnapshotPane(QWidget):
         self._shown: tuple[Path, str] | None = None  # snapshot, and title of the left side
 
         self._title = ui.label(self, "snapshotTitle", wrap=True, size="heading")
-        self._details = ui.label(self, "snapshotDetails", wrap=True, size="caption")
         self._rows = ComparisonView(self)
         self._note = ui.named(Note(2, self), "restoreNote")
         self._restore = ui.button(self, "restoreButton", default=False)
         set_look(self._restore, "primary")
 
         below = ui.row((self._note, 1), (self._restore, 0, Qt.AlignmentFlag.AlignTop))
-        above = self._title, self._details, (self._rows, 1)
-        ui.column(*above, below, into=self, margins=(6, 0, 0, 0))
+        ui.column(self._title, (self._rows, 1), below, into=self, margins=(6, 0, 0, 0))
         self._restore.clicked.connect(self._on_restore_clicked)
         self._rows.ticked_changed.connect(self._update_restore)
         self.show_chosen(())
@@ -110,13 +108,6 @@ class SnapshotPane(QWidget):
         title = tr("{0}, before {1}") if snapshot.reason else "{0}"
         time = self._table.time_text(snapshot)
         self._title.setText(title.format(time[:1].upper() + time[1:], snapshot.reason))
-        number = snapshot.device_number
-        parts = (
-            f"{snapshot.product} {snapshot.firmware}".strip(),
-            "" if number is None else tr("device number {0}").format(number),
-            snapshot.adapter,
-        )
-        self._details.setText(", ".join(part for part in parts if part))
 
     @Slot()
     def _update_restore(self) -> None:

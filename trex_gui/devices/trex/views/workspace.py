@@ -110,7 +110,6 @@ class TrexWorkspace(Workspace):
         self.openers = {"settings": files.open_file, "recording": self.recordings.open_file}
         files.used.connect(partial(frame.files.recent.add, self.key, "settings"))
         self.recordings.used.connect(partial(frame.files.recent.add, self.key, "recording"))
-        self.recordings.settings_wanted.connect(self.files.open_editor)
         settings.parameter_wanted.connect(self._show_parameter)
         bar.apply_requested.connect(settings.review)
         controller.demo_board.rejected.connect(self.notifier.error)
