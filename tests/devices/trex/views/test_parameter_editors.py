@@ -17,7 +17,6 @@ from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSpec, parameters_of
 from trex_gui.devices.trex.views.count_editor import UnitSpinBox
 from trex_gui.devices.trex.views.pages.parameters.editors import AccelerationEditor
-from trex_gui.ui.theme.theme import theme
 
 BOARDS = [(model.key, version) for model in device_table().models for version in model.firmware]
 SPECS = parameters_of("trexjr", "1.2")
@@ -159,14 +158,12 @@ def test_rejected_input_is_marked_until_it_is_a_value(parameters: ParametersDriv
     type_number(editor, "99999")
     assert icon.isVisible()
     assert editor.problem == parameters.rejected[-1]
-    red = theme().color("danger")
-    assert editor.grab().toImage().pixelColor(1, editor.height() // 2) == red
     QTest.keyClick(editor, Qt.Key.Key_Backspace)
     assert editor.problem
     editor.selectAll()
     QTest.keyClicks(editor, "2")
     assert not editor.problem
-    assert editor.grab().toImage().pixelColor(1, editor.height() // 2) != red
+    assert not icon.isVisible()
 
 
 def test_keys_change_a_number(parameters: ParametersDriver) -> None:

@@ -6,7 +6,7 @@ from contextlib import suppress
 from functools import partial
 
 from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, Signal, Slot
-from PySide6.QtGui import QAction, QKeyEvent, QPainter, QPaintEvent, QPen, QValidator
+from PySide6.QtGui import QAction, QKeyEvent, QValidator
 from PySide6.QtWidgets import QLineEdit, QSpinBox, QStyledItemDelegate, QWidget
 
 from trex_gui.core.decimals import DECIMAL, AmbiguousNumber, quantity
@@ -15,7 +15,6 @@ from trex_gui.core.translation import tr, with_decimal_point
 from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED, read_count
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.theme.icons import set_icon
-from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.units import units
 from trex_gui.ui.widgets.behaviour import focused_wheel
@@ -29,7 +28,7 @@ class UnitSpinBox(QSpinBox):
     """Base of spin boxes whose input `parse` converts.
 
     A number without a unit is in the displayed unit. A change of units first accepts the typed
-    text. Input that was reported as invalid is marked by a red frame and an icon.
+    text. Input that was reported as invalid is marked by an icon.
     """
 
     rejected = Signal(str)  # reason why the input is invalid, for the user
@@ -59,7 +58,6 @@ class UnitSpinBox(QSpinBox):
     def _mark(self, problem: str) -> None:
         self._problem.setToolTip(plain(problem))
         self._problem.setVisible(bool(problem))
-        self.update()
 
     @Slot()
     def _on_text_changed(self) -> None:
@@ -87,13 +85,6 @@ class UnitSpinBox(QSpinBox):
         self.setSuffix("")  # updates the text and the size
         self.lineEdit().setModified(is_typed)  # so that a delegate commits the value
         self._mark("")
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        super().paintEvent(event)
-        if self.problem:
-            with QPainter(self) as painter:
-                painter.setPen(QPen(theme().color("danger"), 2))
-                painter.drawRect(self.rect().adjusted(1, 1, -1, -1))
 
     def parse(self, text: str) -> int:
         """Return the value of the input.
