@@ -1,6 +1,6 @@
 """Picture of the jumpers and LEDs of a board as a task requires them."""
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection
 
 from PySide6.QtCore import QPointF, QRectF, QSize
 from PySide6.QtGui import QPaintEvent, QPen
@@ -36,12 +36,11 @@ class JumperPicture(Painted):
         so_ground: bool = False,
         moved: Collection[str] = (),
         leds: tuple[str, str] | None = None,
-        remarks: Mapping[str, str] | None = None,
     ) -> None:
         """Show the required positions of the jumpers, and the resulting LED patterns.
 
         An empty `mode` means that its jumper is off. `mix` is `None` if it does not matter.
-        The keys of `moved` (jumpers to move) and `remarks` are `mode`, `mix` and `so_ground`.
+        `moved` are the jumpers to move: `mode`, `mix`, `so_ground`.
         """
         names = {
             "mode": (tr("Mode: {0}").format(mode) if mode else tr("Mode: off"), bool(mode)),
@@ -53,8 +52,7 @@ class JumperPicture(Painted):
         self._moved, self._jumpers = moved, {}
         for key, (name, is_on) in names.items():
             to_do = tr("put it on") if is_on else tr("remove it")
-            remark = (remarks or {}).get(key, to_do if key in moved else "")
-            self._jumpers[key] = (f"{name}  {remark}" if remark else name), is_on
+            self._jumpers[key] = (f"{name}  {to_do}" if key in moved else name), is_on
         self.setAccessibleName(", ".join(text for text, _ in self._jumpers.values()))
         self._leds.setVisible(leds is not None)
         if leds is not None:

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from functools import partial
 
-from PySide6.QtCore import QSignalBlocker, QSize, Qt, Slot
+from PySide6.QtCore import QSignalBlocker, Qt, Slot
 from PySide6.QtWidgets import QAbstractButton, QLabel
 
 from trex_gui.core.translation import tr
@@ -20,13 +20,7 @@ from trex_gui.devices.trex.protocol.parameters import FULL_SPEED_S, MotorParamet
 from trex_gui.devices.trex.settings.comparison import compare
 from trex_gui.devices.trex.views.board.jumpers import JumperPicture
 from trex_gui.devices.trex.views.setup.direction_pages import rewiring_text
-from trex_gui.devices.trex.views.setup.pictures import (
-    Choices,
-    paint_curve,
-    paint_driver,
-    paint_ramp,
-    picture,
-)
+from trex_gui.devices.trex.views.setup.pictures import Choices, paint_driver, paint_ramp
 from trex_gui.devices.trex.views.steps import Page
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets import builders as ui
@@ -59,7 +53,7 @@ class DriverPage(Page):
 
 
 class JumperPage(Page):
-    """Drawing of the required jumper positions, with ticks where the board reports them."""
+    """Drawing of the required jumper positions, beside what the board reports of them."""
 
     def __init__(self, device: Device, setup: RobotSetup) -> None:
         super().__init__("setupJumpersPage", tr("Move the jumpers as drawn"))
@@ -84,11 +78,8 @@ class JumperPage(Page):
         for key, note in (("mode", self._mode), ("mix", self._mix)):
             good, text = checks.get(key, (None, ""))
             note.show_note(f"✓ {text}" if good else text, alarming=good is False)
-        self._picture.show_jumpers(
-            is_mixed,
-            moved=[key for key, (good, _) in checks.items() if good is False],
-            remarks={key: f"✓ {tr('checked')}" for key, (good, _) in checks.items() if good},
-        )
+        moved = [key for key, (good, _) in checks.items() if good is False]
+        self._picture.show_jumpers(is_mixed, moved=moved)
 
     def _mode_result(self) -> tuple[bool | None, str]:
         state = self._device.state
@@ -211,10 +202,8 @@ class TimeoutPage(Page):
         super().__init__("setupTimeoutPage", tr("If the cable falls out, the board stops"))
         self._device = device
         self._setup = setup
-        side = self.side
-        self._picture = ui.label(self)
         self._seconds = ui.double_spin_box(
-            side,
+            self,
             "setupTimeout",
             "",
             0.1,
@@ -224,23 +213,17 @@ class TimeoutPage(Page):
             suffix=tr(" s"),
             on_change=lambda seconds: setup.select_timeout(round(10 * seconds)),
         )
-        self._short = ui.named(Note(2, side), "setupTimeoutShort")
-        title = ui.label(side, text=tr("&Stop the motors after a silence of"), buddy=self._seconds)
+        self._short = ui.named(Note(2, self), "setupTimeoutShort")
+        title = ui.label(self, text=tr("&Stop the motors after a silence of"), buddy=self._seconds)
         hint = tr(
             "Have the computer send something at least twice in that time. UART-Error Shutdown is "
             "switched on with it, as the timeout may need it (twin)."
         )
-        ui.column((self._picture, 1, Qt.AlignmentFlag.AlignCenter), into=self, margins=0)
-        items = title, self._seconds, Muted(hint, side), self._short
-        ui.column(*items, into=side, margins=0)
+        seconds = self._seconds, 0, Qt.AlignmentFlag.AlignLeft
+        ui.column(title, seconds, Muted(hint, self), self._short, 1, into=self, margins=0)
 
     def refresh(self) -> None:
         seconds, settings = self._setup.timeout / 10, self._device.settings
-        points = (0.0, 1.0), (1.0 + seconds, 1.0), (1.0 + seconds, 0.0), (9.0, 0.0)
-        span = max(3.0, 2.0 + seconds)
-        paint = partial(paint_curve, points, span=span, lowest=0, mark=1.0)
-        size = QSize(24, 12) * self.fontMetrics().height()
-        self._picture.setPixmap(picture(self, paint, size))
         with QSignalBlocker(self._seconds):
             self._seconds.setValue(seconds)
         stop = TimeoutStop.EXPECTED if seconds else TimeoutStop.OFF

@@ -16,20 +16,9 @@ from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.painted import Painter
 
 ChoiceT = TypeVar("ChoiceT", bound=Enum | None)
-Points = tuple[tuple[float, float], ...]
 Paint = Callable[[QPainter, QRectF], None]
 
-_AFTER_S, _REVERSAL_S = 4.0, 2.0  # length of a curve, and start of its reversal
-
-
-def picture(widget: QWidget, paint: Paint, size: QSize) -> QPixmap:
-    """Return a picture for a widget, `size` in logical pixels."""
-    made = QPixmap(size * widget.devicePixelRatioF())
-    made.setDevicePixelRatio(widget.devicePixelRatioF())
-    made.fill(Qt.GlobalColor.transparent)
-    with Painter(made) as painter:
-        paint(painter, QRectF(8, 8, size.width() - 16, size.height() - 16))
-    return made
+_SPAN_S, _REVERSAL_S = 4.0, 2.0  # length of a curve, and start of its reversal
 
 
 class _Choice(QToolButton):
@@ -59,7 +48,12 @@ class _Choice(QToolButton):
         width = min(max(self.width() - 2 * line, 9 * line), 2 * height)
         self.setIconSize(QSize(width, height))
         if self._paint is not None:
-            self.setIcon(QIcon(picture(self, self._paint, self.iconSize())))
+            made = QPixmap(self.iconSize() * self.devicePixelRatioF())
+            made.setDevicePixelRatio(self.devicePixelRatioF())
+            made.fill(Qt.GlobalColor.transparent)
+            with Painter(made) as painter:
+                self._paint(painter, QRectF(8, 8, width - 16, height - 16))
+            self.setIcon(QIcon(made))
 
 
 class Choices(QWidget):
@@ -135,40 +129,27 @@ def paint_driver(driver: Driver, painter: QPainter, box: QRectF) -> None:
 
 
 def paint_ramp(ramp: float, brake: float, painter: QPainter, box: QRectF) -> None:
-    """Paint a start and a reversal. `ramp`: seconds to full speed. `brake`: seconds."""
+    """Paint the speed over a start and a reversal.
+
+    `ramp`: seconds to full speed. `brake`: seconds of braking.
+    """
+
+    def place(seconds: float, speed: float) -> QPointF:
+        y = box.center().y() - speed * box.height() / 2
+        return QPointF(box.left() + seconds / _SPAN_S * box.width(), y)
+
     there = _REVERSAL_S + brake
     end = min(ramp, _REVERSAL_S)  # a slow ramp does not get to full speed
     top = end / ramp if ramp else 1.0
-    start: Points = ((0, 0), (end, top), (_REVERSAL_S, top), (_REVERSAL_S, 0))
-    points = (*start, (there, 0), (there + ramp, -1), (_AFTER_S + ramp, -1))
-    paint_curve(points, painter, box, span=_AFTER_S)
-
-
-def paint_curve(
-    points: Points,
-    painter: QPainter,
-    box: QRectF,
-    *,
-    span: float,
-    lowest: float = -1,
-    mark: float | None = None,
-) -> None:
-    """Paint a curve of speed (1 is full) over `span` seconds, and a line at time `mark`."""
-
-    def place(seconds: float, speed: float) -> QPointF:
-        y = box.bottom() - (speed - lowest) / (1 - lowest) * box.height()
-        return QPointF(box.left() + seconds / span * box.width(), y)
-
+    start = place(0, 0), place(end, top), place(_REVERSAL_S, top), place(_REVERSAL_S, 0)
+    back = place(there, 0), place(there + ramp, -1), place(_SPAN_S + ramp, -1)
     color = theme().color
     painter.save()
     painter.setPen(QPen(color("hatch"), 1))
-    painter.drawLine(place(0, 0), place(span, 0))
-    painter.drawLine(place(0, lowest), place(0, 1))
-    if mark is not None:
-        painter.setPen(QPen(color("mark"), 1.5, Qt.PenStyle.DashLine))
-        painter.drawLine(place(mark, 0), place(mark, 1))
+    painter.drawLine(place(0, 0), place(_SPAN_S, 0))
+    painter.drawLine(place(0, -1), place(0, 1))
     painter.setClipRect(box.adjusted(-3, -3, 0, 3))
     painter.setPen(QPen(color("accent"), 2.5))
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.drawPolyline([place(*point) for point in points])
+    painter.drawPolyline([*start, *back])
     painter.restore()
