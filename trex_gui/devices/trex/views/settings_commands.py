@@ -5,7 +5,7 @@ from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Qt, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
@@ -20,7 +20,6 @@ from trex_gui.ui.notifier import Answer
 from trex_gui.ui.translations import error_sentence
 
 if TYPE_CHECKING:
-    from trex_gui.devices.trex.model.learning.learning import Learning
     from trex_gui.devices.trex.views.changes.review import Review
     from trex_gui.devices.trex.views.power_cycle import PowerCycleFlow
 
@@ -65,14 +64,6 @@ class SettingsCommands(QObject):
     def close_if_verified(self) -> None:
         """Close the review if its result requires no action."""
         self._review.close_if_verified()
-
-    def create_learning(self, parent: QObject) -> "Learning":
-        from trex_gui.devices.trex.model.learning.learning import Learning  # noqa: PLC0415 - later
-
-        made = Learning(self._device, parent)
-        # Queued, so that the review has its result. The test of the sticks follows.
-        made.stored.connect(self.close_if_verified, Qt.ConnectionType.QueuedConnection)
-        return made
 
     @Slot()
     def guide(self) -> None:

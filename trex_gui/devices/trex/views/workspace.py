@@ -183,7 +183,11 @@ class TrexWorkspace(Workspace):
 
     @cached_property
     def _learning(self) -> "Learning":
-        made = self._settings.create_learning(self)
+        from trex_gui.devices.trex.model.learning.learning import Learning  # noqa: PLC0415 - later
+
+        made = Learning(self._device, self)
+        # Queued, so that the review has its result. The test of the sticks follows.
+        made.stored.connect(self._settings.close_if_verified, Qt.ConnectionType.QueuedConnection)
         made.begun.connect(self._controller.demo_board.centre_sticks)
         made.begun.connect(lambda: self._tools.learn)  # `learn` tests what the set-up learned, too
         return made

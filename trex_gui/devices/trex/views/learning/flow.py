@@ -124,8 +124,10 @@ class LearnFlow(Flow):
             self._place = _PLACES.get(step, int(step is LearningStep.TEST))
         self.show_buttons()
         text, may_go_on = tr("&Next"), learning.can_go_on
+        note, is_alarming = _note_on(learning)
         if self._offers_test:
             text, may_go_on = tr("Stop the motors and &test"), True
+            note = tr("The new values are in the board. Their test has to stop the motors first.")
         elif step is LearningStep.DOUBT:
             text = tr("The motors are stopped: co&ntinue")
         elif step is LearningStep.REVIEW:
@@ -138,8 +140,8 @@ class LearnFlow(Flow):
             titles,
             min(self._place, len(titles) - 1),
             self._page_of(step),
-            note=_head_text(learning, offers_test=self._offers_test),
-            is_alarming=_is_alarming(learning),
+            note=note,
+            is_alarming=is_alarming,
             next=text,
             may_go_on=may_go_on,
             may_go_back=step in {LearningStep.TRAVEL, LearningStep.REVIEW},
@@ -195,34 +197,26 @@ class LearnFlow(Flow):
         self._again.setEnabled(not learning.sampling)
 
 
-def _is_alarming(learning: Learning) -> bool:
+def _note_on(learning: Learning) -> tuple[str, bool]:
+    """Return the text about the current step, and whether it is alarming."""
     if learning.inputs.stalled:
-        return True
-    match learning.step:
-        case LearningStep.NEUTRAL if learning.has_sampled:
-            return not all(channel.is_at_rest for channel in learning.channels)
-        case LearningStep.TEST if learning.tests is not None:
-            return learning.tests.channels_passed and not learning.tests.passed
-    return learning.step in {LearningStep.FAILED, LearningStep.DOUBT}
-
-
-def _head_text(learning: Learning, *, offers_test: bool) -> str:
-    if offers_test:
-        return tr("The new values are in the board. Their test has to stop the motors first.")
-    if learning.inputs.stalled:
-        return tr("The board sends no measurements: the line is busy or disturbed. Waiting …")
+        text = tr("The board sends no measurements: the line is busy or disturbed. Waiting …")
+        return text, True
     match learning.step:
         case LearningStep.STOPPING:
-            return tr("Stopping the motors. The board has to confirm the stop.")
+            return tr("Stopping the motors. The board has to confirm the stop."), False
         case LearningStep.NEUTRAL:
-            return _rest_text(learning)
+            is_bad = not all(channel.is_at_rest for channel in learning.channels)
+            return _rest_text(learning), learning.has_sampled and is_bad
         case LearningStep.TRAVEL:
-            return _travel_text(learning)
+            return _travel_text(learning), False
         case LearningStep.REVIEW:
-            return _review_text(learning)
+            return _review_text(learning), False
         case LearningStep.TEST:
-            return f"{learning.news} {_test_text(learning)}".strip()
-    return learning.trouble
+            tests = learning.tests
+            is_held = tests is not None and tests.channels_passed and not tests.passed
+            return f"{learning.news} {_test_text(learning)}".strip(), is_held
+    return learning.trouble, learning.step in {LearningStep.FAILED, LearningStep.DOUBT}
 
 
 def _rest_text(learning: Learning) -> str:
