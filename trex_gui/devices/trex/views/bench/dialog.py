@@ -91,9 +91,7 @@ class BenchDialog(ReusedDialog):
         tip = tr("Open a saved test")
         ask = self._prompt_and_open
         self._open = button("benchOpenButton", tr("&Open…"), tip=tip, on_click=ask)
-        tip = tr("Save this test to compare with later")
-        ask = self._prompt_and_save
-        self._save = button("benchSaveButton", tr("Sa&ve…"), tip=tip, on_click=ask)
+        self._save = button("benchSaveButton", tr("Sa&ve…"), on_click=self._prompt_and_save)
         close = button("benchCloseButton", tr("&Close"), on_click=self.close)
 
         compare_title = ui.label(self, text=tr("Compar&e with"), buddy=self._compare)
