@@ -77,7 +77,7 @@ class TextPage(QWidget):
         both = splitter(self, "", Qt.Orientation.Vertical, *parts)
         column(top, (both, 1), into=self, margins=16)
 
-        self._check.clicked.connect(self._on_check_clicked)
+        self._check.clicked.connect(self._check_again)
         self._repair.clicked.connect(self._on_repair_clicked)
         self.editor.textChanged.connect(self._on_typed)
         self._findings.line_chosen.connect(self.show_line)
@@ -98,7 +98,7 @@ class TextPage(QWidget):
         return {line: bisect_right(breaks, place) + 1 for line, place in places.items()}
 
     @Slot()
-    def _on_check_clicked(self) -> None:
+    def _check_again(self) -> None:
         self._document.check()
         self.checked.emit()
 
@@ -115,8 +115,7 @@ class TextPage(QWidget):
             cursor.insertText(text.removeprefix(BYTE_ORDER_MARK))
             self._shown = text  # with line ends that the editor does not know
             document.set_text(text)
-        document.check()
-        self.checked.emit()
+        self._check_again()
         self.repaired.emit(repairs)
 
     @Slot()
@@ -125,7 +124,7 @@ class TextPage(QWidget):
             return
         before = self._document.text
         body = before.removeprefix(BYTE_ORDER_MARK)
-        mark = before[: len(before) - len(body)]
+        mark = before.removesuffix(body)
         self._shown = mark + with_line_ends(self.editor.lines, body)
         self._document.set_text(self._shown)
 

@@ -46,8 +46,8 @@ class ChannelCard(Card):
         set_look(self.sources, "switch")
         self.sources.setDrawBase(False)
         self.sources.setUsesScrollButtons(False)
-        for text in (tr("RC pulses"), tr("Analog")):
-            self.sources.addTab(text)
+        self.sources.addTab(tr("RC pulses"))
+        self.sources.addTab(tr("Analog"))
         self._keys = (
             LegendKey(tr("edited"), "pointer", self),
             LegendKey(tr("stored"), "muted", self, Qt.PenStyle.DashLine),

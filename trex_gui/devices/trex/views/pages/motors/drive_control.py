@@ -216,13 +216,8 @@ class DriveControl(ui.Card):
             label.setAlignment(Qt.AlignmentFlag.AlignCenter)
         for label in (self._setpoint, self._report):
             set_style_property(label, "textSize", "caption")
-        self._zero = ui.button(
-            self,
-            f"{name}Zero",
-            "0",
-            tip=tr("Speed 0: the motor is not driven and coasts"),
-            on_click=lambda: self.speed_wanted.emit(0),
-        )
+        tip = tr("Speed 0: the motor is not driven and coasts")
+        self._zero = ui.button(self, f"{name}Zero", "0", tip=tip)
         self.brake = ui.button(self, f"{name}Brake", tr("Brake"), on_click=self.brake_wanted)
         self.brake.setVisible(two_way)
         for button in (self._zero, self.brake):
@@ -235,6 +230,7 @@ class DriveControl(ui.Card):
         ui.column(*parts, into=self, margins=0, spacing=2)
 
         self.slider.valueChanged.connect(self._on_slider_changed)
+        self._zero.clicked.connect(lambda: self.speed_wanted.emit(0))
         self._entry.chosen.connect(self._on_entry_chosen)
         self.set_title(title)
 

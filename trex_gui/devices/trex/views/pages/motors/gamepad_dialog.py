@@ -154,9 +154,8 @@ class GamepadDialog(ReusedDialog):
         self._note = ui.named(Note(2, self), "gamepadSetUpNote")
         standard = QDialogButtonBox.StandardButton
         buttons = QDialogButtonBox(standard.RestoreDefaults | standard.Close, self)
-        buttons.button(standard.Close).setObjectName("gamepadCloseButton")
-        self._defaults = buttons.button(standard.RestoreDefaults)
-        self._defaults.setObjectName("gamepadDefaultsButton")
+        ui.named(buttons.button(standard.Close), "gamepadCloseButton")
+        self._defaults = ui.named(buttons.button(standard.RestoreDefaults), "gamepadDefaultsButton")
         self._defaults.setText(tr("&Restore defaults"))
         self._defaults.setAutoDefault(False)
 

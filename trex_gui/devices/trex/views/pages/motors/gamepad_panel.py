@@ -25,21 +25,10 @@ class GamepadPanel(QWidget):
         self.gamepad = Gamepad(device, source or SdlPads(), self)
         self._dialog: GamepadDialog | None = None
 
-        self._on = ui.check_box(
-            self,
-            "gamepadBox",
-            tr("&Gamepad"),
-            accessible=tr("Drive with a gamepad"),
-            on_toggle=lambda on: self.gamepad.switch_on() if on else self.gamepad.switch_off(),
-        )
-        title = title_of(tr("&Gamepad"))
-        self._pads = ui.combo_box(
-            self,
-            "gamepadCombo",
-            title,
-            tip=title,
-            on_activate=lambda index: self.gamepad.select(self.gamepad.pads[index]),
-        )
+        text, accessible = tr("&Gamepad"), tr("Drive with a gamepad")
+        self._on = ui.check_box(self, "gamepadBox", text, accessible=accessible)
+        title = title_of(text)
+        self._pads = ui.combo_box(self, "gamepadCombo", title, tip=title)
         policy = self._pads.SizeAdjustPolicy
         self._pads.setSizeAdjustPolicy(policy.AdjustToMinimumContentsLengthWithIcon)
         self._pads.setMinimumContentsLength(12)
@@ -62,8 +51,11 @@ class GamepadPanel(QWidget):
         pad = ui.row((self._pads, 1), self._set_up)
         ui.column(self._on, pad, self._state, self._unfocused, into=self, margins=0, spacing=6)
 
+        gamepad = self.gamepad
+        self._on.toggled.connect(lambda on: gamepad.switch_on() if on else gamepad.switch_off())
+        self._pads.activated.connect(lambda index: gamepad.select(gamepad.pads[index]))
         self._set_up.clicked.connect(self._on_set_up_clicked)
-        self.gamepad.changed.connect(self._on_gamepad_changed)
+        gamepad.changed.connect(self._on_gamepad_changed)
         app = QGuiApplication.instance()
         if isinstance(app, QGuiApplication):
             app.focusWindowChanged.connect(self._attend)

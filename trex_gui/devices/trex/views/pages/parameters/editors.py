@@ -74,10 +74,10 @@ class NumberEditor(UnitSpinBox):
         try:
             wire = int(number)
         except ValueError:
-            text = tr("{0} is {1}, not {2}")
-            raise BadRequest(
-                text.format(self._spec.name, self._spec.range_text(), number)
-            ) from None
+            text = tr("{0} is {1}, not {2}").format(
+                self._spec.name, self._spec.range_text(), number
+            )
+            raise BadRequest(text) from None
         return self._spec.check(wire)
 
     def _physical_wire(self, text: str) -> int:
@@ -296,12 +296,11 @@ class ParameterDelegate(UnitDelegate):
     def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: Index) -> QWidget:
         del option
         key, text = str(index.data(ParameterRole.KEY)), self._model.text
-        is_frequency = len(text.together(key)) > 1
-        editor: Editor = (
-            FrequencyEditor(text.frequencies, parent)
-            if is_frequency
-            else editor_for(self._model.values.specs[key], parent)
-        )
+        editor: Editor
+        if len(text.together(key)) > 1:
+            editor = FrequencyEditor(text.frequencies, parent)
+        else:
+            editor = editor_for(self._model.values.specs[key], parent)
         editor.setAccessibleName(text.title(key))
         editor.setProperty(_UNTOUCHED, index.data(Qt.ItemDataRole.EditRole) is None)
 
@@ -326,11 +325,10 @@ class ParameterDelegate(UnitDelegate):
     def setEditorData(self, editor: QWidget, index: Index) -> None:
         if isinstance(editor, UnitSpinBox) and editor.lineEdit().isModified():
             return  # the row has changed while the user is typing
-        wire = index.data(Qt.ItemDataRole.EditRole)
-        untouched = editor.property(_UNTOUCHED)
-        cast("Editor", editor).setValue(
-            self._model.default_number(str(index.data(ParameterRole.KEY))) if wire is None else wire
-        )
+        wire, untouched = index.data(Qt.ItemDataRole.EditRole), editor.property(_UNTOUCHED)
+        if wire is None:
+            wire = self._model.default_number(str(index.data(ParameterRole.KEY)))
+        cast("Editor", editor).setValue(wire)
         editor.setProperty(_UNTOUCHED, untouched)  # not changed by the user
 
     def setModelData(self, editor: QWidget, model: QAbstractItemModel, index: Index) -> None:
@@ -392,9 +390,8 @@ class ParameterDelegate(UnitDelegate):
 
     def _sign(self, index: Index) -> str:
         """Return the sign of the most important state of a value. Empty for none."""
-        if index.data(ParameterRole.PROBLEM) or self._has_finding(
-            str(index.data(ParameterRole.KEY))
-        ):
+        key = str(index.data(ParameterRole.KEY))
+        if index.data(ParameterRole.PROBLEM) or self._has_finding(key):
             return "warning"
         if index.data(ParameterRole.DIRTY):
             return "edited"

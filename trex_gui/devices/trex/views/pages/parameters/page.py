@@ -117,10 +117,8 @@ class ParameterTable(QWidget):
     def _update_rows(self) -> None:
         """Show the rows that match, and the number of parameters of each kind."""
         keys = frozenset(key for finding in self._linter.findings for key in finding.keys)
-        words, shown = (
-            self._words.text().casefold().split(),
-            ParameterChoice(self._choice.currentIndex()),
-        )
+        words = self._words.text().casefold().split()
+        shown = ParameterChoice(self._choice.currentIndex())
         if self._view.show_rows(ParameterFilter(tuple(words), shown, keys)):
             self._on_rows_changed()
         values = self._model.values

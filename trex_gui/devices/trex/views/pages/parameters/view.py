@@ -195,12 +195,11 @@ class ParameterView(QTableView):
         self._try = self._action("tryParameter", lambda _key: self.wire_wanted.emit(), text)
         keys, leave_out = "Ctrl+Backspace", title_of(tr("Leave out of the fi&le"))
         self._reset = self._action("resetParameter", model.reset, icon="default", shortcut=keys)
-        self._restore = self._action(
-            "restoreParameter", model.restore, tr("Und&o edit"), icon="undo"
-        )
+        text = tr("Und&o edit")
+        self._restore = self._action("restoreParameter", model.restore, text, icon="undo")
         self._leave_out = self._action("leaveOutParameter", model.leave_out, leave_out)
         self._copy = self._action("copyParameter", self._copy_line, icon="copy", shortcut=copy)
-        self._restore.setIconText(self._restore.text())
+        self._restore.setIconText(text)
         self._reset.setIconText(tr("Defa&ult"))
         self._menu = QMenu(self)
         self._menu.setObjectName("parameterMenu")
@@ -264,10 +263,9 @@ class ParameterView(QTableView):
         self._try.setVisible(model.open_key(key) is not None)
         self._try.setEnabled(can_edit)
         self._reset.setText(model.text.reset(key))
-        self._reset.setEnabled(
-            can_edit and self.currentIndex().data(ParameterRole.RESET) is not None
-        )
-        self._restore.setEnabled(can_edit and bool(self.currentIndex().data(ParameterRole.DIRTY)))
+        data = self.currentIndex().data
+        self._reset.setEnabled(can_edit and data(ParameterRole.RESET) is not None)
+        self._restore.setEnabled(can_edit and bool(data(ParameterRole.DIRTY)))
         self._leave_out.setVisible(model.values.can_leave_out(key))
         lines = self._lines(key)
         self._copy.setText(tr("Copy as “{0}”").format(", ".join(lines)))
