@@ -501,8 +501,6 @@
         <translation>Servoversorgung</translation></message>
     <message><source>The power of the servos only: without it they stop, hold nothing and lose their speeds; the firmware waits for them</source>
         <translation>Nur die Versorgung der Servos: Ohne sie stoppen sie, halten nichts und verlieren ihre Geschwindigkeiten; die Firmware wartet auf sie</translation></message>
-    <message><source>Slowed</source>
-        <translation>Gebremst</translation></message>
     <message><source>Dead</source>
         <translation>Tot</translation></message>
     <message><source>Blocked</source>
@@ -537,8 +535,6 @@
         <translation>Die Reset-Leitung: Die Firmware startet neu, die Servos bewegen sich weiter zu ihren Zielen</translation></message>
     <message><source>{0}: real position</source>
         <translation>{0}: wirkliche Position</translation></message>
-    <message><source>{0}: slowed by a load, in per cent</source>
-        <translation>{0}: durch eine Last gebremst, in Prozent</translation></message>
     <message><source>Cable plugged in</source>
         <translation>Kabel eingesteckt</translation></message>
     <message><source>The wire back is broken: the robot executes commands, no reply arrives</source>
@@ -565,8 +561,6 @@
         <translation>Wie oft die Firmware gestartet ist</translation></message>
     <message><source>Servos alive, free and unloaded, a quiet line, everything switched on</source>
         <translation>Servos intakt, frei und unbelastet, Leitung ungestört, alles eingeschaltet</translation></message>
-    <message><source>It loses {0} % of its speed; at the right end it stops</source>
-        <translation>Es verliert {0} % seiner Geschwindigkeit; ganz rechts bleibt es stehen</translation></message>
     <message><source>{0} does not respond, as when unplugged: speeds read as −1, and a move waits for it indefinitely</source>
         <translation>{0} reagiert nicht, wie ausgesteckt: Geschwindigkeiten werden als −1 gelesen, und eine Bewegung wartet endlos darauf</translation></message>
     <message><source>Something blocks {0}: it stays “moving”, and the firmware waits</source>
@@ -683,18 +677,14 @@
         <translation>Millisekunden von Schritt {0}</translation></message>
     <message><source>Pose of step {0}</source>
         <translation>Pose von Schritt {0}</translation></message>
+    <message><source>Uses the authors' poses, but was not made by them.</source>
+        <translation>Nutzt die Posen der Autoren, stammt aber nicht von ihnen.</translation></message>
     <message><source>Rename</source>
         <translation>Umbenennen</translation></message>
     <message><source>Duplicate</source>
         <translation>Duplizieren</translation></message>
-    <message><source>Uses the authors' poses, but was not made by them.</source>
-        <translation>Nutzt die Posen der Autoren, stammt aber nicht von ihnen.</translation></message>
     <message><source>&amp;Delete…</source>
         <translation>&amp;Löschen…</translation></message>
-    <message numerus="yes"><source>%n step(s), {0:g} s</source>
-        <translation><numerusform>%n Schritt, {0:g} s</numerusform><numerusform>%n Schritte, {0:g} s</numerusform></translation></message>
-    <message><source>Undefined poses: {0}</source>
-        <translation>Nicht definierte Posen: {0}</translation></message>
     <message><source>{0} (built in)</source>
         <translation>{0} (eingebaut)</translation></message>
     <message><source>Not renamed: {0}.</source>
@@ -749,8 +739,6 @@
         <translation>Geschwindig&amp;keit</translation></message>
     <message><source>not defined</source>
         <translation>nicht definiert</translation></message>
-    <message><source>limited: motor {0}</source>
-        <translation>begrenzt: Motor {0}</translation></message>
     <message><source>Cannot play: {0}.</source>
         <translation>Abspielen nicht möglich: {0}.</translation></message>
     <message><source>The robot's position is known after its first move.</source>
@@ -795,8 +783,6 @@
         <translation>Beine in den gemeldeten Positionen, Ziele gestrichelt; die Tabelle nennt beides in Zahlen.</translation></message>
     <message><source>front</source>
         <translation>vorn</translation></message>
-    <message><source>{0}: {1}</source>
-        <translation>{0}: {1}</translation></message>
     <message><source>Present position unknown</source>
         <translation>Istposition unbekannt</translation></message>
     <message><source>Speed setting 1-1023, 0.669 °/s each; 0 is unlimited, not “stopped”. Above about 870 (AX-18A) or 530 (AX-12A) a servo gets no faster.</source>
@@ -883,8 +869,6 @@
         <translation>Das neueste Ziel wird gesendet, sobald der Roboter das letzte erreicht hat</translation></message>
     <message><source>How far each joint may turn; goals are cropped before sending</source>
         <translation>Wie weit sich jedes Gelenk drehen darf; Ziele werden vor dem Senden begrenzt</translation></message>
-    <message><source>{0:.1f} commands/s</source>
-        <translation>{0:.1f} Befehle/s</translation></message>
     <message><source>differ</source>
         <translation>verschieden</translation></message>
     <message><source>Set sliders to:</source>
@@ -1003,8 +987,6 @@
         <translation>Lassen Sie kein anderes Programm auf dieser Leitung senden.</translation></message>
     <message><source>Let other programs request fewer channels at once.</source>
         <translation>Lassen Sie andere Programme weniger Kanäle auf einmal anfordern.</translation></message>
-    <message><source>{0} (doubtful)</source>
-        <translation>{0} (zweifelhaft)</translation></message>
     <message><source>Latched before connecting, perhaps by the search for the board: {0}</source>
         <translation>Schon vor dem Verbinden gesetzt, vielleicht durch die Suche nach dem Board: {0}</translation></message>
     <message><source>Connected to {0} on {1}.</source>
@@ -1017,6 +999,8 @@
         <translation>Eine Einstellung hat sich geändert: Das Board wurde neu gestartet, oder ein anderes Programm hat hineingeschrieben</translation></message>
     <message><source>Device {0} selected: {1}</source>
         <translation>Gerät {0} ausgewählt: {1}</translation></message>
+    <message><source>{0} (doubtful)</source>
+        <translation>{0} (zweifelhaft)</translation></message>
     <message><source>What is kept here for this {0} (notes, calibrations, applied settings) is of {1}, when it was at another USB adapter or socket. If this is another board, give it a device number of its own: boards with the same number share what is kept.</source>
         <translation>Was hier für diesen {0} aufbewahrt wird (Notizen, Kalibrierungen, angewendete Einstellungen), stammt vom {1}, als er an einem anderen USB-Adapter oder einer anderen Buchse war. Wenn dies ein anderes Board ist, geben Sie ihm eine eigene Gerätenummer: Boards mit derselben Nummer teilen sich das Aufbewahrte.</translation></message>
     <message><source>Disconnected</source>
@@ -1071,6 +1055,20 @@
         <translation>Die andere Stellung liegt unter der Ruhelage, die „aus“ sein soll</translation></message>
     <message><source>At rest its noise is {0}: the deadband is twice that.</source>
         <translation>In Ruhe beträgt sein Rauschen {0}: Der Totbereich ist doppelt so groß.</translation></message>
+    <message><source>there is nothing to compare: nothing was sent, except to search</source>
+        <translation>es gibt nichts zu vergleichen: Außer für die Suche wurde nichts gesendet</translation></message>
+    <message><source>TReX 1.2, as no signature was read</source>
+        <translation>TReX 1.2, da keine Signatur gelesen wurde</translation></message>
+    <message><source>1 stored value</source>
+        <translation>1 gespeicherter Wert</translation></message>
+    <message><source>{0}, {1} from the file, others as from the factory</source>
+        <translation>{0}, {1} aus der Datei, die übrigen wie ab Werk</translation></message>
+    <message><source>traffic logs</source>
+        <translation>Datenverkehrsprotokolle</translation></message>
+    <message><source>{0} stored values</source>
+        <translation>{0} gespeicherte Werte</translation></message>
+    <message><source>{0}; the simulated board has its default.</source>
+        <translation>{0}; das simulierte Board hat seinen Standardwert.</translation></message>
     <message><source>learned channels</source>
         <translation>eingelernte Kanäle</translation></message>
     <message><source>done</source>
@@ -1253,16 +1251,6 @@
         <translation>{0:g} s lang wurde kein Strom gelesen.</translation></message>
     <message><source>Motor {0} exceeded its current limit.</source>
         <translation>Motor {0} hat seine Stromgrenze überschritten.</translation></message>
-    <message><source>Stop</source>
-        <translation>Stopp</translation></message>
-    <message><source>{0} and {1} more</source>
-        <translation>{0} und {1} weitere</translation></message>
-    <message><source>Apply: {0}</source>
-        <translation>Anwenden: {0}</translation></message>
-    <message><source>Stop: {0}</source>
-        <translation>Stopp: {0}</translation></message>
-    <message><source>{0} ({1} failed)</source>
-        <translation>{0} ({1} fehlgeschlagen)</translation></message>
     <message><source>No other board replies on this line. Each needs power, the serial settings of this one, and a device number of its own.</source>
         <translation>An dieser Leitung antwortet kein anderes Board. Jedes braucht Strom, dieselben seriellen Einstellungen wie dieses und eine eigene Gerätenummer.</translation></message>
     <message numerus="yes"><source>%n board(s) on this line.</source>
@@ -1275,8 +1263,6 @@
         <translation>Das Maximum kann nicht über die Neutralstellung hinaus.</translation></message>
     <message><source>The deadband cannot be wider than the travel.</source>
         <translation>Der Totbereich kann nicht breiter als der Weg sein.</translation></message>
-    <message><source>That would leave {0} on each side of neutral, {1} of it deadband: too little to reach every output value.</source>
-        <translation>Damit blieben {0} auf jeder Seite der Neutralstellung, davon {1} Totbereich: zu wenig, um jeden Ausgangswert zu erreichen.</translation></message>
     <message><source>Minimum and maximum must differ.</source>
         <translation>Minimum und Maximum müssen verschieden sein.</translation></message>
     <message><source>Neutral cannot pass minimum.</source>
@@ -1367,12 +1353,6 @@
         <translation>{0} Es akzeptiert eine Kalibrierung nur, wenn das Minimum nicht über der Neutralstellung und die Neutralstellung nicht über dem Maximum liegt und Minimum und Maximum verschieden sind.</translation></message>
     <message><source>{0} The edits are kept meanwhile.</source>
         <translation>{0} Die Änderungen bleiben so lange erhalten.</translation></message>
-    <message><source>Minimum ({0}) cannot be above neutral ({1}).</source>
-        <translation>Das Minimum ({0}) kann nicht über der Neutralstellung ({1}) liegen.</translation></message>
-    <message><source>Maximum ({0}) cannot be below neutral ({1}).</source>
-        <translation>Das Maximum ({0}) kann nicht unter der Neutralstellung ({1}) liegen.</translation></message>
-    <message><source>Minimum and maximum cannot both be {0}.</source>
-        <translation>Minimum und Maximum können nicht beide {0} sein.</translation></message>
     <message><source>The board would reject this: {0}.</source>
         <translation>Das Board würde dies ablehnen: {0}.</translation></message>
     <message><source> and </source>
@@ -1433,6 +1413,8 @@
         <translation>Bootloader: Wartet auf Firmware. Zum Verlassen aus- und einschalten.</translation></message>
     <message><source>Edits, notes or settings were kept here for another board with this device number. They are in {0} now.</source>
         <translation>Für ein anderes Board mit dieser Gerätenummer waren hier Änderungen, Notizen oder Einstellungen hinterlegt. Sie sind jetzt in {0}.</translation></message>
+    <message><source>Reading again failed. {0}</source>
+        <translation>Erneutes Lesen fehlgeschlagen. {0}</translation></message>
     <message numerus="yes"><source>%n edit(s) not applied to the previous {0}: kept, and offered when it is connected again.</source>
         <translation><numerusform>%n Änderung wurde nicht auf {0}, das vorige Board, angewendet: Sie bleibt erhalten und wird angeboten, wenn es wieder verbunden ist.</numerusform><numerusform>%n Änderungen wurden nicht auf {0}, das vorige Board, angewendet: Sie bleiben erhalten und werden angeboten, wenn es wieder verbunden ist.</numerusform></translation></message>
     <message numerus="yes"><source>%n earlier change(s) still pending. Review them to write to this board.</source>
@@ -1447,14 +1429,20 @@
         <translation>Störungen auf der Leitung können einen Motor für einen Augenblick in die andere Richtung drehen.</translation></message>
     <message><source>Board {0}: {1}</source>
         <translation>Board {0}: {1}</translation></message>
+    <message><source>Stop</source>
+        <translation>Stopp</translation></message>
     <message><source>Nothing was written: other settings were read from the board.</source>
         <translation>Es wurde nichts geschrieben: Vom Board wurden andere Einstellungen gelesen.</translation></message>
     <message><source>The network is silent; the server of the robot stops the motors.</source>
         <translation>Das Netz ist still; der Server des Roboters stoppt die Motoren.</translation></message>
-    <message><source>{0}, device {1}</source>
-        <translation>{0}, Gerät {1}</translation></message>
-    <message><source>Reading again failed. {0}</source>
-        <translation>Erneutes Lesen fehlgeschlagen. {0}</translation></message>
+    <message><source>{0} and {1} more</source>
+        <translation>{0} und {1} weitere</translation></message>
+    <message><source>Apply: {0}</source>
+        <translation>Anwenden: {0}</translation></message>
+    <message><source>Stop: {0}</source>
+        <translation>Stopp: {0}</translation></message>
+    <message><source>{0} ({1} failed)</source>
+        <translation>{0} ({1} fehlgeschlagen)</translation></message>
     <message><source>The connection is not responding, so the stop could not be sent.</source>
         <translation>Die Verbindung reagiert nicht, daher konnte der Stopp nicht gesendet werden.</translation></message>
     <message><source>No stop is known to have reached the {0} that was driven at {1}: another board responded. If its motor still turns, cut its power.</source>
@@ -1473,12 +1461,26 @@
         <translation>Das Board, dessen Verbindung beim Fahren abbrach, ist wieder da.</translation></message>
     <message><source>This may be another board: {0}, at {1}, does not store the settings of the one that was driven.</source>
         <translation>Das ist vielleicht ein anderes Board: {0}, an {1}, speichert nicht die Einstellungen des Boards, das angesteuert wurde.</translation></message>
+    <message><source>{0}, device {1}</source>
+        <translation>{0}, Gerät {1}</translation></message>
     <message><source>{0} The motors were stopped. Arm the motors again to go on.</source>
         <translation>{0} Die Motoren wurden gestoppt. Geben Sie sie wieder frei, um fortzufahren.</translation></message>
     <message><source>A setting of the board changed, so the motors were stopped.</source>
         <translation>Eine Einstellung des Boards hat sich geändert, daher wurden die Motoren gestoppt.</translation></message>
     <message><source>The board was restarted, so the motors were stopped.</source>
         <translation>Das Board wurde neu gestartet, daher wurden die Motoren gestoppt.</translation></message>
+    <message><source>Connect to a board first.</source>
+        <translation>Verbinden Sie zuerst ein Board.</translation></message>
+    <message><source>Settings are being written.</source>
+        <translation>Einstellungen werden geschrieben.</translation></message>
+    <message><source>After a stop the motors are locked for another {0:.0f} s.</source>
+        <translation>Nach einem Stopp sind die Motoren noch {0:.0f} s gesperrt.</translation></message>
+    <message><source>Another control drives now.</source>
+        <translation>Jetzt steuert ein anderes Bedienelement.</translation></message>
+    <message><source>{0} A test needs serial control.</source>
+        <translation>{0} Ein Test braucht die serielle Steuerung.</translation></message>
+    <message><source>Bring the motors to rest first ({0}).</source>
+        <translation>Bringen Sie zuerst die Motoren zur Ruhe ({0}).</translation></message>
     <message><source>coast</source>
         <translation>auslaufen</translation></message>
     <message><source>no limit</source>
@@ -1549,8 +1551,6 @@
         <translation>Y, die oberste von vier</translation></message>
     <message><source>Arm the motors first.</source>
         <translation>Geben Sie zuerst die Motoren frei.</translation></message>
-    <message><source>Another control drives now.</source>
-        <translation>Jetzt steuert ein anderes Bedienelement.</translation></message>
     <message><source>Driving with a gamepad was switched off.</source>
         <translation>Das Fahren mit dem Gamepad wurde ausgeschaltet.</translation></message>
     <message><source>Another gamepad was chosen.</source>
@@ -1577,18 +1577,6 @@
         <translation>Achse {0}</translation></message>
     <message><source>The gamepad “{0}” was disconnected.</source>
         <translation>Das Gamepad „{0}“ wurde getrennt.</translation></message>
-    <message><source>Connect to a board first.</source>
-        <translation>Verbinden Sie zuerst ein Board.</translation></message>
-    <message><source>Settings are being written.</source>
-        <translation>Einstellungen werden geschrieben.</translation></message>
-    <message><source>After a stop the motors are locked for another {0:.0f} s.</source>
-        <translation>Nach einem Stopp sind die Motoren noch {0:.0f} s gesperrt.</translation></message>
-    <message><source>{0} A test needs serial control.</source>
-        <translation>{0} Ein Test braucht die serielle Steuerung.</translation></message>
-    <message><source>Bring the motors to rest first ({0}).</source>
-        <translation>Bringen Sie zuerst die Motoren zur Ruhe ({0}).</translation></message>
-    <message><source>Beyond its rest position the motor speeds up again, whatever the sign: at {0} to {1} of {2}.</source>
-        <translation>Jenseits der Ruhelage wird der Motor wieder schneller, unabhängig vom Vorzeichen: bei {0} bis auf {1} von {2}.</translation></message>
     <message><source>Active above {0}, halfway between neutral and maximum (inferred).</source>
         <translation>Aktiv über {0}, in der Mitte zwischen Neutralstellung und Maximum (erschlossen).</translation></message>
     <message><source>Active below {0}, halfway between neutral and minimum (inferred).</source>
@@ -1705,6 +1693,8 @@
         <translation>Gehen Sie zurück und messen Sie ihn erneut, oder verwenden Sie die neue Ruhelage.</translation></message>
     <message><source>{0} is beyond the {1} that was reached: there is no full output.</source>
         <translation>{0} liegt jenseits der erreichten {1}: Es gibt keinen vollen Ausgang.</translation></message>
+    <message><source>Beyond its rest position the motor speeds up again, whatever the sign: at {0} to {1} of {2}.</source>
+        <translation>Jenseits der Ruhelage wird der Motor wieder schneller, unabhängig vom Vorzeichen: bei {0} bis auf {1} von {2}.</translation></message>
     <message><source>Check that no trim and no broken wire can bring it there.</source>
         <translation>Prüfen Sie, dass weder eine Trimmung noch ein gebrochenes Kabel ihn dorthin bringen kann.</translation></message>
     <message><source>Its rest position ({0}) is too close to its switching point ({1}).</source>
@@ -1761,6 +1751,8 @@
         <translation>Hexadezimal, zum Beispiel 9F 07</translation></message>
     <message><source>A stop would not reach that board: address device {0}.</source>
         <translation>Ein Stopp würde dieses Board nicht erreichen: Adressieren Sie Gerät {0}.</translation></message>
+    <message><source>{0}: {1}</source>
+        <translation>{0}: {1}</translation></message>
     <message numerus="yes"><source>and %n more packet(s)</source>
         <translation><numerusform>und %n weiteres Paket</numerusform><numerusform>und %n weitere Pakete</numerusform></translation></message>
     <message><source>Every board on this line would store it: address {0}.</source>
@@ -1779,12 +1771,6 @@
         <translation>Von Hand gesendet: {0}</translation></message>
     <message><source>Parameter</source>
         <translation>Parameter</translation></message>
-    <message><source>{0} ({1} modified)</source>
-        <translation>{0} ({1} geändert)</translation></message>
-    <message><source>Motors 1 and 2 {0}</source>
-        <translation>{0} Motor 1 und 2</translation></message>
-    <message><source>Pinned</source>
-        <translation>Angeheftet</translation></message>
     <message><source>Motors and speed ramp</source>
         <translation>Motoren und Geschwindigkeitsrampe</translation></message>
     <message><source>Braking</source>
@@ -1799,6 +1785,10 @@
         <translation>Seriell</translation></message>
     <message><source>System</source>
         <translation>System</translation></message>
+    <message><source>{0} ({1} modified)</source>
+        <translation>{0} ({1} geändert)</translation></message>
+    <message><source>Motors 1 and 2 {0}</source>
+        <translation>{0} Motor 1 und 2</translation></message>
     <message><source>How often in a second the PWM of the motor switches. Low frequencies whine and heat the motor, frequencies above the driver's rating heat the driver. Type a number or use the arrow keys. The board stores the nearest frequency that it can switch at.</source>
         <translation>Wie oft pro Sekunde die PWM des Motors schaltet. Niedrige Frequenzen pfeifen und erwärmen den Motor, Frequenzen über dem Nennwert des Treibers erwärmen den Treiber. Geben Sie eine Zahl ein oder benutzen Sie die Pfeiltasten. Das Board speichert die nächste Frequenz, mit der es schalten kann.</translation></message>
     <message><source>This firmware has stored beyond that: wire value {0}.</source>
@@ -1855,6 +1845,8 @@
         <translation>Eingerichtet als {0}</translation></message>
     <message><source>Recording {0} ended: the board or its input source has changed.</source>
         <translation>Aufzeichnung {0} beendet: Das Board oder seine Eingangsquelle hat sich geändert.</translation></message>
+    <message><source>What was applied to this board cannot be remembered. {0}</source>
+        <translation>Was auf dieses Board angewendet wurde, lässt sich nicht merken. {0}</translation></message>
     <message><source>calibration of channel {0}: {1}</source>
         <translation>Kalibrierung von Kanal {0}: {1}</translation></message>
     <message><source>Setting</source>
@@ -1867,12 +1859,8 @@
         <translation>gespeichert</translation></message>
     <message><source>Note: {0}</source>
         <translation>Notiz: {0}</translation></message>
-    <message><source>it contains no calibrations</source>
-        <translation>sie enthält keine Kalibrierungen</translation></message>
     <message><source>{0}; it is shown as Western European text. Check the characters that are not plain letters; Save writes UTF-8</source>
         <translation>{0}; sie wird als westeuropäischer Text angezeigt. Prüfen Sie die Zeichen, die keine einfachen Buchstaben sind; beim Speichern wird UTF-8 geschrieben</translation></message>
-    <message><source>these are settings of a {0}</source>
-        <translation>dies sind Einstellungen eines {0}</translation></message>
     <message><source>{0} is left out: it could not be read from the board.</source>
         <translation>{0} wird ausgelassen: Der Wert konnte nicht vom Board gelesen werden.</translation></message>
     <message><source>The {0} calibrations are left out: the board accepts them only while it reads its inputs as {0}.</source>
@@ -1883,6 +1871,8 @@
         <translation>Auf Werkseinstellungen zurücksetzen</translation></message>
     <message><source>There are no settings to compare with</source>
         <translation>Es gibt keine Einstellungen zum Vergleichen</translation></message>
+    <message><source>Note on {0}</source>
+        <translation>Notiz zu {0}</translation></message>
     <message><source>Discard edits</source>
         <translation>Änderungen verwerfen</translation></message>
     <message><source>Unapplied edits cannot be saved for the next start. {0}</source>
@@ -1891,10 +1881,6 @@
         <translation>Änderungen wiederherstellen</translation></message>
     <message><source>Edits of this board</source>
         <translation>Änderungen an diesem Board</translation></message>
-    <message><source>What was applied to this board cannot be remembered. {0}</source>
-        <translation>Was auf dieses Board angewendet wurde, lässt sich nicht merken. {0}</translation></message>
-    <message><source>Note on {0}</source>
-        <translation>Notiz zu {0}</translation></message>
     <message><source>Name</source>
         <translation>Name</translation></message>
     <message><source>Note</source>
@@ -1905,8 +1891,6 @@
         <translation>Board</translation></message>
     <message><source>No.</source>
         <translation>Nr.</translation></message>
-    <message numerus="yes"><source>And %n more problem(s).</source>
-        <translation><numerusform>Und %n weiteres Problem.</numerusform><numerusform>Und %n weitere Probleme.</numerusform></translation></message>
     <message><source>damaged</source>
         <translation>beschädigt</translation></message>
     <message><source>today {0}</source>
@@ -1959,8 +1943,6 @@
         <translation>Kalibrierung: {0}</translation></message>
     <message><source>parameter number</source>
         <translation>Parameternummer</translation></message>
-    <message><source>parameter value</source>
-        <translation>Parameterwert</translation></message>
     <message><source>the request came back instead of a status</source>
         <translation>statt eines Status kam die Anfrage zurück</translation></message>
     <message><source>motors are numbered 1 and 2, not {0}</source>
@@ -1983,6 +1965,8 @@
         <translation>ein Parameter ist 0 bis 127, nicht {0}</translation></message>
     <message><source>{0} is not a TReX result code (0 to 3)</source>
         <translation>{0} ist kein Ergebniscode eines TReX (0 bis 3)</translation></message>
+    <message><source>parameter value</source>
+        <translation>Parameterwert</translation></message>
     <message><source>{0:#04x} is not a TReX mode (R, A, r or a)</source>
         <translation>{0:#04x} ist kein Modus eines TReX (R, A, r oder a)</translation></message>
     <message><source>device number</source>
@@ -2343,20 +2327,6 @@
         <translation>{0} Bytes sind zu viele: Höchstens {1} werden auf einmal gesendet.</translation></message>
     <message><source>“{0}” is not a row of hexadecimal bytes such as 86 1F.</source>
         <translation>„{0}“ ist keine Folge hexadezimaler Bytes wie 86 1F.</translation></message>
-    <message><source>there is nothing to compare: nothing was sent, except to search</source>
-        <translation>es gibt nichts zu vergleichen: Außer für die Suche wurde nichts gesendet</translation></message>
-    <message><source>TReX 1.2, as no signature was read</source>
-        <translation>TReX 1.2, da keine Signatur gelesen wurde</translation></message>
-    <message><source>1 stored value</source>
-        <translation>1 gespeicherter Wert</translation></message>
-    <message><source>{0}, {1} from the file, others as from the factory</source>
-        <translation>{0}, {1} aus der Datei, die übrigen wie ab Werk</translation></message>
-    <message><source>traffic logs</source>
-        <translation>Datenverkehrsprotokolle</translation></message>
-    <message><source>{0} stored values</source>
-        <translation>{0} gespeicherte Werte</translation></message>
-    <message><source>{0}; the simulated board has its default.</source>
-        <translation>{0}; das simulierte Board hat seinen Standardwert.</translation></message>
     <message><source>No board is served at {0}:{1}, or not to this user. Check that trexcmd serve runs there, the user in the address (trex://USER@…), and its secret (TREX_SECRET).</source>
         <translation>Bei {0}:{1} wird kein Board bereitgestellt, oder nicht für diesen Benutzer. Prüfen Sie, ob dort trexcmd serve läuft, den Benutzer in der Adresse (trex://USER@…) und sein Geheimnis (TREX_SECRET).</translation></message>
     <message><source>{0} cannot be listened at: {1}</source>
@@ -2415,14 +2385,16 @@
         <translation>Ein {0} hat mindestens {1}; 0 schaltet es aus (Zwilling).</translation></message>
     <message><source>The same value in steps of {0}: {1} becomes {2}.</source>
         <translation>Derselbe Wert in Schritten von {0}: {1} wird zu {2}.</translation></message>
+    <message><source>these are settings of a {0}</source>
+        <translation>dies sind Einstellungen eines {0}</translation></message>
     <message><source>this file is written in a way that cannot be changed in place; save the settings as a new file</source>
         <translation>diese Datei ist so geschrieben, dass sie sich nicht an Ort und Stelle ändern lässt; speichern Sie die Einstellungen als neue Datei</translation></message>
     <message><source>{0} {1}: how many snapshots to keep is not known, so none is removed.</source>
         <translation>{0} {1}: Wie viele Sicherungskopien behalten werden sollen, ist nicht bekannt, daher wird keine entfernt.</translation></message>
-    <message><source>It is empty.</source>
-        <translation>Sie ist leer.</translation></message>
     <message><source>It does not say of which board it is.</source>
         <translation>Sie nennt nicht, von welchem Board sie stammt.</translation></message>
+    <message><source>It is empty.</source>
+        <translation>Sie ist leer.</translation></message>
     <message><source>it cannot be removed</source>
         <translation>sie kann nicht entfernt werden</translation></message>
     <message><source>is damaged</source>
@@ -2587,16 +2559,14 @@
         <translation>diese Zahl ist nicht lesbar; {0}</translation></message>
     <message><source>merge keys (&lt;&lt;) are not allowed; {0}</source>
         <translation>Merge-Schlüssel (&lt;&lt;) sind nicht erlaubt; {0}</translation></message>
+    <message><source>From the first setpoint until braking.</source>
+        <translation>Vom ersten Sollwert bis zum Bremsen.</translation></message>
     <message><source>Runs the test while it is held, with the mouse or the space bar</source>
         <translation>Führt den Prüflauf aus, solange sie mit der Maus oder der Leertaste gehalten wird</translation></message>
     <message><source>Test to compare with</source>
         <translation>Prüflauf zum Vergleichen</translation></message>
-    <message><source>How far from the steady current counts as settled, in percent</source>
-        <translation>Abweichung vom stationären Strom, die noch als eingeschwungen gilt, in Prozent</translation></message>
     <message><source>Open a saved test</source>
         <translation>Gespeicherten Prüflauf öffnen</translation></message>
-    <message><source>Save this test to compare with later, or a picture of it</source>
-        <translation>Diesen Prüflauf für spätere Vergleiche oder als Bild speichern</translation></message>
     <message><source>Bench tests (*.csv);;All files (*)</source>
         <translation>Prüfläufe (*.csv);;Alle Dateien (*)</translation></message>
     <message><source>{0:%H:%M:%S}, motor {1}: {2}</source>
@@ -2609,10 +2579,6 @@
         <translation>Sc&amp;hließen</translation></message>
     <message><source>The window of the bench test was closed.</source>
         <translation>Das Fenster des Prüflaufs wurde geschlossen.</translation></message>
-    <message><source>Save bench test</source>
-        <translation>Prüflauf speichern</translation></message>
-    <message><source>Bench tests (*.csv);;Pictures (*.png)</source>
-        <translation>Prüfläufe (*.csv);;Bilder (*.png)</translation></message>
     <message><source>{0} was not saved: {1}.</source>
         <translation>{0} wurde nicht gespeichert: {1}.</translation></message>
     <message><source>{0} was not opened: {1}.</source>
@@ -2625,16 +2591,34 @@
         <translation>Motor {0} läuft: {1:.1f} von {2:g} s.</translation></message>
     <message><source>Armed. Hold the button: the motor runs only while it is held.</source>
         <translation>Freigegeben. Halten Sie die Schaltfläche gedrückt: Der Motor läuft nur, solange sie gehalten wird.</translation></message>
+    <message><source>Peak current</source>
+        <translation>Spitzenstrom</translation></message>
+    <message><source>The highest reading.</source>
+        <translation>Der höchste Messwert.</translation></message>
+    <message><source>Steady current</source>
+        <translation>Stationärer Strom</translation></message>
+    <message><source>At the end of the first constant speed.</source>
+        <translation>Am Ende der ersten konstanten Geschwindigkeit.</translation></message>
+    <message><source>Mean current</source>
+        <translation>Mittlerer Strom</translation></message>
+    <message><source>Charge</source>
+        <translation>Ladung</translation></message>
+    <message><source>Setpoint to current</source>
+        <translation>Sollwert bis Strom</translation></message>
+    <message><source>Until the first reading of two counts: the line, the board and its measurement.</source>
+        <translation>Bis zum ersten Messwert von zwei Counts: die Leitung, das Board und seine Messung.</translation></message>
+    <message><source>Until the current stayed within this share of the steady current, or within two counts of it.</source>
+        <translation>Bis der Strom innerhalb dieses Anteils am stationären Strom blieb, oder innerhalb von zwei Counts um ihn.</translation></message>
+    <message><source>Figures of the test</source>
+        <translation>Kennwerte des Prüflaufs</translation></message>
     <message><source>&amp;Bench test…</source>
         <translation>&amp;Prüflauf…</translation></message>
     <message><source>Compar&amp;e with</source>
         <translation>&amp;Vergleichen mit</translation></message>
-    <message><source>Settled &amp;within</source>
-        <translation>Eingesch&amp;wungen innerhalb</translation></message>
+    <message><source>Save bench test</source>
+        <translation>Prüflauf speichern</translation></message>
     <message><source>Open bench test</source>
         <translation>Prüflauf öffnen</translation></message>
-    <message><source>Saved as {0}.</source>
-        <translation>Gespeichert als {0}.</translation></message>
     <message><source>Aborted after {0:.2f} s: {1}</source>
         <translation>Abgebrochen nach {0:.2f} s: {1}</translation></message>
     <message><source>Released after {0:.2f} s.</source>
@@ -2643,6 +2627,16 @@
         <translation>Der Prüflauf ist abgeschlossen.</translation></message>
     <message><source>the previous test</source>
         <translation>voriger Prüflauf</translation></message>
+    <message><source>This test</source>
+        <translation>Dieser Lauf</translation></message>
+    <message><source>Compared</source>
+        <translation>Vergleich</translation></message>
+    <message><source>Change</source>
+        <translation>Änderung</translation></message>
+    <message><source>Saved as {0}.</source>
+        <translation>Gespeichert als {0}.</translation></message>
+    <message><source>Settled within {0:.0f} % after</source>
+        <translation>Auf {0:.0f} % eingeschwungen nach</translation></message>
     <message><source>Accelerate uses the board's acceleration, brake duration and current limit; Set at once bypasses the first two and, for a moment, the limit, too.</source>
         <translation>„Beschleunigen“ nutzt Beschleunigung, Bremsdauer und Stromgrenze des Boards; „Sofort setzen“ umgeht die ersten beiden und kurzzeitig auch die Grenze.</translation></message>
     <message><source>One reading above it stops and disarms all motors. A motor draws most when it starts.</source>
@@ -2673,14 +2667,6 @@
         <translation>Ans&amp;tieg in</translation></message>
     <message><source>&amp;Period</source>
         <translation>&amp;Periode</translation></message>
-    <message><source>A step has no period.</source>
-        <translation>Ein Sprung hat keine Periode.</translation></message>
-    <message><source>How long the speed rises before it is constant.</source>
-        <translation>Wie lange die Geschwindigkeit steigt, bevor sie konstant ist.</translation></message>
-    <message><source>Half of it in each direction.</source>
-        <translation>Die Hälfte davon in jeder Richtung.</translation></message>
-    <message><source>One full cycle, forward and back.</source>
-        <translation>Ein ganzer Zyklus, vorwärts und rückwärts.</translation></message>
     <message><source>Appl&amp;y…</source>
         <translation>&amp;Anwenden…</translation></message>
     <message><source> s</source>
@@ -2721,8 +2707,6 @@
         <translation>Geschwindigkeitssollwert über der Zeit</translation></message>
     <message><source>Current drawn, against time</source>
         <translation>Stromaufnahme über der Zeit</translation></message>
-    <message><source>Compared</source>
-        <translation>Vergleich</translation></message>
     <message><source>Setpoint</source>
         <translation>Sollwert</translation></message>
     <message><source>Planned</source>
@@ -2733,36 +2717,6 @@
         <translation>Abbruch {0:g} A</translation></message>
     <message><source>Limit {0:g} A</source>
         <translation>Grenze {0:g} A</translation></message>
-    <message><source>{0:.2f} s</source>
-        <translation>{0:.2f} s</translation></message>
-    <message><source>From the first setpoint until braking.</source>
-        <translation>Vom ersten Sollwert bis zum Bremsen.</translation></message>
-    <message><source>Peak current</source>
-        <translation>Spitzenstrom</translation></message>
-    <message><source>The highest reading.</source>
-        <translation>Der höchste Messwert.</translation></message>
-    <message><source>Steady current</source>
-        <translation>Stationärer Strom</translation></message>
-    <message><source>At the end of the first constant speed.</source>
-        <translation>Am Ende der ersten konstanten Geschwindigkeit.</translation></message>
-    <message><source>Mean current</source>
-        <translation>Mittlerer Strom</translation></message>
-    <message><source>Charge</source>
-        <translation>Ladung</translation></message>
-    <message><source>Setpoint to current</source>
-        <translation>Sollwert bis Strom</translation></message>
-    <message><source>Until the first reading of two counts: the line, the board and its measurement.</source>
-        <translation>Bis zum ersten Messwert von zwei Counts: die Leitung, das Board und seine Messung.</translation></message>
-    <message><source>Until the current stayed within this share of the steady current, or within two counts of it.</source>
-        <translation>Bis der Strom innerhalb dieses Anteils am stationären Strom blieb, oder innerhalb von zwei Counts um ihn.</translation></message>
-    <message><source>Figures of the test</source>
-        <translation>Kennwerte des Prüflaufs</translation></message>
-    <message><source>This test</source>
-        <translation>Dieser Lauf</translation></message>
-    <message><source>Change</source>
-        <translation>Änderung</translation></message>
-    <message><source>Settled within {0:.0f} % after</source>
-        <translation>Auf {0:.0f} % eingeschwungen nach</translation></message>
     <message><source>put it on</source>
         <translation>aufstecken</translation></message>
     <message><source>remove it</source>
@@ -2861,16 +2815,20 @@
         <translation>LED {0}</translation></message>
     <message><source>may still turn</source>
         <translation>dreht sich vielleicht noch</translation></message>
+    <message><source>selected</source>
+        <translation>ausgewählt</translation></message>
+    <message><source>responding</source>
+        <translation>antwortet</translation></message>
+    <message><source>reply unreadable</source>
+        <translation>Antwort unlesbar</translation></message>
+    <message><source>not asked yet</source>
+        <translation>noch nicht abgefragt</translation></message>
     <message><source>Click a board, or press Enter, to show it on every page. Motors stop first.</source>
         <translation>Klicken Sie auf ein Board oder drücken Sie Enter, um es auf jeder Seite zu zeigen. Zuvor werden die Motoren gestoppt.</translation></message>
     <message><source>Ask for each device number which board has it; nothing is changed</source>
         <translation>Für jede Gerätenummer abfragen, welches Board sie hat; es wird nichts geändert</translation></message>
-    <message><source>Ask for no more numbers</source>
-        <translation>Keine weiteren Nummern abfragen</translation></message>
     <message><source>Give the board that is selected another device number</source>
         <translation>Dem ausgewählten Board eine andere Gerätenummer geben</translation></message>
-    <message><source>Write a settings file to several boards; each keeps its number</source>
-        <translation>Eine Einstellungsdatei auf mehrere Boards schreiben; jedes behält seine Nummer</translation></message>
     <message><source>Drive several boards as one robot, with one pad and one Stop</source>
         <translation>Mehrere Boards als einen Roboter fahren, mit einem Feld und einem Stopp</translation></message>
     <message><source>Before it is written, the line is asked for the new number: if another board has it, nothing is written. A board that is off, or has other serial settings, cannot be noticed. The new number takes effect at once, and a snapshot is saved first.</source>
@@ -2883,8 +2841,6 @@
         <translation>Abbrechen</translation></message>
     <message><source>Change number…</source>
         <translation>Nummer ändern…</translation></message>
-    <message><source>Apply a file…</source>
-        <translation>Datei anwenden…</translation></message>
     <message><source>Drive together…</source>
         <translation>Gemeinsam fahren…</translation></message>
     <message><source>Drive alone</source>
@@ -2909,22 +2865,12 @@
         <translation>ausgewählt, freigegeben</translation></message>
     <message><source>selected, may be moving</source>
         <translation>ausgewählt, bewegt sich vielleicht</translation></message>
-    <message><source>selected</source>
-        <translation>ausgewählt</translation></message>
-    <message><source>responding</source>
-        <translation>antwortet</translation></message>
-    <message><source>reply unreadable</source>
-        <translation>Antwort unlesbar</translation></message>
-    <message><source>not asked yet</source>
-        <translation>noch nicht abgefragt</translation></message>
     <message><source>&amp;New number:</source>
         <translation>&amp;Neue Nummer:</translation></message>
     <message><source>Change device nu&amp;mber…</source>
         <translation>&amp;Gerätenummer ändern…</translation></message>
     <message><source>&amp;Write number</source>
         <translation>Nummer &amp;schreiben</translation></message>
-    <message><source>Number {0} of {1} …</source>
-        <translation>Nummer {0} von {1} …</translation></message>
     <message><source>Taken: {0}.</source>
         <translation>Vergeben: {0}.</translation></message>
     <message><source>Board now</source>
@@ -2967,12 +2913,12 @@
         <translation>„Motoren stoppen“ wurde gedrückt; das hat die Arbeit beendet.</translation></message>
     <message numerus="yes"><source>Written to %n board(s).</source>
         <translation><numerusform>Auf %n Board geschrieben.</numerusform><numerusform>Auf %n Boards geschrieben.</numerusform></translation></message>
-    <message numerus="yes"><source>%n board(s) left out; the reason is beside each.</source>
-        <translation><numerusform>%n Board ausgelassen; der Grund steht daneben.</numerusform><numerusform>%n Boards ausgelassen; der Grund steht jeweils daneben.</numerusform></translation></message>
     <message><source>Apply {0} to several boards</source>
         <translation>{0} auf mehrere Boards anwenden</translation></message>
     <message><source>File</source>
         <translation>Datei</translation></message>
+    <message numerus="yes"><source>%n board(s) left out; the reason is beside each.</source>
+        <translation><numerusform>%n Board ausgelassen; der Grund steht daneben.</numerusform><numerusform>%n Boards ausgelassen; der Grund steht jeweils daneben.</numerusform></translation></message>
     <message><source>Board {0}</source>
         <translation>Board {0}</translation></message>
     <message><source>{0}: beyond a limit that no document confirms (inferred). The board decides: it may reject the value, or store another one.</source>
@@ -3039,6 +2985,8 @@
         <translation>Fortschritt beim Schreiben</translation></message>
     <message><source>Reset the &amp;board</source>
         <translation>&amp;Board zurücksetzen</translation></message>
+    <message><source>{0} of {1}: {2}</source>
+        <translation>{0} von {1}: {2}</translation></message>
     <message><source>{0} of {1} could not be verified; still pending.</source>
         <translation>Konnte nicht bestätigt werden: {0} von {1}; noch ausstehend.</translation></message>
     <message><source>The value that was being written when the connection was lost may be the old one, the new one or, after a power cut, the default. It will be read again.</source>
@@ -3067,8 +3015,6 @@
         <translation>Die Kalibrierungen der Kanäle bleiben.</translation></message>
     <message><source>The connection was lost.</source>
         <translation>Die Verbindung ist abgebrochen.</translation></message>
-    <message><source>{0} of {1}: {2}</source>
-        <translation>{0} von {1}: {2}</translation></message>
     <message><source>not attempted</source>
         <translation>nicht versucht</translation></message>
     <message><source>No source confirms the default of: {0}.</source>
@@ -3215,18 +3161,14 @@
         <translation>Safe-Start: Die Motoren warten auf ein Signal an Eingang {0}.</translation></message>
     <message><source>Safe-start: the motors wait until channel 5 no longer requests override.</source>
         <translation>Safe-Start: Die Motoren warten, bis Kanal 5 keinen Vorrang mehr anfordert.</translation></message>
-    <message><source>Power cycle</source>
-        <translation>Aus- und einschalten</translation></message>
-    <message><source>Power on</source>
-        <translation>Einschalten</translation></message>
-    <message><source>SO–G holds the serial output to ground: no reply gets out.</source>
-        <translation>SO–G hält den seriellen Ausgang auf Masse: Keine Antwort kommt heraus.</translation></message>
     <message><source>Resets everything: stored settings, jumpers, sticks, loads and faults of the line</source>
         <translation>Setzt alles zurück: gespeicherte Einstellungen, Jumper, Knüppel, Lasten und Störungen der Leitung</translation></message>
     <message><source>Power on</source><comment>state</comment>
         <translation>Eingeschaltet</translation></message>
     <message><source>The board's power switch</source>
         <translation>Der Hauptschalter des Boards</translation></message>
+    <message><source>Power cycle</source>
+        <translation>Aus- und einschalten</translation></message>
     <message><source>Battery</source>
         <translation>Batterie</translation></message>
     <message><source>Move by themselves</source>
@@ -3245,22 +3187,16 @@
         <translation>Der Mix-Jumper: Eingang 2 fährt vorwärts, Eingang 1 lenkt; wirkt sofort</translation></message>
     <message><source>Connects SO to ground; with Mix a power-up then learns the inputs' calibration</source>
         <translation>Verbindet SO mit Masse; zusammen mit Mix lernt das Board beim nächsten Einschalten die Kalibrierung der Eingänge ein</translation></message>
-    <message><source>serial</source>
-        <translation>seriell</translation></message>
     <message><source>Factory state</source>
         <translation>Werkszustand</translation></message>
+    <message><source>Mode is read at power-up; Mix takes effect at once.</source>
+        <translation>Der Modus wird beim Einschalten gelesen; Mix wirkt sofort.</translation></message>
     <message><source>The wire from SO is broken: the board executes commands, no reply arrives</source>
         <translation>Die Leitung von SO ist unterbrochen: Das Board führt Befehle aus, keine Antwort kommt an</translation></message>
     <message><source>This share of the bytes is corrupted in either direction; CRC detects them</source>
         <translation>Dieser Anteil der Bytes wird in beiden Richtungen verfälscht; CRC erkennt es</translation></message>
     <message><source>Supply</source>
         <translation>Versorgung</translation></message>
-    <message><source>{0} to learn the inputs.</source>
-        <translation>{0}, um die Eingänge einzulernen.</translation></message>
-    <message><source>{0} to enter {1} mode.</source>
-        <translation>{0}, um in den Modus {1} zu wechseln.</translation></message>
-    <message><source>Mode is read at power-up; Mix takes effect at once.</source>
-        <translation>Der Modus wird beim Einschalten gelesen; Mix wirkt sofort.</translation></message>
     <message><source>Error of one byte</source>
         <translation>Fehler eines Bytes</translation></message>
     <message><source>Corrupt one byte</source>
@@ -3277,8 +3213,6 @@
         <translation>Der Strom, den Motor {0} bei voller Geschwindigkeit zieht; ganz rechts blockiert der Motor, was Strombegrenzung und Treiberfehler auslöst</translation></message>
     <message><source>Load</source>
         <translation>Last</translation></message>
-    <message><source>{0} to start the boot loader.</source>
-        <translation>{0}, um den Bootloader zu starten.</translation></message>
     <message><source>Overrun</source>
         <translation>Überlauf</translation></message>
     <message><source>Input {0}</source>
@@ -3309,14 +3243,6 @@
         <translation>Gemeinsam &amp;fahren</translation></message>
     <message><source>no problem</source>
         <translation>kein Problem</translation></message>
-    <message><source>Arrangement</source>
-        <translation>Anordnung</translation></message>
-    <message><source>Front and back</source>
-        <translation>Vorn und hinten</translation></message>
-    <message><source>Left and right</source>
-        <translation>Links und rechts</translation></message>
-    <message><source>Arran&amp;gement:</source>
-        <translation>&amp;Anordnung:</translation></message>
     <message><source>reversed</source>
         <translation>umgekehrt</translation></message>
     <message><source>not driven</source>
@@ -3337,10 +3263,6 @@ Before settings are applied or defaults restored, in this window or with trexcmd
 Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in diesem Fenster oder mit trexcmd, wird hier alles gesichert, was das Board speichert. Sie können eine Sicherungskopie mit dem Board vergleichen und ganz oder teilweise wiederherstellen.</translation></message>
     <message numerus="yes"><source>Permanently delete %n snapshot(s), the newest of {0}?</source>
         <translation><numerusform>%n Sicherungskopie von {0} endgültig löschen?</numerusform><numerusform>%n Sicherungskopien endgültig löschen, die neueste von {0}?</numerusform></translation></message>
-    <message><source>How many snapshots are kept</source>
-        <translation>Wie viele Sicherungskopien behalten werden</translation></message>
-    <message numerus="yes"><source>Permanently remove the oldest %n of {0} snapshots?</source>
-        <translation><numerusform>Die älteste Sicherungskopie (%n von {0}) endgültig entfernen?</numerusform><numerusform>Die ältesten %n von {0} Sicherungskopien endgültig entfernen?</numerusform></translation></message>
     <message><source>Search snapshots</source>
         <translation>Sicherungskopien durchsuchen</translation></message>
     <message><source>No snapshot matches the search.</source>
@@ -3349,28 +3271,14 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>&amp;Name…</translation></message>
     <message><source>Save &amp;as…</source>
         <translation>Speichern un&amp;ter…</translation></message>
-    <message><source>&amp;Open folder</source>
-        <translation>&amp;Ordner öffnen</translation></message>
     <message><source>Snapshots</source>
         <translation>Sicherungskopien</translation></message>
     <message><source>Save a copy of the snapshot</source>
         <translation>Sicherungskopie als Datei speichern</translation></message>
-    <message><source>all</source>
-        <translation>alle</translation></message>
-    <message><source>&amp;Set</source>
-        <translation>&amp;Setzen</translation></message>
     <message><source>&amp;History…</source>
         <translation>&amp;Verlauf…</translation></message>
-    <message><source>&amp;Keep</source>
-        <translation>&amp;Behalten</translation></message>
-    <message><source>snapshots</source>
-        <translation>Sicherungskopien</translation></message>
-    <message><source>Remove {0}</source>
-        <translation>{0} entfernen</translation></message>
     <message><source>A copy was saved in {0}.</source>
         <translation>Eine Kopie wurde in {0} gespeichert.</translation></message>
-    <message><source>The snapshots are in {0}.</source>
-        <translation>Die Sicherungskopien sind in {0}.</translation></message>
     <message><source>Nothing was saved. {0}</source>
         <translation>Es wurde nichts gespeichert. {0}</translation></message>
     <message><source>Push every stick forward or right first, all the way; then the other way. Move switches to all positions. Hold each end until it is ticked, then click Next.</source>
@@ -3379,12 +3287,6 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Das dauert mindestens {0:.1f} s: Bei {1} Baud kommen nur {2:.1f} Messungen pro Sekunde an.</translation></message>
     <message><source>Push every stick to all its ends, then release it. Move every switch to all its positions. The motors stay off.</source>
         <translation>Drücken Sie jeden Knüppel in alle seine Endlagen, dann lassen Sie ihn los. Bewegen Sie jeden Schalter in alle seine Stellungen. Die Motoren bleiben aus.</translation></message>
-    <message><source>If a channel does not get a good result, learn its values again.</source>
-        <translation>Wenn ein Kanal kein gutes Ergebnis erhält, lernen Sie seine Werte neu ein.</translation></message>
-    <message numerus="yes"><source>&amp;Learn channel(s) {0} again</source>
-        <translation><numerusform>Kanal {0} neu ein&amp;lernen</numerusform><numerusform>Kanäle {0} neu ein&amp;lernen</numerusform></translation></message>
-    <message><source>The new values are in the board. Their test has to stop the motors first.</source>
-        <translation>Die neuen Werte sind im Board. Ihr Test muss zuerst die Motoren stoppen.</translation></message>
     <message><source>The board sends no measurements: the line is busy or disturbed. Waiting …</source>
         <translation>Das Board sendet keine Messungen: Die Leitung ist belegt oder gestört. Es wird gewartet …</translation></message>
     <message><source>Release every stick and set every switch to off. Then click Next.</source>
@@ -3407,6 +3309,8 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Alle Endlagen</translation></message>
     <message><source>Review</source>
         <translation>Prüfen</translation></message>
+    <message><source>The new values are in the board. Their test has to stop the motors first.</source>
+        <translation>Die neuen Werte sind im Board. Ihr Test muss zuerst die Motoren stoppen.</translation></message>
     <message><source>Sample &amp;again</source>
         <translation>Erneut &amp;messen</translation></message>
     <message><source>Start this step &amp;again</source>
@@ -3415,8 +3319,6 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Neu &amp;beginnen</translation></message>
     <message><source>Test &amp;again</source>
         <translation>Erneut &amp;testen</translation></message>
-    <message><source>Stopping the motors. The board has to confirm the stop.</source>
-        <translation>Die Motoren werden gestoppt. Das Board muss den Stopp bestätigen.</translation></message>
     <message><source>Not every channel is at rest. Click “Sample again”, or Next to go on without channel {0}.</source>
         <translation>Nicht jeder Kanal ist in Ruhe. Klicken Sie auf „Erneut messen“ oder auf „Weiter“, um ohne Kanal {0} fortzufahren.</translation></message>
     <message><source>Everything is as it should be.</source>
@@ -3431,6 +3333,8 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Die Motoren stehen still: &amp;fortfahren</translation></message>
     <message><source>Try &amp;again</source>
         <translation>&amp;Erneut versuchen</translation></message>
+    <message><source>Stopping the motors. The board has to confirm the stop.</source>
+        <translation>Die Motoren werden gestoppt. Das Board muss den Stopp bestätigen.</translation></message>
     <message><source>Hands off. Sampling … {0:.1f} s</source>
         <translation>Knüppel loslassen. Messung läuft … {0:.1f} s</translation></message>
     <message><source>&amp;Test the sticks…</source>
@@ -3513,16 +3417,6 @@ was {1}</source>
 bisher {1}</translation></message>
     <message><source>{0} of channel {1}</source>
         <translation>{0} von Kanal {1}</translation></message>
-    <message><source>You may drive now: arm the motors.</source>
-        <translation>Sie dürfen jetzt fahren: Geben Sie die Motoren frei.</translation></message>
-    <message><source>{0} asks to drive. Handing over stops the motors.</source>
-        <translation>{0} möchte fahren. Die Übergabe stoppt die Motoren.</translation></message>
-    <message><source>Hand over</source>
-        <translation>Übergeben</translation></message>
-    <message><source>{0} drives. Taking over stops the motors.</source>
-        <translation>{0} fährt. Die Übernahme stoppt die Motoren.</translation></message>
-    <message><source>Take over</source>
-        <translation>Übernehmen</translation></message>
     <message><source>These must be the settings that the board has now. A new board talks at 19200 baud, without error detection, with one stop bit. Changing them here changes nothing in the board.</source>
         <translation>Dies müssen die Einstellungen sein, die das Board jetzt hat. Ein neues Board kommuniziert mit 19200 Baud, ohne Fehlererkennung, mit einem Stoppbit. Änderungen hier ändern nichts im Board.</translation></message>
     <message><source>&amp;Address one board of several by its number (Pololu protocol)</source>
@@ -3589,38 +3483,6 @@ bisher {1}</translation></message>
         <translation>geändert</translation></message>
     <message><source>the calibration of {0}</source>
         <translation>Kalibrierung von {0}</translation></message>
-    <message><source>&amp;All other channels</source>
-        <translation>&amp;Alle anderen Kanäle</translation></message>
-    <message><source>&amp;Reset to factory defaults</source>
-        <translation>Auf &amp;Werkseinstellungen zurücksetzen</translation></message>
-    <message><source>&amp;Discard the edits of this channel</source>
-        <translation>Die Änderungen &amp;dieses Kanals verwerfen</translation></message>
-    <message><source>&amp;Load calibrations from a file…</source>
-        <translation>Kalibrierungen aus Datei &amp;laden…</translation></message>
-    <message><source>&amp;Copy to</source>
-        <translation>&amp;Kopieren auf</translation></message>
-    <message><source>&amp;Equal travel to both ends</source>
-        <translation>&amp;Gleicher Weg zu beiden Endlagen</translation></message>
-    <message><source>As on the &amp;shorter side</source>
-        <translation>Wie auf der &amp;kürzeren Seite</translation></message>
-    <message><source>As on the &amp;longer side</source>
-        <translation>Wie auf der &amp;längeren Seite</translation></message>
-    <message><source>Assumed values: Pololu publishes no factory defaults</source>
-        <translation>Angenommene Werte: Pololu veröffentlicht keine Werkseinstellungen</translation></message>
-    <message><source>&amp;Save calibrations to a file…</source>
-        <translation>Kalibrierungen in Datei &amp;speichern…</translation></message>
-    <message><source>{0} could not be loaded: {1}</source>
-        <translation>{0} konnte nicht geladen werden: {1}</translation></message>
-    <message><source>Calibrations loaded from {0} as edits: {1}.</source>
-        <translation>Kalibrierungen aus {0} als Änderungen geladen: {1}.</translation></message>
-    <message><source>Copy of the calibration of channel {0}</source>
-        <translation>Kopie der Kalibrierung von Kanal {0}</translation></message>
-    <message><source>{0} has the same calibrations.</source>
-        <translation>{0} enthält dieselben Kalibrierungen.</translation></message>
-    <message><source>The calibrations shown were saved in {0}.</source>
-        <translation>Die gezeigten Kalibrierungen wurden in {0} gespeichert.</translation></message>
-    <message><source>Calibrations of {0}</source>
-        <translation>Kalibrierungen aus {0}</translation></message>
     <message><source>Re&amp;versed</source>
         <translation>&amp;Umgekehrt</translation></message>
     <message><source>The output changes its sign: forward and reverse are swapped</source>
@@ -3667,28 +3529,40 @@ bisher {1}</translation></message>
         <translation>Umdrehen ein</translation></message>
     <message><source>override on</source>
         <translation>Vorrang ein</translation></message>
-    <message><source>Learn &amp;this channel…</source>
-        <translation>Diesen &amp;Kanal einlernen…</translation></message>
     <message><source>Inputs are read as {0}. They control the motors.</source>
         <translation>Die Eingänge werden als {0} gelesen. Sie steuern die Motoren.</translation></message>
+    <message><source>&amp;All other channels</source>
+        <translation>&amp;Alle anderen Kanäle</translation></message>
+    <message><source>&amp;Reset to factory defaults</source>
+        <translation>Auf &amp;Werkseinstellungen zurücksetzen</translation></message>
+    <message><source>&amp;Discard the edits of this channel</source>
+        <translation>Die Änderungen &amp;dieses Kanals verwerfen</translation></message>
     <message><source>Learn a&amp;ll…</source>
         <translation>&amp;Alle einlernen…</translation></message>
     <message><source>Test stic&amp;ks…</source>
         <translation>Knüppel te&amp;sten…</translation></message>
     <message><source>Live value</source>
         <translation>Aktueller Wert</translation></message>
-    <message><source>Cop&amp;y, reset and files</source>
-        <translation>Kopieren, &amp;zurücksetzen, Dateien</translation></message>
+    <message><source>Learn &amp;this channel…</source>
+        <translation>Diesen &amp;Kanal einlernen…</translation></message>
+    <message><source>Cop&amp;y and reset</source>
+        <translation>Kopieren, &amp;zurücksetzen</translation></message>
     <message><source>No board responds. Edits are kept until a board of the same kind is connected.</source>
         <translation>Kein Board antwortet. Änderungen bleiben erhalten, bis ein Board derselben Art verbunden ist.</translation></message>
     <message><source>Inputs are read as {0}. In serial mode they are shown only.</source>
         <translation>Die Eingänge werden als {0} gelesen. Im seriellen Modus werden sie nur angezeigt.</translation></message>
+    <message><source>&amp;Copy to</source>
+        <translation>&amp;Kopieren auf</translation></message>
+    <message><source>Assumed values: Pololu publishes no factory defaults</source>
+        <translation>Angenommene Werte: Pololu veröffentlicht keine Werkseinstellungen</translation></message>
     <message><source>Connect to a board to see and change its calibrations.</source>
         <translation>Verbinden Sie ein Board, um seine Kalibrierungen zu sehen und zu ändern.</translation></message>
     <message><source>Inputs are read as {0}. Serial commands override them now.</source>
         <translation>Die Eingänge werden als {0} gelesen. Jetzt haben serielle Befehle Vorrang.</translation></message>
     <message><source>Discard edits of channel {0}</source>
         <translation>Änderungen an Kanal {0} verwerfen</translation></message>
+    <message><source>Copy of the calibration of channel {0}</source>
+        <translation>Kopie der Kalibrierung von Kanal {0}</translation></message>
     <message><source>learned</source>
         <translation>eingelernt</translation></message>
     <message><source>factory calibration</source>
@@ -3731,10 +3605,10 @@ bisher {1}</translation></message>
         <translation>{0}, vorbei</translation></message>
     <message><source>⚠ means 80 % of the limit or more.</source>
         <translation>⚠ bedeutet 80 % der Grenze oder mehr.</translation></message>
-    <message><source>Brake</source>
-        <translation>Bremsen</translation></message>
     <message><source>Speed 0: the motor is not driven and coasts</source>
         <translation>Geschwindigkeit 0: Der Motor wird nicht angetrieben und läuft aus</translation></message>
+    <message><source>Brake</source>
+        <translation>Bremsen</translation></message>
     <message><source>{0}, speed</source>
         <translation>{0}, Geschwindigkeit</translation></message>
     <message><source>{0}, speed as a number</source>
@@ -3765,10 +3639,6 @@ bisher {1}</translation></message>
         <translation>Voller Ausschlag entspricht {0:.0f} % der vollen Geschwindigkeit.</translation></message>
     <message><source>The gamepad cannot drive while this window is open, but its stop button works.</source>
         <translation>Mit dem Gamepad kann nicht gefahren werden, solange dieses Fenster offen ist, aber seine Stopptaste wirkt.</translation></message>
-    <message><source>Move it…</source>
-        <translation>Bewegen…</translation></message>
-    <message><source>Press it…</source>
-        <translation>Drücken…</translation></message>
     <message><source>Invert</source>
         <translation>Umkehren</translation></message>
     <message><source>Set up the gamepad</source>
@@ -3789,14 +3659,10 @@ bisher {1}</translation></message>
         <translation>&amp;Totzone:</translation></message>
     <message><source>&amp;Expo:</source>
         <translation>&amp;Expo:</translation></message>
-    <message><source>none: a moved stick drives</source>
-        <translation>keine: Ein bewegter Knüppel fährt</translation></message>
-    <message><source>Push the stick fully to the right.</source>
-        <translation>Drücken Sie den Knüppel ganz nach rechts.</translation></message>
-    <message><source>Press the button.</source>
-        <translation>Drücken Sie die Taste.</translation></message>
     <message><source>Without a button to hold, a bumped stick drives the motors. The gamepad cannot drive while this window is open.</source>
         <translation>Ohne eine Taste zum Halten treibt ein angestoßener Knüppel die Motoren an. Mit dem Gamepad kann nicht gefahren werden, solange dieses Fenster offen ist.</translation></message>
+    <message><source>none: a moved stick drives</source>
+        <translation>keine: Ein bewegter Knüppel fährt</translation></message>
     <message><source>Live state</source>
         <translation>Aktueller Zustand</translation></message>
     <message><source>Travel around the centre that has no effect</source>
@@ -3807,16 +3673,14 @@ bisher {1}</translation></message>
         <translation>&amp;Linker Motor</translation></message>
     <message><source>Right &amp;motor</source>
         <translation>&amp;Rechter Motor</translation></message>
-    <message><source>Push the stick fully forward.</source>
-        <translation>Drücken Sie den Knüppel ganz nach vorn.</translation></message>
     <message><source>pressed</source>
         <translation>gedrückt</translation></message>
-    <message><source>{0}: detect</source>
-        <translation>{0}: erkennen</translation></message>
     <message><source>{0}: inverted</source>
         <translation>{0}: umgekehrt</translation></message>
     <message><source>&amp;Gamepad</source>
         <translation>Gam&amp;epad</translation></message>
+    <message><source>Drive with a gamepad</source>
+        <translation>Mit Gamepad fahren</translation></message>
     <message><source>Set &amp;up…</source>
         <translation>Ei&amp;nrichten…</translation></message>
     <message><source>Stop behi&amp;nd other windows</source>
@@ -3827,8 +3691,6 @@ bisher {1}</translation></message>
         <translation>Mit dem Gamepad kann nur gefahren werden, solange die Seite „Motoren“ offen ist.</translation></message>
     <message><source>Another window is in front, so the gamepad cannot drive.</source>
         <translation>Ein anderes Fenster ist im Vordergrund, daher kann mit dem Gamepad nicht gefahren werden.</translation></message>
-    <message><source>Drive with a gamepad</source>
-        <translation>Mit Gamepad fahren</translation></message>
     <message><source>Stop what the gamepad drives when the window loses the focus</source>
         <translation>Stoppen, was das Gamepad fährt, wenn das Fenster den Fokus verliert</translation></message>
     <message><source>Highest speed that this program sends to this board; full deflection of pad, keys and gamepad gives this speed. Raising it does not speed up a running motor.</source>
@@ -3839,8 +3701,6 @@ bisher {1}</translation></message>
         <translation>Erst erhöhen, wenn die Drehrichtung stimmt.</translation></message>
     <message><source>Held keys drive wherever the focus is on this page, except in number fields, tables and lists; sliders then get no arrow keys. In the pad they always drive.</source>
         <translation>Gehaltene Tasten fahren überall auf dieser Seite, wo auch der Fokus ist, außer in Zahlenfeldern, Tabellen und Listen; Schieberegler erhalten dann keine Pfeiltasten. Im Fahrfeld fahren sie immer.</translation></message>
-    <message><source>Arrow ke&amp;ys or WASD</source>
-        <translation>Pfei&amp;ltasten oder WASD</translation></message>
     <message><source>Both motors &amp;linked</source>
         <translation>Beide Motoren ge&amp;koppelt</translation></message>
     <message><source>Either slider sets both motors; the robot does not turn</source>
@@ -3869,6 +3729,8 @@ bisher {1}</translation></message>
         <translation>Ein Schieberegler fährt nur, solange Sie ihn halten; Loslassen bremst seinen Motor</translation></message>
     <message><source>Drive with</source>
         <translation>Fahren mit</translation></message>
+    <message><source>Arrow ke&amp;ys or WASD</source>
+        <translation>Pfei&amp;ltasten oder WASD</translation></message>
     <message><source>E&amp;xtra options</source>
         <translation>E&amp;xtras</translation></message>
     <message><source>coast (0 %)</source>
@@ -3941,34 +3803,10 @@ bisher {1}</translation></message>
         <translation>unbekannt ({0})</translation></message>
     <message><source>{0}: channel {1}</source>
         <translation>{0}: Kanal {1}</translation></message>
-    <message><source>Edit, then review. Nothing is written before that.</source>
-        <translation>Ändern, dann prüfen. Vorher wird nichts geschrieben.</translation></message>
-    <message><source>Parameters</source>
-        <translation>Parameter</translation></message>
-    <message><source>Connect to a board to see its parameters.</source>
-        <translation>Verbinden Sie ein Board, um seine Parameter zu sehen.</translation></message>
-    <message><source>Factory defaults take effect after the next power cycle.</source>
-        <translation>Die Werkseinstellungen gelten nach dem nächsten Aus- und Einschalten.</translation></message>
-    <message><source>Stored, but not active until the board is switched off and on: {0}.</source>
-        <translation>Gespeichert, aber erst nach dem Aus- und Einschalten des Boards aktiv: {0}.</translation></message>
-    <message><source>{0}: the motors stop.</source>
-        <translation>{0}: Die Motoren halten an.</translation></message>
-    <message><source>{0}: the motors may not stop.</source>
-        <translation>{0}: Die Motoren halten vielleicht nicht an.</translation></message>
-    <message><source>Speed after an accelerate command: {0}. It slows down at once.</source>
-        <translation>Geschwindigkeit nach einem Beschleunigungsbefehl: {0}. Langsamer wird der Motor sofort.</translation></message>
-    <message><source>Reversal by an accelerate command: {0}, then the ramp.</source>
-        <translation>Umkehr durch einen Beschleunigungsbefehl: {0}, dann die Rampe.</translation></message>
-    <message><source>Current of a motor that starts, limit: {0}</source>
-        <translation>Strom eines anlaufenden Motors, Grenze: {0}</translation></message>
-    <message><source>{0:.0f} Hz, {1:g} ms of it</source>
-        <translation>{0:.0f} Hz, {1:g} ms davon</translation></message>
-    <message><source>{0}: the motors keep running.</source>
-        <translation>{0}: Die Motoren laufen weiter.</translation></message>
-    <message><source>Speed over the stick, brake in the deadband: {0}</source>
-        <translation>Geschwindigkeit über dem Knüppelweg, Bremse im Totbereich: {0}</translation></message>
     <message><source>Search parameters</source>
         <translation>Parameter suchen</translation></message>
+    <message><source>Edit, then review. Nothing is written before that.</source>
+        <translation>Ändern, dann prüfen. Vorher wird nichts geschrieben.</translation></message>
     <message><source>&amp;Show all parameters</source>
         <translation>&amp;Alle Parameter anzeigen</translation></message>
     <message><source>All</source>
@@ -3979,32 +3817,42 @@ bisher {1}</translation></message>
         <translation>Abweichend {0}</translation></message>
     <message><source>Findings {0}</source>
         <translation>Befunde {0}</translation></message>
+    <message><source>Parameters</source>
+        <translation>Parameter</translation></message>
+    <message><source>Connect to a board to see its parameters.</source>
+        <translation>Verbinden Sie ein Board, um seine Parameter zu sehen.</translation></message>
+    <message><source>Factory defaults take effect after the next power cycle.</source>
+        <translation>Die Werkseinstellungen gelten nach dem nächsten Aus- und Einschalten.</translation></message>
+    <message><source>Stored, but not active until the board is switched off and on: {0}.</source>
+        <translation>Gespeichert, aber erst nach dem Aus- und Einschalten des Boards aktiv: {0}.</translation></message>
     <message><source>No parameter matches.</source>
         <translation>Kein Parameter passt.</translation></message>
+    <message><source>{0}: the motors stop.</source>
+        <translation>{0}: Die Motoren halten an.</translation></message>
+    <message><source>{0}: the motors may not stop.</source>
+        <translation>{0}: Die Motoren halten vielleicht nicht an.</translation></message>
+    <message><source>Speed after an accelerate command: {0}. It slows down at once.</source>
+        <translation>Geschwindigkeit nach einem Beschleunigungsbefehl: {0}. Langsamer wird der Motor sofort.</translation></message>
+    <message><source>Reversal by an accelerate command: {0}, then the ramp.</source>
+        <translation>Umkehr durch einen Beschleunigungsbefehl: {0}, dann die Rampe.</translation></message>
+    <message><source>Current of a motor that starts, limit: {0}</source>
+        <translation>Strom eines anlaufenden Motors, Grenze: {0}</translation></message>
+    <message><source>{0}: the motors keep running.</source>
+        <translation>{0}: Die Motoren laufen weiter.</translation></message>
+    <message><source>Speed over the stick, brake in the deadband: {0}</source>
+        <translation>Geschwindigkeit über dem Knüppelweg, Bremse im Totbereich: {0}</translation></message>
     <message><source>Try another &amp;wire value…</source>
         <translation>Anderen Byte&amp;wert versuchen…</translation></message>
-    <message><source>Edit</source>
-        <translation>Bearbeiten</translation></message>
     <message><source>Und&amp;o edit</source>
         <translation>Ve&amp;rwerfen</translation></message>
-    <message><source>Pi&amp;n to the top</source>
-        <translation>&amp;Oben anheften</translation></message>
-    <message><source>Pi&amp;n</source>
-        <translation>Anh&amp;eften</translation></message>
+    <message><source>Edit</source>
+        <translation>Bearbeiten</translation></message>
     <message><source>Defa&amp;ult</source>
         <translation>&amp;Standardwert</translation></message>
     <message><source>Leave out of the fi&amp;le</source>
         <translation>In der Datei &amp;weglassen</translation></message>
-    <message><source>U&amp;npin</source>
-        <translation>&amp;Lösen</translation></message>
     <message><source>Copy as “{0}”</source>
         <translation>Kopieren als „{0}“</translation></message>
-    <message><source>Copy to {0}</source>
-        <translation>Nach {0} kopieren</translation></message>
-    <message><source>&amp;Settings at this time…</source>
-        <translation>&amp;Einstellungen zu dieser Zeit…</translation></message>
-    <message><source>Open the settings that the board stored at this time</source>
-        <translation>Die Einstellungen öffnen, die das Board zu dieser Zeit gespeichert hatte</translation></message>
     <message><source>{0}; the channels control the motors.</source>
         <translation>{0}; die Kanäle steuern die Motoren.</translation></message>
     <message><source>Serial mode with {0} inputs</source>
@@ -4065,6 +3913,16 @@ bisher {1}</translation></message>
         <translation><numerusform>%n Einstellung dieses {0} weicht von der zuletzt angewendeten ab ({1}): verloren, von etwas anderem geändert, oder dies ist ein anderes Board.</numerusform><numerusform>%n Einstellungen dieses {0} weichen von den zuletzt angewendeten ab ({1}): verloren, von etwas anderem geändert, oder dies ist ein anderes Board.</numerusform></translation></message>
     <message><source>Keep the values of the board</source>
         <translation>Werte des Boards behalten</translation></message>
+    <message><source>You may drive now: arm the motors.</source>
+        <translation>Sie dürfen jetzt fahren: Geben Sie die Motoren frei.</translation></message>
+    <message><source>{0} asks to drive. Handing over stops the motors.</source>
+        <translation>{0} möchte fahren. Die Übergabe stoppt die Motoren.</translation></message>
+    <message><source>Hand over</source>
+        <translation>Übergeben</translation></message>
+    <message><source>{0} drives. Taking over stops the motors.</source>
+        <translation>{0} fährt. Die Übernahme stoppt die Motoren.</translation></message>
+    <message><source>Take over</source>
+        <translation>Übernehmen</translation></message>
     <message><source>Save as a settings file…</source>
         <translation>Als Einstellungsdatei speichern…</translation></message>
     <message><source>Keep and close</source>
@@ -4229,8 +4087,6 @@ bisher {1}</translation></message>
         <translation>Kanal</translation></message>
     <message><source>Printed {0} by TReX Studio.</source>
         <translation>Gedruckt {0} von TReX Studio.</translation></message>
-    <message><source>Qt's printing is not installed here ({0}); save a PDF file instead.</source>
-        <translation>Die Druckfunktion von Qt ist hier nicht installiert ({0}); speichern Sie stattdessen eine PDF-Datei.</translation></message>
     <message><source>Findings</source>
         <translation>Befunde</translation></message>
     <message><source>Calibrations</source>
@@ -4273,6 +4129,8 @@ bisher {1}</translation></message>
         <translation>&amp;Als PDF speichern…</translation></message>
     <message><source>Compare &amp;with:</source>
         <translation>&amp;Vergleichen mit:</translation></message>
+    <message><source>Nothing could be repaired: correct the text in the lines named below.</source>
+        <translation>Nichts konnte repariert werden: Berichtigen Sie den Text in den unten genannten Zeilen.</translation></message>
     <message><source>Tool bar</source>
         <translation>Werkzeugleiste</translation></message>
     <message><source>It still has errors.</source>
@@ -4281,16 +4139,12 @@ bisher {1}</translation></message>
         <translation>Werkseinstellungen</translation></message>
     <message><source>The text no longer has errors; all pages are available.</source>
         <translation>Der Text hat keine Fehler mehr; alle Seiten sind verfügbar.</translation></message>
-    <message><source>Nothing could be repaired: correct the text in the lines named below.</source>
-        <translation>Nichts konnte repariert werden: Berichtigen Sie den Text in den unten genannten Zeilen.</translation></message>
     <message><source>Correct the rest in the text.</source>
         <translation>Berichtigen Sie den Rest im Text.</translation></message>
     <message><source>&amp;New…</source>
         <translation>&amp;Neu…</translation></message>
     <message><source>&amp;Save</source>
         <translation>&amp;Speichern</translation></message>
-    <message><source>&amp;Print…</source>
-        <translation>&amp;Drucken…</translation></message>
     <message><source>&amp;Convert for another board…</source>
         <translation>Für ein anderes Board &amp;konvertieren…</translation></message>
     <message><source>With another &amp;file…</source>
@@ -4517,8 +4371,6 @@ bisher {1}</translation></message>
         <translation>Danach von Hand:</translation></message>
     <message><source>{0} Then test the motors again.</source>
         <translation>{0} Testen Sie dann die Motoren erneut.</translation></message>
-    <message><source>checked</source>
-        <translation>geprüft</translation></message>
     <message><source>is not a readable settings file.</source>
         <translation>ist keine lesbare Einstellungsdatei.</translation></message>
     <message><source>Calibrations that the board does not show now were kept: {0}.</source>
@@ -4529,8 +4381,6 @@ bisher {1}</translation></message>
         <translation>{0} wurde nicht erneut gespeichert: Die Datei wird noch gespeichert.</translation></message>
     <message><source>&amp;Export as code…</source>
         <translation>Als &amp;Code exportieren…</translation></message>
-    <message><source>{0}, settings shown</source>
-        <translation>{0}, angezeigte Einstellungen</translation></message>
     <message><source>The settings shown were saved in {0}.</source>
         <translation>Die angezeigten Einstellungen wurden in {0} gespeichert.</translation></message>
     <message><source>{0} was not saved: {1}</source>
@@ -4545,8 +4395,8 @@ bisher {1}</translation></message>
         <translation>Diese Sicherungskopie ist von einem {0}, und das Board hier ist ein {1}: Sie kann nicht wiederhergestellt werden.</translation></message>
     <message><source>Note: this snapshot is of device number {0}, the board here is number {1}.</source>
         <translation>Hinweis: Diese Sicherungskopie ist von Gerätenummer {0}, das Board hier hat Nummer {1}.</translation></message>
-    <message><source>No setting differs.</source>
-        <translation>Keine Einstellung weicht ab.</translation></message>
+    <message><source>Now, with edits</source>
+        <translation>Jetzt, mit Änderungen</translation></message>
     <message><source>Reading…</source>
         <translation>Lesen…</translation></message>
     <message><source>{0}, before {1}</source>
@@ -4557,26 +4407,16 @@ bisher {1}</translation></message>
         <translation>Zum Wiederherstellen ist nichts ausgewählt.</translation></message>
     <message><source>To restore one of the two, select it alone.</source>
         <translation>Um eine der beiden wiederherzustellen, wählen Sie sie allein aus.</translation></message>
-    <message><source>To restore, compare with the board.</source>
-        <translation>Zum Wiederherstellen vergleichen Sie mit dem Board.</translation></message>
     <message><source>The board does not respond, so nothing can be restored.</source>
         <translation>Das Board antwortet nicht, daher kann nichts wiederhergestellt werden.</translation></message>
     <message><source>Settings are being written; wait until that is done.</source>
         <translation>Einstellungen werden geschrieben; warten Sie, bis das abgeschlossen ist.</translation></message>
     <message><source>No board is connected. Connect one to restore a snapshot.</source>
         <translation>Kein Board ist verbunden. Verbinden Sie eines, um eine Sicherungskopie wiederherzustellen.</translation></message>
-    <message><source>{0} cannot be compared with: {1}</source>
-        <translation>Vergleich mit {0} nicht möglich: {1}</translation></message>
     <message><source>Select one snapshot, or two to compare them.</source>
         <translation>Wählen Sie eine Sicherungskopie aus, oder zwei, um sie zu vergleichen.</translation></message>
-    <message><source>Now, with edits</source>
-        <translation>Jetzt, mit Änderungen</translation></message>
-    <message><source>the board as it is now, with edits</source>
-        <translation>Board, wie es jetzt ist, mit Änderungen</translation></message>
-    <message><source>the snapshot beside it</source>
-        <translation>die benachbarte Sicherungskopie</translation></message>
-    <message><source>a settings file…</source>
-        <translation>Einstellungsdatei…</translation></message>
+    <message><source>No setting differs.</source>
+        <translation>Keine Einstellung weicht ab.</translation></message>
     <message><source>Restore snapshot of {0}</source>
         <translation>Sicherungskopie von {0} wiederherstellen</translation></message>
     <message><source>Nothing was restored: {0}</source>
@@ -4629,10 +4469,6 @@ bisher {1}</translation></message>
         <translation>eine Einstellungsdatei eines TReX</translation></message>
     <message><source>a board</source>
         <translation>ein Board</translation></message>
-    <message><source>Factor&amp;y line settings: {0}…</source>
-        <translation>&amp;Werkseinstellung der Leitung: {0}…</translation></message>
-    <message><source>Fas&amp;t: {0}…</source>
-        <translation>&amp;Schnell: {0}…</translation></message>
     <message><source>B&amp;oard</source>
         <translation>Bo&amp;ard</translation></message>
     <message><source>&amp;Channels</source>
@@ -4641,8 +4477,6 @@ bisher {1}</translation></message>
         <translation>&amp;Motoren</translation></message>
     <message><source>&amp;Parameters</source>
         <translation>&amp;Parameter</translation></message>
-    <message><source>Prin&amp;t settings…</source>
-        <translation>&amp;Einstellungen drucken…</translation></message>
     <message><source>&amp;Discard all edits</source>
         <translation>Alle Änderungen &amp;verwerfen</translation></message>
     <message><source>R&amp;eload settings from device</source>
@@ -4685,8 +4519,6 @@ bisher {1}</translation></message>
         <translation>Die Sitzung endet</translation></message>
     <message><source>Connected again to {0}. No motor was started.</source>
         <translation>Wieder mit {0} verbunden. Kein Motor wurde gestartet.</translation></message>
-    <message><source>Connected again: the adapter of {1} is {0} now. No motor was started.</source>
-        <translation>Wieder verbunden: Der Adapter von {1} ist jetzt {0}. Kein Motor wurde gestartet.</translation></message>
     <message><source>{0} also has {1} open and may take replies. Close it there.</source>
         <translation>{0} hat {1} ebenfalls geöffnet und kann Antworten abfangen. Schließen Sie den Port dort.</translation></message>
     <message><source>Connecting to {0} …</source>
@@ -4711,8 +4543,6 @@ bisher {1}</translation></message>
         <translation>Die Stromversorgung ist aus. Schalten Sie sie ein und klicken Sie dann auf „Verbinden“.</translation></message>
     <message><source>Demo {0} (no hardware)</source>
         <translation>Demo-{0} (simuliert)</translation></message>
-    <message><source>No board was found.</source>
-        <translation>Kein Board wurde gefunden.</translation></message>
     <message><source>Ending the search …</source>
         <translation>Suche wird beendet …</translation></message>
     <message><source>Looking for {0} at {1} on {2} …</source>
@@ -4725,16 +4555,12 @@ bisher {1}</translation></message>
         <translation>Suche abgebrochen.</translation></message>
     <message numerus="yes"><source>%n board(s) found.</source>
         <translation><numerusform>%n Board gefunden.</numerusform><numerusform>%n Boards gefunden.</numerusform></translation></message>
-    <message><source>At most {0} min left.</source>
-        <translation>Höchstens noch {0} min.</translation></message>
+    <message><source>No board was found.</source>
+        <translation>Kein Board wurde gefunden.</translation></message>
     <message><source>Opening {0} …</source>
         <translation>{0} wird geöffnet …</translation></message>
     <message><source>No reply on {0}. Other devices share the line: nothing else was tried.</source>
         <translation>Keine Antwort an {0}. Andere Geräte teilen sich die Leitung: Sonst wurde nichts versucht.</translation></message>
-    <message numerus="yes"><source>%n port(s) could not be searched (internal error).</source>
-        <translation><numerusform>%n Port konnte nicht durchsucht werden (interner Fehler).</numerusform><numerusform>%n Ports konnten nicht durchsucht werden (interner Fehler).</numerusform></translation></message>
-    <message><source>At most {0} s left.</source>
-        <translation>Höchstens noch {0} s.</translation></message>
     <message><source>{0} with device number {1}</source>
         <translation>{0} mit Gerätenummer {1}</translation></message>
     <message><source>the Demo {0}</source>
@@ -4747,48 +4573,44 @@ bisher {1}</translation></message>
         <translation>&amp;Rückgängig: {0}</translation></message>
     <message><source>&amp;Redo {0}</source>
         <translation>&amp;Wiederherstellen: {0}</translation></message>
+    <message><source>Show the help on the message in the line with the cursor</source>
+        <translation>Die Hilfe zur Meldung in der Zeile mit dem Cursor zeigen</translation></message>
+    <message><source>Search (Ctrl+F)</source>
+        <translation>Suchen (Strg+F)</translation></message>
+    <message><source>Copy the selected rows, or all that is shown</source>
+        <translation>Die ausgewählten Zeilen kopieren, oder alles Angezeigte</translation></message>
+    <message><source>Save a report for support; it is shown before it is written</source>
+        <translation>Einen Bericht für den Support speichern; er wird vorher angezeigt</translation></message>
     <message><source>O&amp;nly problems</source>
         <translation>Nur &amp;Probleme</translation></message>
     <message><source>E&amp;xplain</source>
         <translation>E&amp;rklären</translation></message>
     <message><source>Messages, stops, lost connections and written settings will be listed here.</source>
         <translation>Meldungen, Stopps, verlorene Verbindungen und geschriebene Einstellungen werden hier aufgelistet.</translation></message>
-    <message><source>Show the help on the message in the line with the cursor</source>
-        <translation>Die Hilfe zur Meldung in der Zeile mit dem Cursor zeigen</translation></message>
-    <message><source>Lo&amp;g</source>
-        <translation>Pr&amp;otokoll</translation></message>
-    <message><source>{0} of {1} shown</source>
-        <translation>{0} von {1} angezeigt</translation></message>
-    <message><source>Search (Ctrl+F)</source>
-        <translation>Suchen (Strg+F)</translation></message>
     <message><source>Diagnostics</source>
         <translation>Diagnose</translation></message>
     <message><source>Cop&amp;y</source>
         <translation>&amp;Kopieren</translation></message>
     <message><source>Sa&amp;ve report…</source>
         <translation>&amp;Supportbericht speichern…</translation></message>
-    <message><source>Copy the selected rows, or all that is shown</source>
-        <translation>Die ausgewählten Zeilen kopieren, oder alles Angezeigte</translation></message>
-    <message><source>Save a report for support; it is shown before it is written</source>
-        <translation>Einen Bericht für den Support speichern; er wird vorher angezeigt</translation></message>
+    <message><source>Lo&amp;g</source>
+        <translation>Pr&amp;otokoll</translation></message>
     <message><source>T&amp;raffic</source>
         <translation>Date&amp;nverkehr</translation></message>
+    <message><source>{0} of {1} shown</source>
+        <translation>{0} von {1} angezeigt</translation></message>
     <message><source>Round trips of the last minute: up to {0:.0f} ms</source>
         <translation>Antwortzeiten der letzten Minute: bis {0:.0f} ms</translation></message>
     <message><source>Nothing has gone wrong since {0:%H:%M}.</source>
         <translation>Seit {0:%H:%M} ist kein Problem aufgetreten.</translation></message>
     <message><source>Connection</source>
         <translation>Verbindung</translation></message>
-    <message><source>Lis&amp;t them</source>
-        <translation>A&amp;lle auflisten</translation></message>
     <message><source>Nothing is connected.</source>
         <translation>Nichts ist verbunden.</translation></message>
     <message numerus="yes"><source>%n problem(s) active now</source>
         <translation><numerusform>%n Problem jetzt aktiv</numerusform><numerusform>%n Probleme jetzt aktiv</numerusform></translation></message>
     <message><source>Nothing else has gone wrong since {0:%H:%M}.</source>
         <translation>Seit {0:%H:%M} ist kein weiteres Problem aufgetreten.</translation></message>
-    <message><source>The board can report {0} kinds of problem.</source>
-        <translation>Das Board kann {0} Arten von Problemen melden.</translation></message>
     <message numerus="yes"><source>%n time(s), last at {0:%H:%M:%S}</source>
         <translation><numerusform>%n-mal, um {0:%H:%M:%S}</numerusform><numerusform>%n-mal, zuletzt um {0:%H:%M:%S}</numerusform></translation></message>
     <message><source>Show it</source>
@@ -4839,8 +4661,6 @@ bisher {1}</translation></message>
         <translation>{0} ist {1}. Die Datei wurde nicht geöffnet, weil dieses Fenster mit {2} verbunden ist: Trennen Sie die Verbindung und öffnen Sie sie dann erneut.</translation></message>
     <message><source>{0} is no longer there; it was removed from the recent files.</source>
         <translation>{0} ist nicht mehr vorhanden; der Eintrag wurde aus den zuletzt verwendeten Dateien entfernt.</translation></message>
-    <message><source>&amp;Clear list</source>
-        <translation>Liste &amp;leeren</translation></message>
     <message><source>a file of the {0}</source>
         <translation>eine Datei für {0}</translation></message>
     <message><source>Probes each port for a supported device: each kind at its likely settings, then at every baud rate, with every parity and with CRC. A TReX or Aracna moves no motor and changes no setting. Other devices on the line may: enter their numbers in the line settings first. A TReX that receives probes at another rate counts UART errors, and stops its motors if it is set to do so.</source>
@@ -4857,32 +4677,22 @@ bisher {1}</translation></message>
         <translation>{0} – mit diesem Fenster verbunden</translation></message>
     <message><source>{0} is connected to this window, so it is not searched.</source>
         <translation>{0} ist mit diesem Fenster verbunden und wird daher nicht durchsucht.</translation></message>
-    <message><source>Ports &amp;without a board</source>
-        <translation>Ports &amp;ohne Board</translation></message>
-    <message><source>Connect and set</source>
-        <translation>Verbinden und einstellen</translation></message>
     <message><source>Found devices</source>
         <translation>Gefundene Geräte</translation></message>
     <message><source>What the LEDs mean, the wires, and how to restore serial settings</source>
         <translation>Was die LEDs bedeuten, die Drähte und wie serielle Einstellungen wiederhergestellt werden</translation></message>
     <message><source>Copy command</source>
         <translation>Befehl kopieren</translation></message>
-    <message><source>Shows what will be written first</source>
-        <translation>Zeigt zuerst, was geschrieben wird</translation></message>
     <message><source>Search &amp;on:</source>
         <translation>Suchen &amp;an:</translation></message>
     <message><source>This computer has no serial ports. Plug an adapter in.</source>
         <translation>Dieser Computer hat keine seriellen Ports. Stecken Sie einen Adapter ein.</translation></message>
-    <message><source>Connect and set other line settings: {0}</source>
-        <translation>Verbinden und andere Leitungseinstellungen setzen: {0}</translation></message>
     <message><source>Connect to {0}</source>
         <translation>Mit {0} verbinden</translation></message>
     <message><source>Help</source>
         <translation>Hilfe</translation></message>
     <message><source>TReX Studio</source>
         <translation>TReX Studio</translation></message>
-    <message><source>There is no log: {0} could not be written.</source>
-        <translation>Es gibt kein Protokoll: {0} konnte nicht geschrieben werden.</translation></message>
     <message><source>&amp;Preferences…</source>
         <translation>Voreinstellun&amp;gen…</translation></message>
     <message><source>E&amp;xit</source>
@@ -4893,8 +4703,6 @@ bisher {1}</translation></message>
         <translation>&amp;Hilfe</translation></message>
     <message><source>&amp;Save report for support…</source>
         <translation>&amp;Supportbericht speichern…</translation></message>
-    <message><source>Open &amp;log folder</source>
-        <translation>&amp;Protokollordner öffnen</translation></message>
     <message><source>&amp;About</source>
         <translation>&amp;Info</translation></message>
     <message><source>{0} on {1}</source>
@@ -4903,8 +4711,6 @@ bisher {1}</translation></message>
         <translation>{0} (Demo)</translation></message>
     <message><source>The window was to be closed</source>
         <translation>Das Fenster sollte geschlossen werden</translation></message>
-    <message><source>No program of this computer shows folders. The log is in {0}.</source>
-        <translation>Kein Programm dieses Computers zeigt Ordner an. Das Protokoll ist in {0}.</translation></message>
     <message><source>&amp;Window</source>
         <translation>&amp;Fenster</translation></message>
     <message><source>As the system</source>
@@ -4925,26 +4731,16 @@ bisher {1}</translation></message>
         <translation>S&amp;chriftgröße:</translation></message>
     <message><source>&amp;Language:</source>
         <translation>S&amp;prache:</translation></message>
-    <message><source>The window opens again; motors stop, and the board is connected again</source>
-        <translation>Das Fenster öffnet sich neu; die Motoren werden gestoppt, und das Board wird wieder verbunden</translation></message>
+    <message><source>Takes effect when the program starts again</source>
+        <translation>Gilt ab dem nächsten Start des Programms</translation></message>
     <message><source>&amp;Units:</source>
         <translation>&amp;Einheiten:</translation></message>
     <message><source>What is shown first, and what a number typed without a unit means</source>
         <translation>Was zuerst gezeigt wird, und was eine ohne Einheit eingegebene Zahl bedeutet</translation></message>
-    <message><source>&amp;Begin file dialogs in one folder</source>
-        <translation>Dateidialoge in einem festen &amp;Ordner öffnen</translation></message>
-    <message><source>C&amp;hoose…</source>
-        <translation>&amp;Auswählen…</translation></message>
     <message><source>Connect to known boards automat&amp;ically</source>
         <translation>Automatisch mit bekannten &amp;Boards verbinden</translation></message>
     <message><source>When the program starts and when an adapter is plugged in at which a board was found before, if just one board answers. Not after Disconnect, and not while another program uses the port. No motor moves.</source>
         <translation>Beim Programmstart und beim Einstecken eines Adapters, an dem schon ein Board gefunden wurde, wenn genau ein Board antwortet. Nicht nach „Trennen“, und nicht, solange ein anderes Programm den Port verwendet. Kein Motor bewegt sich.</translation></message>
-    <message><source>&amp;Reset to defaults</source>
-        <translation>Auf Standardwerte &amp;zurücksetzen</translation></message>
-    <message><source>Folder of file dialogs</source>
-        <translation>Ordner der Dateidialoge</translation></message>
-    <message><source>Otherwise each begins in the folder that was used last</source>
-        <translation>Sonst öffnet sich jeder in dem Ordner, der zuletzt verwendet wurde</translation></message>
     <message><source>{0} %</source>
         <translation>{0} %</translation></message>
     <message><source>This is what the report contains, and nothing else. It is only saved as a file, never sent. Names of users and computers, network addresses and serial numbers of adapters are masked. Clear the check box of a file to leave it out.</source>
@@ -4995,6 +4791,8 @@ bisher {1}</translation></message>
         <translation>Das Programm konnte die Motoren nicht selbst stoppen. Der Wächterprozess hat sie gestoppt ({0}), und das Board hat das bestätigt.</translation></message>
     <message><source>TReX Studio did not end properly the last time. If it crashed, a report for support says where.</source>
         <translation>TReX Studio wurde beim letzten Mal nicht ordnungsgemäß beendet. Falls es abgestürzt ist, sagt ein Supportbericht, wo.</translation></message>
+    <message><source>End the recording; motors and connection are not affected</source>
+        <translation>Die Aufzeichnung beenden; Motoren und Verbindung sind nicht betroffen</translation></message>
     <message><source>Recorded in {0} ({1}). {2} shows it.</source>
         <translation>Aufgezeichnet in {0} ({1}). Zum Ansehen: {2}.</translation></message>
     <message><source>{0} is open; close its window before recording over it.</source>
@@ -5003,8 +4801,6 @@ bisher {1}</translation></message>
         <translation>&amp;Kopie speichern…</translation></message>
     <message><source>Recording</source>
         <translation>Aufzeichnung</translation></message>
-    <message><source>End the recording; motors and connection are not affected</source>
-        <translation>Die Aufzeichnung beenden; Motoren und Verbindung sind nicht betroffen</translation></message>
     <message><source>Recording  {0}  {1}</source>
         <translation>Aufzeichnung  {0}  {1}</translation></message>
     <message numerus="yes"><source>%n sample(s) lost: the disk is too slow</source>
@@ -5019,10 +4815,14 @@ bisher {1}</translation></message>
         <translation>&amp;Pause</translation></message>
     <message><source>&amp;Play</source>
         <translation>&amp;Wiedergabe</translation></message>
-    <message><source>Show &amp;all</source>
-        <translation>&amp;Alles zeigen</translation></message>
-    <message><source>&amp;Export span…</source>
-        <translation>&amp;Zeitbereich exportieren…</translation></message>
+    <message><source>Show the whole recording again</source>
+        <translation>Wieder die ganze Aufzeichnung zeigen</translation></message>
+    <message><source>Save every sample in the plot as CSV or MCAP</source>
+        <translation>Alle Messwerte im Diagramm als CSV oder MCAP speichern</translation></message>
+    <message><source>Keep this recording: the oldest ones of faults and stops are removed</source>
+        <translation>Diese Aufzeichnung behalten: Die ältesten von Störungen und Stopps werden entfernt</translation></message>
+    <message><source>Stop loading or exporting</source>
+        <translation>Laden oder Exportieren abbrechen</translation></message>
     <message><source>Exporting, %p %</source>
         <translation>Exportieren, %p %</translation></message>
     <message><source>Reading, %p %</source>
@@ -5037,16 +4837,10 @@ bisher {1}</translation></message>
         <translation>MCAP für PlotJuggler und Foxglove (*.mcap)</translation></message>
     <message><source>The open recording cannot be overwritten. Choose another file.</source>
         <translation>Die geöffnete Aufzeichnung kann nicht überschrieben werden. Wählen Sie eine andere Datei.</translation></message>
-    <message><source>Show the whole recording again</source>
-        <translation>Wieder die ganze Aufzeichnung zeigen</translation></message>
-    <message><source>Save every sample in the plot as CSV or MCAP</source>
-        <translation>Alle Messwerte im Diagramm als CSV oder MCAP speichern</translation></message>
-    <message><source>Keep this recording: the oldest ones of faults and stops are removed</source>
-        <translation>Diese Aufzeichnung behalten: Die ältesten von Störungen und Stopps werden entfernt</translation></message>
-    <message><source>Stop loading or exporting</source>
-        <translation>Laden oder Exportieren abbrechen</translation></message>
     <message><source>E&amp;vents</source>
         <translation>E&amp;reignisse</translation></message>
+    <message><source>&amp;Export span…</source>
+        <translation>&amp;Zeitbereich exportieren…</translation></message>
     <message><source>{0}, recorded {1}</source>
         <translation>{0}, aufgezeichnet {1}</translation></message>
     <message><source>{0} – recording</source>
@@ -5055,6 +4849,8 @@ bisher {1}</translation></message>
         <translation>Der Zeitbereich wurde in {0} gespeichert.</translation></message>
     <message><source>{0}, {1} long</source>
         <translation>{0}, Dauer {1}</translation></message>
+    <message><source>Show &amp;all</source>
+        <translation>&amp;Alles zeigen</translation></message>
     <message><source>Exporting MCAP needs an optional package: {0}</source>
         <translation>Der Export als MCAP braucht ein optionales Paket: {0}</translation></message>
     <message><source>The curves show its last {0} of {1} samples; exports contain all of them.</source>
@@ -5137,28 +4933,18 @@ bisher {1}</translation></message>
         <translation>{0}, {1}: {2}, über der Grenze</translation></message>
     <message><source>No events</source>
         <translation>Keine Ereignisse</translation></message>
-    <message><source>La&amp;yout</source>
-        <translation>La&amp;yout</translation></message>
-    <message><source>Colours of the curves; save and open how the plot is shown</source>
-        <translation>Farben der Kurven; speichern und öffnen, wie das Diagramm gezeigt wird</translation></message>
-    <message><source>&amp;Colours</source>
-        <translation>Fa&amp;rben</translation></message>
-    <message><source>&amp;Open layout…</source>
-        <translation>&amp;Layout öffnen…</translation></message>
-    <message><source>&amp;Save layout…</source>
-        <translation>Layout &amp;speichern…</translation></message>
-    <message><source>&amp;Reset layout</source>
-        <translation>Layout &amp;zurücksetzen</translation></message>
-    <message><source>The layout was saved in {0}.</source>
-        <translation>Das Layout wurde in {0} gespeichert.</translation></message>
-    <message><source>Plot layouts (*{0})</source>
-        <translation>Diagramm-Layouts (*{0})</translation></message>
-    <message><source>plot layouts</source>
-        <translation>Diagrammlayouts</translation></message>
-    <message><source>The layout of {0} is shown.</source>
-        <translation>Das Layout aus {0} wird gezeigt.</translation></message>
-    <message><source>is {0}, not {1}</source>
-        <translation>ist {0}, nicht {1}</translation></message>
+    <message><source>Apply</source>
+        <translation>Anwenden</translation></message>
+    <message><source>Timeout</source>
+        <translation>Timeout</translation></message>
+    <message><source>Line</source>
+        <translation>Leitung</translation></message>
+    <message><source>Events in the plot</source>
+        <translation>Ereignisse im Diagramm</translation></message>
+    <message><source>Names of the curves</source>
+        <translation>Namen der Kurven</translation></message>
+    <message><source>{0} ({1} from the mark)</source>
+        <translation>{0} ({1} ab der Marke)</translation></message>
     <message><source>Blue</source>
         <translation>Blau</translation></message>
     <message><source>Orange</source>
@@ -5175,54 +4961,42 @@ bisher {1}</translation></message>
         <translation>Grau</translation></message>
     <message><source>As text</source>
         <translation>Wie Text</translation></message>
-    <message><source>it is nested too deeply</source>
-        <translation>es ist zu tief verschachtelt</translation></message>
-    <message><source>this is not a plot layout: {0}</source>
-        <translation>das ist kein Diagrammlayout: {0}</translation></message>
-    <message><source>is none of {0}</source>
-        <translation>ist keines von {0}</translation></message>
-    <message><source>Apply</source>
-        <translation>Anwenden</translation></message>
-    <message><source>Timeout</source>
-        <translation>Timeout</translation></message>
-    <message><source>Line</source>
-        <translation>Leitung</translation></message>
-    <message><source>Events in the plot</source>
-        <translation>Ereignisse im Diagramm</translation></message>
-    <message><source>Names of the curves</source>
-        <translation>Namen der Kurven</translation></message>
-    <message><source>{0} ({1} from the mark)</source>
-        <translation>{0} ({1} ab der Marke)</translation></message>
-    <message><source>Time shown</source>
-        <translation>Angezeigte Zeit</translation></message>
+    <message><source>A fixed range keeps plots comparable; peaks above it are cut off</source>
+        <translation>Ein fester Bereich hält Diagramme vergleichbar; Spitzen darüber werden abgeschnitten</translation></message>
     <message><source>Range of the currents</source>
         <translation>Bereich der Ströme</translation></message>
+    <message><source>La&amp;yout</source>
+        <translation>La&amp;yout</translation></message>
+    <message><source>&amp;Reset layout</source>
+        <translation>Layout &amp;zurücksetzen</translation></message>
+    <message><source>Time shown</source>
+        <translation>Angezeigte Zeit</translation></message>
     <message><source>Pa&amp;use</source>
         <translation>&amp;Pause</translation></message>
     <message><source>Hold pea&amp;ks</source>
         <translation>&amp;Spitzen halten</translation></message>
+    <message><source>&amp;Colours</source>
+        <translation>Fa&amp;rben</translation></message>
     <message><source>Show the &amp;last</source>
         <translation>Die &amp;letzten</translation></message>
-    <message><source>A fixed range keeps plots comparable; peaks above it are cut off</source>
-        <translation>Ein fester Bereich hält Diagramme vergleichbar; Spitzen darüber werden abgeschnitten</translation></message>
+    <message><source>automatic</source>
+        <translation>automatisch</translation></message>
     <message><source>Ran&amp;ge</source>
         <translation>Be&amp;reich</translation></message>
     <message><source>Keep the highest value of each curve from now on, as a line and a figure</source>
         <translation>Den höchsten Wert jeder Kurve ab jetzt halten, als Linie und als Zahl</translation></message>
     <message><source>Back to li&amp;ve</source>
         <translation>Zurück zu Li&amp;ve</translation></message>
-    <message><source>automatic</source>
-        <translation>automatisch</translation></message>
     <message><source>Left and Right move the cursor, with Shift in large steps; its values are read out here. M sets a mark, plus and minus zoom, L goes back to live.</source>
         <translation>Links und Rechts bewegen den Cursor, mit Umschalt in großen Schritten; seine Werte werden hier vorgelesen. M setzt eine Marke, Plus und Minus zoomen, L geht zurück zu Live.</translation></message>
     <message><source>Plot of currents and speeds against time</source>
         <translation>Diagramm der Ströme und Geschwindigkeiten über der Zeit</translation></message>
     <message><source>No data yet</source>
         <translation>Noch keine Daten</translation></message>
-    <message><source>&amp;Show polling</source>
-        <translation>Abf&amp;rage anzeigen</translation></message>
-    <message><source>O&amp;nly faults</source>
-        <translation>&amp;Nur Fehler</translation></message>
+    <message><source>Also show the requests that the program repeats many times a second</source>
+        <translation>Auch die Anfragen anzeigen, die das Programm viele Male pro Sekunde wiederholt</translation></message>
+    <message><source>Remove every row</source>
+        <translation>Alle Zeilen entfernen</translation></message>
     <message><source>No row matches the search.</source>
         <translation>Keine Zeile passt zur Suche.</translation></message>
     <message><source>No faults so far.</source>
@@ -5233,20 +5007,10 @@ bisher {1}</translation></message>
         <translation>Text (*.txt *.tsv)</translation></message>
     <message numerus="yes"><source>{0} row(s) written to {1}.</source>
         <translation><numerusform>{0} Zeile in {1} geschrieben.</numerusform><numerusform>{0} Zeilen in {1} geschrieben.</numerusform></translation></message>
-    <message><source>Also show the requests that the program repeats many times a second</source>
-        <translation>Auch die Anfragen anzeigen, die das Programm viele Male pro Sekunde wiederholt</translation></message>
-    <message><source>Show only failed transactions and line errors</source>
-        <translation>Nur fehlgeschlagene Transaktionen und Leitungsfehler anzeigen</translation></message>
-    <message><source>Do not add rows for now; the traffic is still logged</source>
-        <translation>Vorerst keine Zeilen hinzufügen; der Datenverkehr wird weiter protokolliert</translation></message>
-    <message><source>Remove every row</source>
-        <translation>Alle Zeilen entfernen</translation></message>
     <message><source>&amp;Copy</source>
         <translation>&amp;Kopieren</translation></message>
     <message><source>Copy as &amp;Python</source>
         <translation>Als &amp;Python kopieren</translation></message>
-    <message><source>Copy as C (&amp;POSIX)</source>
-        <translation>Als &amp;C (POSIX) kopieren</translation></message>
     <message><source>Copy as &amp;Arduino sketch</source>
         <translation>Als &amp;Arduino-Sketch kopieren</translation></message>
     <message><source>Sa&amp;ve as text…</source>
@@ -5263,14 +5027,22 @@ bisher {1}</translation></message>
         <translation>Noch kein Datenverkehr. Solange {0} verbunden ist, listet diese Seite jedes Byte auf der Leitung und seine Bedeutung auf.</translation></message>
     <message><source>No rows to save.</source>
         <translation>Keine Zeilen zum Speichern.</translation></message>
+    <message><source>&amp;Show polling</source>
+        <translation>Abf&amp;rage anzeigen</translation></message>
+    <message><source>O&amp;nly faults</source>
+        <translation>&amp;Nur Fehler</translation></message>
+    <message><source>Show only failed transactions and line errors</source>
+        <translation>Nur fehlgeschlagene Transaktionen und Leitungsfehler anzeigen</translation></message>
+    <message><source>Do not add rows for now; the traffic is still logged</source>
+        <translation>Vorerst keine Zeilen hinzufügen; der Datenverkehr wird weiter protokolliert</translation></message>
     <message><source>events lost: {0}</source>
         <translation>verlorene Ereignisse: {0}</translation></message>
     <message><source>Send &amp;bytes</source>
         <translation>B&amp;ytes senden</translation></message>
-    <message><source>Bytes t&amp;o send:</source>
-        <translation>&amp;Zu sendende Bytes:</translation></message>
     <message><source>Send these bytes as they are (Enter)</source>
         <translation>Diese Bytes unverändert senden (Enter)</translation></message>
+    <message><source>Bytes t&amp;o send:</source>
+        <translation>&amp;Zu sendende Bytes:</translation></message>
     <message><source>Sent</source>
         <translation>Gesendet</translation></message>
     <message><source>Received</source>
@@ -5293,8 +5065,6 @@ bisher {1}</translation></message>
         <translation>gesendet  {0}</translation></message>
     <message><source>received  {0}</source>
         <translation>empfangen {0}</translation></message>
-    <message><source>not connected</source>
-        <translation>nicht verbunden</translation></message>
     <message><source>Columns</source>
         <translation>Spalten</translation></message>
     <message><source>Rows</source>

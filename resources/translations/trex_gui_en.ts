@@ -13,8 +13,6 @@
         <translation><numerusform>Playing %n step, {0}.</numerusform><numerusform>Playing %n steps, {0}.</numerusform></translation></message>
     <message numerus="yes"><source>Aracna, firmware {0}, %n motor(s)</source>
         <translation><numerusform>Aracna, firmware {0}, %n motor</numerusform><numerusform>Aracna, firmware {0}, %n motors</numerusform></translation></message>
-    <message numerus="yes"><source>%n step(s), {0:g} s</source>
-        <translation><numerusform>%n step, {0:g} s</numerusform><numerusform>%n steps, {0:g} s</numerusform></translation></message>
     <message numerus="yes"><source>%n step(s)</source>
         <translation><numerusform>%n step</numerusform><numerusform>%n steps</numerusform></translation></message>
     <message numerus="yes"><source>%n board(s) on this line.</source>
@@ -27,8 +25,6 @@
         <translation><numerusform>%n edit of the former board kept: it returns when that board is selected again.</numerusform><numerusform>%n edits of the former board kept: they return when that board is selected again.</numerusform></translation></message>
     <message numerus="yes"><source>and %n more packet(s)</source>
         <translation><numerusform>and %n more packet</numerusform><numerusform>and %n more packets</numerusform></translation></message>
-    <message numerus="yes"><source>And %n more problem(s).</source>
-        <translation><numerusform>And %n more problem.</numerusform><numerusform>And %n more problems.</numerusform></translation></message>
     <message numerus="yes"><source>Apply of %n setting(s)</source>
         <translation><numerusform>Apply of %n setting</numerusform><numerusform>Apply of %n settings</numerusform></translation></message>
     <message numerus="yes"><source>&amp;Write to %n board(s)</source>
@@ -61,10 +57,6 @@
         <translation><numerusform>and %n more</numerusform><numerusform>and %n more</numerusform></translation></message>
     <message numerus="yes"><source>Permanently delete %n snapshot(s), the newest of {0}?</source>
         <translation><numerusform>Permanently delete the snapshot of {0}?</numerusform><numerusform>Permanently delete %n snapshots, the newest of {0}?</numerusform></translation></message>
-    <message numerus="yes"><source>Permanently remove the oldest %n of {0} snapshots?</source>
-        <translation><numerusform>Permanently remove the oldest of {0} snapshots?</numerusform><numerusform>Permanently remove the oldest %n of {0} snapshots?</numerusform></translation></message>
-    <message numerus="yes"><source>&amp;Learn channel(s) {0} again</source>
-        <translation><numerusform>&amp;Learn channel {0} again</numerusform><numerusform>&amp;Learn channels {0} again</numerusform></translation></message>
     <message numerus="yes"><source>%n earlier pending edit(s) will be written, too.</source>
         <translation><numerusform>%n earlier pending edit will be written, too.</numerusform><numerusform>%n earlier pending edits will be written, too.</numerusform></translation></message>
     <message numerus="yes"><source>Review %n ch&amp;ange(s)…</source>
@@ -81,8 +73,6 @@
         <translation><numerusform>&amp;Restore %n setting…</numerusform><numerusform>&amp;Restore %n settings…</numerusform></translation></message>
     <message numerus="yes"><source>%n board(s) found.</source>
         <translation><numerusform>%n board found.</numerusform><numerusform>%n boards found.</numerusform></translation></message>
-    <message numerus="yes"><source>%n port(s) could not be searched (internal error).</source>
-        <translation><numerusform>%n port could not be searched (internal error).</numerusform><numerusform>%n ports could not be searched (internal error).</numerusform></translation></message>
     <message numerus="yes"><source>%n problem(s) active now</source>
         <translation><numerusform>%n problem active now</numerusform><numerusform>%n problems active now</numerusform></translation></message>
     <message numerus="yes"><source>%n time(s), last at {0:%H:%M:%S}</source>

@@ -501,8 +501,6 @@
         <translation>Alimentation des servos</translation></message>
     <message><source>The power of the servos only: without it they stop, hold nothing and lose their speeds; the firmware waits for them</source>
         <translation>L'alimentation des servos seuls : sans elle, ils s'arrêtent, ne tiennent plus et perdent leurs vitesses ; le firmware les attend</translation></message>
-    <message><source>Slowed</source>
-        <translation>Ralenti</translation></message>
     <message><source>Dead</source>
         <translation>En panne</translation></message>
     <message><source>Blocked</source>
@@ -537,8 +535,6 @@
         <translation>La ligne de réinitialisation : le firmware redémarre, les servos continuent jusqu'à leurs cibles</translation></message>
     <message><source>{0}: real position</source>
         <translation>{0} : position réelle</translation></message>
-    <message><source>{0}: slowed by a load, in per cent</source>
-        <translation>{0} : ralenti par une charge, en pour cent</translation></message>
     <message><source>Cable plugged in</source>
         <translation>Câble branché</translation></message>
     <message><source>The wire back is broken: the robot executes commands, no reply arrives</source>
@@ -565,8 +561,6 @@
         <translation>Nombre de démarrages du firmware</translation></message>
     <message><source>Servos alive, free and unloaded, a quiet line, everything switched on</source>
         <translation>Servos en état, libres et sans charge, liaison sans bruit, tout en marche</translation></message>
-    <message><source>It loses {0} % of its speed; at the right end it stops</source>
-        <translation>Il perd {0} % de sa vitesse ; à l'extrémité droite, il s'arrête</translation></message>
     <message><source>{0} does not respond, as when unplugged: speeds read as −1, and a move waits for it indefinitely</source>
         <translation>{0} ne répond pas, comme débranché : les vitesses lues valent −1, et un mouvement l'attend sans fin</translation></message>
     <message><source>Something blocks {0}: it stays “moving”, and the firmware waits</source>
@@ -683,18 +677,14 @@
         <translation>Millisecondes de l'étape {0}</translation></message>
     <message><source>Pose of step {0}</source>
         <translation>Pose de l'étape {0}</translation></message>
+    <message><source>Uses the authors' poses, but was not made by them.</source>
+        <translation>Utilise les poses des auteurs du robot, mais n'a pas été faite par eux.</translation></message>
     <message><source>Rename</source>
         <translation>Renommer</translation></message>
     <message><source>Duplicate</source>
         <translation>Dupliquer</translation></message>
-    <message><source>Uses the authors' poses, but was not made by them.</source>
-        <translation>Utilise les poses des auteurs du robot, mais n'a pas été faite par eux.</translation></message>
     <message><source>&amp;Delete…</source>
         <translation>&amp;Supprimer…</translation></message>
-    <message numerus="yes"><source>%n step(s), {0:g} s</source>
-        <translation><numerusform>%n étape, {0:g} s</numerusform><numerusform>%n étapes, {0:g} s</numerusform></translation></message>
-    <message><source>Undefined poses: {0}</source>
-        <translation>Poses non définies : {0}</translation></message>
     <message><source>{0} (built in)</source>
         <translation>{0} (intégrée)</translation></message>
     <message><source>Not renamed: {0}.</source>
@@ -749,8 +739,6 @@
         <translation>&amp;Vitesse</translation></message>
     <message><source>not defined</source>
         <translation>non définie</translation></message>
-    <message><source>limited: motor {0}</source>
-        <translation>limité : moteur {0}</translation></message>
     <message><source>Cannot play: {0}.</source>
         <translation>Impossible de jouer : {0}.</translation></message>
     <message><source>The robot's position is known after its first move.</source>
@@ -795,8 +783,6 @@
         <translation>Pattes aux positions transmises, cibles en tirets ; le tableau donne les deux en chiffres.</translation></message>
     <message><source>front</source>
         <translation>avant</translation></message>
-    <message><source>{0}: {1}</source>
-        <translation>{0} : {1}</translation></message>
     <message><source>Present position unknown</source>
         <translation>Position actuelle inconnue</translation></message>
     <message><source>Speed setting 1-1023, 0.669 °/s each; 0 is unlimited, not “stopped”. Above about 870 (AX-18A) or 530 (AX-12A) a servo gets no faster.</source>
@@ -883,8 +869,6 @@
         <translation>La cible la plus récente est envoyée dès que le robot a atteint la précédente</translation></message>
     <message><source>How far each joint may turn; goals are cropped before sending</source>
         <translation>Jusqu'où chaque articulation peut tourner ; les cibles sont ramenées aux limites avant l'envoi</translation></message>
-    <message><source>{0:.1f} commands/s</source>
-        <translation>{0:.1f} commandes/s</translation></message>
     <message><source>differ</source>
         <translation>différentes</translation></message>
     <message><source>Set sliders to:</source>
@@ -1003,8 +987,6 @@
         <translation>Ne laissez aucun autre programme émettre sur cette liaison.</translation></message>
     <message><source>Let other programs request fewer channels at once.</source>
         <translation>Faites en sorte que les autres programmes demandent moins de voies à la fois.</translation></message>
-    <message><source>{0} (doubtful)</source>
-        <translation>{0} (douteux)</translation></message>
     <message><source>Latched before connecting, perhaps by the search for the board: {0}</source>
         <translation>Mémorisé avant la connexion, peut-être à cause de la recherche de la carte : {0}</translation></message>
     <message><source>Connected to {0} on {1}.</source>
@@ -1017,6 +999,8 @@
         <translation>Un réglage a changé : la carte a été redémarrée, ou un autre programme y a écrit</translation></message>
     <message><source>Device {0} selected: {1}</source>
         <translation>Appareil {0} sélectionné : {1}</translation></message>
+    <message><source>{0} (doubtful)</source>
+        <translation>{0} (douteux)</translation></message>
     <message><source>What is kept here for this {0} (notes, calibrations, applied settings) is of {1}, when it was at another USB adapter or socket. If this is another board, give it a device number of its own: boards with the same number share what is kept.</source>
         <translation>Ce qui est conservé ici pour ce {0} (notes, étalonnages, réglages appliqués) date de {1}, quand il était sur un autre adaptateur USB ou une autre prise. S'il s'agit d'une autre carte, donnez-lui son propre numéro d'appareil : les cartes de même numéro partagent ce qui est conservé.</translation></message>
     <message><source>Disconnected</source>
@@ -1071,6 +1055,20 @@
         <translation>L'autre position est en dessous de celle de repos, qui devrait être inactive</translation></message>
     <message><source>At rest its noise is {0}: the deadband is twice that.</source>
         <translation>Au repos, son bruit est de {0} : la zone morte vaut le double.</translation></message>
+    <message><source>there is nothing to compare: nothing was sent, except to search</source>
+        <translation>il n'y a rien à comparer : rien n'a été envoyé, sauf pour rechercher</translation></message>
+    <message><source>TReX 1.2, as no signature was read</source>
+        <translation>TReX 1.2, car aucune signature n'a été lue</translation></message>
+    <message><source>1 stored value</source>
+        <translation>1 valeur enregistrée</translation></message>
+    <message><source>{0}, {1} from the file, others as from the factory</source>
+        <translation>{0}, {1} du fichier, le reste comme en sortie d'usine</translation></message>
+    <message><source>traffic logs</source>
+        <translation>journaux de trafic</translation></message>
+    <message><source>{0} stored values</source>
+        <translation>{0} valeurs enregistrées</translation></message>
+    <message><source>{0}; the simulated board has its default.</source>
+        <translation>{0} ; la carte simulée a sa valeur par défaut.</translation></message>
     <message><source>learned channels</source>
         <translation>voies apprises</translation></message>
     <message><source>done</source>
@@ -1253,16 +1251,6 @@
         <translation>Aucun courant n'a été lu pendant {0:g} s.</translation></message>
     <message><source>Motor {0} exceeded its current limit.</source>
         <translation>Le moteur {0} a dépassé sa limite de courant.</translation></message>
-    <message><source>Stop</source>
-        <translation>Arrêt</translation></message>
-    <message><source>{0} and {1} more</source>
-        <translation>{0} et encore {1}</translation></message>
-    <message><source>Apply: {0}</source>
-        <translation>Appliqué : {0}</translation></message>
-    <message><source>Stop: {0}</source>
-        <translation>Arrêt : {0}</translation></message>
-    <message><source>{0} ({1} failed)</source>
-        <translation>{0} (échecs : {1})</translation></message>
     <message><source>No other board replies on this line. Each needs power, the serial settings of this one, and a device number of its own.</source>
         <translation>Aucune autre carte ne répond sur cette liaison. Chacune doit être alimentée, avoir les réglages série de celle-ci et un numéro d'appareil qui lui est propre.</translation></message>
     <message numerus="yes"><source>%n board(s) on this line.</source>
@@ -1275,8 +1263,6 @@
         <translation>Le maximum ne peut pas passer sous le neutre.</translation></message>
     <message><source>The deadband cannot be wider than the travel.</source>
         <translation>La zone morte ne peut pas être plus large que la course.</translation></message>
-    <message><source>That would leave {0} on each side of neutral, {1} of it deadband: too little to reach every output value.</source>
-        <translation>Il ne resterait que {0} de chaque côté du neutre, dont {1} de zone morte : trop peu pour atteindre toutes les valeurs de sortie.</translation></message>
     <message><source>Minimum and maximum must differ.</source>
         <translation>Le minimum et le maximum doivent être différents.</translation></message>
     <message><source>Neutral cannot pass minimum.</source>
@@ -1367,12 +1353,6 @@
         <translation>{0} Elle n'accepte un étalonnage que si le minimum n'est pas au-dessus du neutre, si le neutre n'est pas au-dessus du maximum, et si le minimum et le maximum sont différents.</translation></message>
     <message><source>{0} The edits are kept meanwhile.</source>
         <translation>{0} Les modifications sont conservées en attendant.</translation></message>
-    <message><source>Minimum ({0}) cannot be above neutral ({1}).</source>
-        <translation>Le minimum ({0}) ne peut pas être au-dessus du neutre ({1}).</translation></message>
-    <message><source>Maximum ({0}) cannot be below neutral ({1}).</source>
-        <translation>Le maximum ({0}) ne peut pas être en dessous du neutre ({1}).</translation></message>
-    <message><source>Minimum and maximum cannot both be {0}.</source>
-        <translation>Le minimum et le maximum ne peuvent pas valoir tous deux {0}.</translation></message>
     <message><source>The board would reject this: {0}.</source>
         <translation>La carte le rejetterait : {0}.</translation></message>
     <message><source> and </source>
@@ -1433,6 +1413,8 @@
         <translation>Chargeur d'amorçage : attend un firmware. Coupez et remettez l'alimentation pour en sortir.</translation></message>
     <message><source>Edits, notes or settings were kept here for another board with this device number. They are in {0} now.</source>
         <translation>Des modifications, des notes ou des réglages étaient conservés ici pour une autre carte ayant ce numéro d'appareil. Ils se trouvent maintenant dans {0}.</translation></message>
+    <message><source>Reading again failed. {0}</source>
+        <translation>La relecture a échoué. {0}</translation></message>
     <message numerus="yes"><source>%n edit(s) not applied to the previous {0}: kept, and offered when it is connected again.</source>
         <translation><numerusform>%n modification non appliquée à l'appareil précédent ({0}) : elle est conservée, et proposée quand il sera reconnecté.</numerusform><numerusform>%n modifications non appliquées à l'appareil précédent ({0}) : elles sont conservées, et proposées quand il sera reconnecté.</numerusform></translation></message>
     <message numerus="yes"><source>%n earlier change(s) still pending. Review them to write to this board.</source>
@@ -1447,14 +1429,20 @@
         <translation>Du bruit sur la liaison peut faire tourner un moteur un instant dans un autre sens.</translation></message>
     <message><source>Board {0}: {1}</source>
         <translation>Carte {0} : {1}</translation></message>
+    <message><source>Stop</source>
+        <translation>Arrêt</translation></message>
     <message><source>Nothing was written: other settings were read from the board.</source>
         <translation>Rien n'a été écrit : d'autres réglages ont été lus dans la carte.</translation></message>
     <message><source>The network is silent; the server of the robot stops the motors.</source>
         <translation>Le réseau est muet ; le serveur du robot arrête les moteurs.</translation></message>
-    <message><source>{0}, device {1}</source>
-        <translation>{0}, appareil {1}</translation></message>
-    <message><source>Reading again failed. {0}</source>
-        <translation>La relecture a échoué. {0}</translation></message>
+    <message><source>{0} and {1} more</source>
+        <translation>{0} et encore {1}</translation></message>
+    <message><source>Apply: {0}</source>
+        <translation>Appliqué : {0}</translation></message>
+    <message><source>Stop: {0}</source>
+        <translation>Arrêt : {0}</translation></message>
+    <message><source>{0} ({1} failed)</source>
+        <translation>{0} (échecs : {1})</translation></message>
     <message><source>The connection is not responding, so the stop could not be sent.</source>
         <translation>La connexion ne répond pas ; l'ordre d'arrêt n'a donc pas pu être envoyé.</translation></message>
     <message><source>No stop is known to have reached the {0} that was driven at {1}: another board responded. If its motor still turns, cut its power.</source>
@@ -1473,12 +1461,26 @@
         <translation>La carte qui s'était déconnectée pendant la conduite est de retour.</translation></message>
     <message><source>This may be another board: {0}, at {1}, does not store the settings of the one that was driven.</source>
         <translation>C'est peut-être une autre carte : {0}, sur {1}, ne contient pas les réglages de celle qui était pilotée.</translation></message>
+    <message><source>{0}, device {1}</source>
+        <translation>{0}, appareil {1}</translation></message>
     <message><source>{0} The motors were stopped. Arm the motors again to go on.</source>
         <translation>{0} Les moteurs ont été arrêtés. Réactivez-les pour continuer.</translation></message>
     <message><source>A setting of the board changed, so the motors were stopped.</source>
         <translation>Un réglage de la carte a changé ; les moteurs ont donc été arrêtés.</translation></message>
     <message><source>The board was restarted, so the motors were stopped.</source>
         <translation>La carte a été redémarrée ; les moteurs ont donc été arrêtés.</translation></message>
+    <message><source>Connect to a board first.</source>
+        <translation>Connectez d'abord une carte.</translation></message>
+    <message><source>Settings are being written.</source>
+        <translation>Des réglages sont en cours d'écriture.</translation></message>
+    <message><source>After a stop the motors are locked for another {0:.0f} s.</source>
+        <translation>Après un arrêt, les moteurs restent verrouillés pendant encore {0:.0f} s.</translation></message>
+    <message><source>Another control drives now.</source>
+        <translation>Une autre commande pilote maintenant.</translation></message>
+    <message><source>{0} A test needs serial control.</source>
+        <translation>{0} Un essai nécessite la commande par liaison série.</translation></message>
+    <message><source>Bring the motors to rest first ({0}).</source>
+        <translation>Mettez d'abord les moteurs au repos ({0}).</translation></message>
     <message><source>coast</source>
         <translation>roue libre</translation></message>
     <message><source>no limit</source>
@@ -1549,8 +1551,6 @@
         <translation>Y, le plus haut des quatre</translation></message>
     <message><source>Arm the motors first.</source>
         <translation>Activez d'abord les moteurs.</translation></message>
-    <message><source>Another control drives now.</source>
-        <translation>Une autre commande pilote maintenant.</translation></message>
     <message><source>Driving with a gamepad was switched off.</source>
         <translation>La conduite à la manette a été désactivée.</translation></message>
     <message><source>Another gamepad was chosen.</source>
@@ -1577,18 +1577,6 @@
         <translation>axe {0}</translation></message>
     <message><source>The gamepad “{0}” was disconnected.</source>
         <translation>La manette « {0} » a été déconnectée.</translation></message>
-    <message><source>Connect to a board first.</source>
-        <translation>Connectez d'abord une carte.</translation></message>
-    <message><source>Settings are being written.</source>
-        <translation>Des réglages sont en cours d'écriture.</translation></message>
-    <message><source>After a stop the motors are locked for another {0:.0f} s.</source>
-        <translation>Après un arrêt, les moteurs restent verrouillés pendant encore {0:.0f} s.</translation></message>
-    <message><source>{0} A test needs serial control.</source>
-        <translation>{0} Un essai nécessite la commande par liaison série.</translation></message>
-    <message><source>Bring the motors to rest first ({0}).</source>
-        <translation>Mettez d'abord les moteurs au repos ({0}).</translation></message>
-    <message><source>Beyond its rest position the motor speeds up again, whatever the sign: at {0} to {1} of {2}.</source>
-        <translation>Au-delà de la position de repos, le moteur accélère de nouveau, quel que soit le signe : à {0}, jusqu'à {1} sur {2}.</translation></message>
     <message><source>Active above {0}, halfway between neutral and maximum (inferred).</source>
         <translation>Active au-dessus de {0}, à mi-chemin entre le neutre et le maximum (déduit).</translation></message>
     <message><source>Active below {0}, halfway between neutral and minimum (inferred).</source>
@@ -1705,6 +1693,8 @@
         <translation>Revenez en arrière et refaites la mesure, ou utilisez la nouvelle position de repos.</translation></message>
     <message><source>{0} is beyond the {1} that was reached: there is no full output.</source>
         <translation>{0} est au-delà de la valeur atteinte ({1}) : il n'y a pas de sortie maximale.</translation></message>
+    <message><source>Beyond its rest position the motor speeds up again, whatever the sign: at {0} to {1} of {2}.</source>
+        <translation>Au-delà de la position de repos, le moteur accélère de nouveau, quel que soit le signe : à {0}, jusqu'à {1} sur {2}.</translation></message>
     <message><source>Check that no trim and no broken wire can bring it there.</source>
         <translation>Vérifiez qu'aucun trim ni aucun fil coupé ne peut l'y amener.</translation></message>
     <message><source>Its rest position ({0}) is too close to its switching point ({1}).</source>
@@ -1761,6 +1751,8 @@
         <translation>Hexadécimal, par exemple 9F 07</translation></message>
     <message><source>A stop would not reach that board: address device {0}.</source>
         <translation>Un arrêt n'atteindrait pas cette carte : adressez l'appareil {0}.</translation></message>
+    <message><source>{0}: {1}</source>
+        <translation>{0} : {1}</translation></message>
     <message numerus="yes"><source>and %n more packet(s)</source>
         <translation><numerusform>et encore %n paquet</numerusform><numerusform>et encore %n paquets</numerusform></translation></message>
     <message><source>Every board on this line would store it: address {0}.</source>
@@ -1779,12 +1771,6 @@
         <translation>Envoyé à la main : {0}</translation></message>
     <message><source>Parameter</source>
         <translation>Paramètre</translation></message>
-    <message><source>{0} ({1} modified)</source>
-        <translation>{0} ({1} modifiés)</translation></message>
-    <message><source>Motors 1 and 2 {0}</source>
-        <translation>Moteurs 1 et 2 : {0}</translation></message>
-    <message><source>Pinned</source>
-        <translation>Épinglés</translation></message>
     <message><source>Motors and speed ramp</source>
         <translation>Moteurs et rampe de vitesse</translation></message>
     <message><source>Braking</source>
@@ -1799,6 +1785,10 @@
         <translation>Liaison série</translation></message>
     <message><source>System</source>
         <translation>Système</translation></message>
+    <message><source>{0} ({1} modified)</source>
+        <translation>{0} ({1} modifiés)</translation></message>
+    <message><source>Motors 1 and 2 {0}</source>
+        <translation>Moteurs 1 et 2 : {0}</translation></message>
     <message><source>How often in a second the PWM of the motor switches. Low frequencies whine and heat the motor, frequencies above the driver's rating heat the driver. Type a number or use the arrow keys. The board stores the nearest frequency that it can switch at.</source>
         <translation>Nombre de commutations par seconde du PWM du moteur. Une fréquence basse fait siffler et chauffer le moteur, une fréquence supérieure à la valeur nominale du driver fait chauffer celui-ci. Tapez un nombre ou utilisez les flèches. La carte enregistre la fréquence de commutation possible la plus proche.</translation></message>
     <message><source>This firmware has stored beyond that: wire value {0}.</source>
@@ -1855,6 +1845,8 @@
         <translation>Configurée comme {0}</translation></message>
     <message><source>Recording {0} ended: the board or its input source has changed.</source>
         <translation>L'enregistrement {0} s'est terminé : la carte ou sa source des entrées a changé.</translation></message>
+    <message><source>What was applied to this board cannot be remembered. {0}</source>
+        <translation>Ce qui a été appliqué à cette carte ne peut pas être mémorisé. {0}</translation></message>
     <message><source>calibration of channel {0}: {1}</source>
         <translation>étalonnage de la voie {0} : {1}</translation></message>
     <message><source>Setting</source>
@@ -1867,12 +1859,8 @@
         <translation>enregistré</translation></message>
     <message><source>Note: {0}</source>
         <translation>Note : {0}</translation></message>
-    <message><source>it contains no calibrations</source>
-        <translation>il ne contient aucun étalonnage</translation></message>
     <message><source>{0}; it is shown as Western European text. Check the characters that are not plain letters; Save writes UTF-8</source>
         <translation>{0} ; il est affiché comme texte d'Europe occidentale. Vérifiez les caractères qui ne sont pas de simples lettres ; l'enregistrement écrit en UTF-8</translation></message>
-    <message><source>these are settings of a {0}</source>
-        <translation>ce sont des réglages d'un {0}</translation></message>
     <message><source>{0} is left out: it could not be read from the board.</source>
         <translation>{0} est omis : impossible de le lire dans la carte.</translation></message>
     <message><source>The {0} calibrations are left out: the board accepts them only while it reads its inputs as {0}.</source>
@@ -1883,6 +1871,8 @@
         <translation>Réinitialisation aux réglages d'usine</translation></message>
     <message><source>There are no settings to compare with</source>
         <translation>Il n'y a pas de réglages auxquels comparer</translation></message>
+    <message><source>Note on {0}</source>
+        <translation>Note sur {0}</translation></message>
     <message><source>Discard edits</source>
         <translation>Abandonner les modifications</translation></message>
     <message><source>Unapplied edits cannot be saved for the next start. {0}</source>
@@ -1891,10 +1881,6 @@
         <translation>Restaurer les modifications</translation></message>
     <message><source>Edits of this board</source>
         <translation>Modifications de cette carte</translation></message>
-    <message><source>What was applied to this board cannot be remembered. {0}</source>
-        <translation>Ce qui a été appliqué à cette carte ne peut pas être mémorisé. {0}</translation></message>
-    <message><source>Note on {0}</source>
-        <translation>Note sur {0}</translation></message>
     <message><source>Name</source>
         <translation>Nom</translation></message>
     <message><source>Note</source>
@@ -1905,8 +1891,6 @@
         <translation>Carte</translation></message>
     <message><source>No.</source>
         <translation>N°</translation></message>
-    <message numerus="yes"><source>And %n more problem(s).</source>
-        <translation><numerusform>Et %n autre problème.</numerusform><numerusform>Et %n autres problèmes.</numerusform></translation></message>
     <message><source>damaged</source>
         <translation>endommagé</translation></message>
     <message><source>today {0}</source>
@@ -1959,8 +1943,6 @@
         <translation>étalonnage : {0}</translation></message>
     <message><source>parameter number</source>
         <translation>numéro de paramètre</translation></message>
-    <message><source>parameter value</source>
-        <translation>valeur de paramètre</translation></message>
     <message><source>the request came back instead of a status</source>
         <translation>la requête est revenue à la place d'un état</translation></message>
     <message><source>motors are numbered 1 and 2, not {0}</source>
@@ -1983,6 +1965,8 @@
         <translation>un paramètre va de 0 à 127, et non {0}</translation></message>
     <message><source>{0} is not a TReX result code (0 to 3)</source>
         <translation>{0} n'est pas un code de résultat du TReX (0 à 3)</translation></message>
+    <message><source>parameter value</source>
+        <translation>valeur de paramètre</translation></message>
     <message><source>{0:#04x} is not a TReX mode (R, A, r or a)</source>
         <translation>{0:#04x} n'est pas un mode du TReX (R, A, r ou a)</translation></message>
     <message><source>device number</source>
@@ -2343,20 +2327,6 @@
         <translation>{0} octets, c'est trop : {1} au plus sont envoyés à la fois.</translation></message>
     <message><source>“{0}” is not a row of hexadecimal bytes such as 86 1F.</source>
         <translation>« {0} » n'est pas une suite d'octets hexadécimaux comme 86 1F.</translation></message>
-    <message><source>there is nothing to compare: nothing was sent, except to search</source>
-        <translation>il n'y a rien à comparer : rien n'a été envoyé, sauf pour rechercher</translation></message>
-    <message><source>TReX 1.2, as no signature was read</source>
-        <translation>TReX 1.2, car aucune signature n'a été lue</translation></message>
-    <message><source>1 stored value</source>
-        <translation>1 valeur enregistrée</translation></message>
-    <message><source>{0}, {1} from the file, others as from the factory</source>
-        <translation>{0}, {1} du fichier, le reste comme en sortie d'usine</translation></message>
-    <message><source>traffic logs</source>
-        <translation>journaux de trafic</translation></message>
-    <message><source>{0} stored values</source>
-        <translation>{0} valeurs enregistrées</translation></message>
-    <message><source>{0}; the simulated board has its default.</source>
-        <translation>{0} ; la carte simulée a sa valeur par défaut.</translation></message>
     <message><source>No board is served at {0}:{1}, or not to this user. Check that trexcmd serve runs there, the user in the address (trex://USER@…), and its secret (TREX_SECRET).</source>
         <translation>Aucune carte n'est servie à {0}:{1}, ou pas à cet utilisateur. Vérifiez que trexcmd serve y fonctionne, l'utilisateur dans l'adresse (trex://USER@…) et son secret (TREX_SECRET).</translation></message>
     <message><source>{0} cannot be listened at: {1}</source>
@@ -2415,14 +2385,16 @@
         <translation>Un {0} accepte au moins {1} ; 0 le désactive (jumeau).</translation></message>
     <message><source>The same value in steps of {0}: {1} becomes {2}.</source>
         <translation>La même valeur par pas de {0} : {1} devient {2}.</translation></message>
+    <message><source>these are settings of a {0}</source>
+        <translation>ce sont des réglages d'un {0}</translation></message>
     <message><source>this file is written in a way that cannot be changed in place; save the settings as a new file</source>
         <translation>ce fichier est écrit d'une façon qui ne permet pas de le modifier sur place ; enregistrez les réglages dans un nouveau fichier</translation></message>
     <message><source>{0} {1}: how many snapshots to keep is not known, so none is removed.</source>
         <translation>{0} {1} : le nombre d'instantanés à conserver n'est pas connu, aucun n'est donc supprimé.</translation></message>
-    <message><source>It is empty.</source>
-        <translation>Il est vide.</translation></message>
     <message><source>It does not say of which board it is.</source>
         <translation>Il n'indique pas de quelle carte il s'agit.</translation></message>
+    <message><source>It is empty.</source>
+        <translation>Il est vide.</translation></message>
     <message><source>it cannot be removed</source>
         <translation>impossible à supprimer</translation></message>
     <message><source>is damaged</source>
@@ -2587,16 +2559,14 @@
         <translation>ce nombre est illisible ; {0}</translation></message>
     <message><source>merge keys (&lt;&lt;) are not allowed; {0}</source>
         <translation>les clés de fusion (&lt;&lt;) ne sont pas autorisées ; {0}</translation></message>
+    <message><source>From the first setpoint until braking.</source>
+        <translation>De la première consigne jusqu'au freinage.</translation></message>
     <message><source>Runs the test while it is held, with the mouse or the space bar</source>
         <translation>Effectue l'essai tant qu'il est maintenu, avec la souris ou la barre d'espace</translation></message>
     <message><source>Test to compare with</source>
         <translation>Essai auquel comparer</translation></message>
-    <message><source>How far from the steady current counts as settled, in percent</source>
-        <translation>Écart au courant établi considéré comme stabilisé, en pour cent</translation></message>
     <message><source>Open a saved test</source>
         <translation>Ouvrir un essai enregistré</translation></message>
-    <message><source>Save this test to compare with later, or a picture of it</source>
-        <translation>Enregistrer cet essai pour le comparer plus tard, ou une image de celui-ci</translation></message>
     <message><source>Bench tests (*.csv);;All files (*)</source>
         <translation>Essais au banc (*.csv);;Tous les fichiers (*)</translation></message>
     <message><source>{0:%H:%M:%S}, motor {1}: {2}</source>
@@ -2609,10 +2579,6 @@
         <translation>&amp;Fermer</translation></message>
     <message><source>The window of the bench test was closed.</source>
         <translation>La fenêtre de l'essai au banc a été fermée.</translation></message>
-    <message><source>Save bench test</source>
-        <translation>Enregistrer l'essai au banc</translation></message>
-    <message><source>Bench tests (*.csv);;Pictures (*.png)</source>
-        <translation>Essais au banc (*.csv);;Images (*.png)</translation></message>
     <message><source>{0} was not saved: {1}.</source>
         <translation>{0} n'a pas été enregistré : {1}.</translation></message>
     <message><source>{0} was not opened: {1}.</source>
@@ -2625,16 +2591,34 @@
         <translation>Le moteur {0} tourne : {1:.1f} sur {2:g} s.</translation></message>
     <message><source>Armed. Hold the button: the motor runs only while it is held.</source>
         <translation>Moteurs activés. Maintenez le bouton enfoncé : le moteur ne tourne que tant que vous le maintenez.</translation></message>
+    <message><source>Peak current</source>
+        <translation>Courant de crête</translation></message>
+    <message><source>The highest reading.</source>
+        <translation>La mesure la plus élevée.</translation></message>
+    <message><source>Steady current</source>
+        <translation>Courant établi</translation></message>
+    <message><source>At the end of the first constant speed.</source>
+        <translation>À la fin de la première vitesse constante.</translation></message>
+    <message><source>Mean current</source>
+        <translation>Courant moyen</translation></message>
+    <message><source>Charge</source>
+        <translation>Charge</translation></message>
+    <message><source>Setpoint to current</source>
+        <translation>De la consigne au courant</translation></message>
+    <message><source>Until the first reading of two counts: the line, the board and its measurement.</source>
+        <translation>Jusqu'à la première mesure de deux counts : la liaison, la carte et sa mesure.</translation></message>
+    <message><source>Until the current stayed within this share of the steady current, or within two counts of it.</source>
+        <translation>Jusqu'à ce que le courant ne s'écarte plus du courant établi de plus de cette proportion, ou de plus de deux counts.</translation></message>
+    <message><source>Figures of the test</source>
+        <translation>Résultats de l'essai</translation></message>
     <message><source>&amp;Bench test…</source>
         <translation>Essai au &amp;banc…</translation></message>
     <message><source>Compar&amp;e with</source>
         <translation>&amp;Comparer avec</translation></message>
-    <message><source>Settled &amp;within</source>
-        <translation>Sta&amp;bilisé à ±</translation></message>
+    <message><source>Save bench test</source>
+        <translation>Enregistrer l'essai au banc</translation></message>
     <message><source>Open bench test</source>
         <translation>Ouvrir un essai au banc</translation></message>
-    <message><source>Saved as {0}.</source>
-        <translation>Enregistré sous {0}.</translation></message>
     <message><source>Aborted after {0:.2f} s: {1}</source>
         <translation>Interrompu après {0:.2f} s : {1}</translation></message>
     <message><source>Released after {0:.2f} s.</source>
@@ -2643,6 +2627,16 @@
         <translation>L'essai est terminé.</translation></message>
     <message><source>the previous test</source>
         <translation>l'essai précédent</translation></message>
+    <message><source>This test</source>
+        <translation>Cet essai</translation></message>
+    <message><source>Compared</source>
+        <translation>Comparé</translation></message>
+    <message><source>Change</source>
+        <translation>Écart</translation></message>
+    <message><source>Saved as {0}.</source>
+        <translation>Enregistré sous {0}.</translation></message>
+    <message><source>Settled within {0:.0f} % after</source>
+        <translation>Stabilisé à ±{0:.0f} % après</translation></message>
     <message><source>Accelerate uses the board's acceleration, brake duration and current limit; Set at once bypasses the first two and, for a moment, the limit, too.</source>
         <translation>« Accélérer » utilise l'accélération, la durée de freinage et la limite de courant de la carte ; « Régler immédiatement » contourne les deux premières et aussi, pendant un instant, la limite.</translation></message>
     <message><source>One reading above it stops and disarms all motors. A motor draws most when it starts.</source>
@@ -2673,14 +2667,6 @@
         <translation>Monte e&amp;n</translation></message>
     <message><source>&amp;Period</source>
         <translation>&amp;Période</translation></message>
-    <message><source>A step has no period.</source>
-        <translation>Un échelon n'a pas de période.</translation></message>
-    <message><source>How long the speed rises before it is constant.</source>
-        <translation>Durée de montée de la vitesse avant qu'elle soit constante.</translation></message>
-    <message><source>Half of it in each direction.</source>
-        <translation>La moitié dans chaque sens.</translation></message>
-    <message><source>One full cycle, forward and back.</source>
-        <translation>Un cycle complet, avant et arrière.</translation></message>
     <message><source>Appl&amp;y…</source>
         <translation>Appli&amp;quer…</translation></message>
     <message><source> s</source>
@@ -2721,8 +2707,6 @@
         <translation>Consigne de vitesse, en fonction du temps</translation></message>
     <message><source>Current drawn, against time</source>
         <translation>Courant consommé, en fonction du temps</translation></message>
-    <message><source>Compared</source>
-        <translation>Comparé</translation></message>
     <message><source>Setpoint</source>
         <translation>Consigne</translation></message>
     <message><source>Planned</source>
@@ -2733,36 +2717,6 @@
         <translation>Interruption {0:g} A</translation></message>
     <message><source>Limit {0:g} A</source>
         <translation>Limite {0:g} A</translation></message>
-    <message><source>{0:.2f} s</source>
-        <translation>{0:.2f} s</translation></message>
-    <message><source>From the first setpoint until braking.</source>
-        <translation>De la première consigne jusqu'au freinage.</translation></message>
-    <message><source>Peak current</source>
-        <translation>Courant de crête</translation></message>
-    <message><source>The highest reading.</source>
-        <translation>La mesure la plus élevée.</translation></message>
-    <message><source>Steady current</source>
-        <translation>Courant établi</translation></message>
-    <message><source>At the end of the first constant speed.</source>
-        <translation>À la fin de la première vitesse constante.</translation></message>
-    <message><source>Mean current</source>
-        <translation>Courant moyen</translation></message>
-    <message><source>Charge</source>
-        <translation>Charge</translation></message>
-    <message><source>Setpoint to current</source>
-        <translation>De la consigne au courant</translation></message>
-    <message><source>Until the first reading of two counts: the line, the board and its measurement.</source>
-        <translation>Jusqu'à la première mesure de deux counts : la liaison, la carte et sa mesure.</translation></message>
-    <message><source>Until the current stayed within this share of the steady current, or within two counts of it.</source>
-        <translation>Jusqu'à ce que le courant ne s'écarte plus du courant établi de plus de cette proportion, ou de plus de deux counts.</translation></message>
-    <message><source>Figures of the test</source>
-        <translation>Résultats de l'essai</translation></message>
-    <message><source>This test</source>
-        <translation>Cet essai</translation></message>
-    <message><source>Change</source>
-        <translation>Écart</translation></message>
-    <message><source>Settled within {0:.0f} % after</source>
-        <translation>Stabilisé à ±{0:.0f} % après</translation></message>
     <message><source>put it on</source>
         <translation>à mettre</translation></message>
     <message><source>remove it</source>
@@ -2861,16 +2815,20 @@
         <translation>LED {0}</translation></message>
     <message><source>may still turn</source>
         <translation>tourne peut-être encore</translation></message>
+    <message><source>selected</source>
+        <translation>sélectionnée</translation></message>
+    <message><source>responding</source>
+        <translation>répond</translation></message>
+    <message><source>reply unreadable</source>
+        <translation>réponse illisible</translation></message>
+    <message><source>not asked yet</source>
+        <translation>pas encore interrogée</translation></message>
     <message><source>Click a board, or press Enter, to show it on every page. Motors stop first.</source>
         <translation>Cliquez sur une carte, ou appuyez sur Entrée, pour l'afficher sur toutes les pages. Les moteurs s'arrêtent d'abord.</translation></message>
     <message><source>Ask for each device number which board has it; nothing is changed</source>
         <translation>Demander pour chaque numéro d'appareil quelle carte le possède ; rien n'est modifié</translation></message>
-    <message><source>Ask for no more numbers</source>
-        <translation>Ne plus demander d'autres numéros</translation></message>
     <message><source>Give the board that is selected another device number</source>
         <translation>Donner un autre numéro d'appareil à la carte sélectionnée</translation></message>
-    <message><source>Write a settings file to several boards; each keeps its number</source>
-        <translation>Écrire un fichier de réglages dans plusieurs cartes ; chacune garde son numéro</translation></message>
     <message><source>Drive several boards as one robot, with one pad and one Stop</source>
         <translation>Conduire plusieurs cartes comme un seul robot, avec une zone et un arrêt</translation></message>
     <message><source>Before it is written, the line is asked for the new number: if another board has it, nothing is written. A board that is off, or has other serial settings, cannot be noticed. The new number takes effect at once, and a snapshot is saved first.</source>
@@ -2883,8 +2841,6 @@
         <translation>Annuler</translation></message>
     <message><source>Change number…</source>
         <translation>Modifier le numéro…</translation></message>
-    <message><source>Apply a file…</source>
-        <translation>Appliquer un fichier…</translation></message>
     <message><source>Drive together…</source>
         <translation>Conduire ensemble…</translation></message>
     <message><source>Drive alone</source>
@@ -2909,22 +2865,12 @@
         <translation>sélectionnée, moteurs activés</translation></message>
     <message><source>selected, may be moving</source>
         <translation>sélectionnée, peut-être en mouvement</translation></message>
-    <message><source>selected</source>
-        <translation>sélectionnée</translation></message>
-    <message><source>responding</source>
-        <translation>répond</translation></message>
-    <message><source>reply unreadable</source>
-        <translation>réponse illisible</translation></message>
-    <message><source>not asked yet</source>
-        <translation>pas encore interrogée</translation></message>
     <message><source>&amp;New number:</source>
         <translation>Nouveau n&amp;uméro :</translation></message>
     <message><source>Change device nu&amp;mber…</source>
         <translation>Modifier le nu&amp;méro d'appareil…</translation></message>
     <message><source>&amp;Write number</source>
         <translation>Écrire le &amp;numéro</translation></message>
-    <message><source>Number {0} of {1} …</source>
-        <translation>Numéro {0} sur {1} …</translation></message>
     <message><source>Taken: {0}.</source>
         <translation>Déjà pris : {0}.</translation></message>
     <message><source>Board now</source>
@@ -2967,12 +2913,12 @@
         <translation>L'arrêt a été demandé, ce qui a mis fin à l'opération.</translation></message>
     <message numerus="yes"><source>Written to %n board(s).</source>
         <translation><numerusform>Écrit dans %n carte.</numerusform><numerusform>Écrit dans %n cartes.</numerusform></translation></message>
-    <message numerus="yes"><source>%n board(s) left out; the reason is beside each.</source>
-        <translation><numerusform>%n carte omise ; la raison est indiquée à côté.</numerusform><numerusform>%n cartes omises ; la raison est indiquée à côté de chacune.</numerusform></translation></message>
     <message><source>Apply {0} to several boards</source>
         <translation>Appliquer {0} à plusieurs cartes</translation></message>
     <message><source>File</source>
         <translation>Fichier</translation></message>
+    <message numerus="yes"><source>%n board(s) left out; the reason is beside each.</source>
+        <translation><numerusform>%n carte omise ; la raison est indiquée à côté.</numerusform><numerusform>%n cartes omises ; la raison est indiquée à côté de chacune.</numerusform></translation></message>
     <message><source>Board {0}</source>
         <translation>Carte {0}</translation></message>
     <message><source>{0}: beyond a limit that no document confirms (inferred). The board decides: it may reject the value, or store another one.</source>
@@ -3039,6 +2985,8 @@
         <translation>Progression de l'écriture</translation></message>
     <message><source>Reset the &amp;board</source>
         <translation>Réinitialiser la &amp;carte</translation></message>
+    <message><source>{0} of {1}: {2}</source>
+        <translation>{0} sur {1} : {2}</translation></message>
     <message><source>{0} of {1} could not be verified; still pending.</source>
         <translation>{0} sur {1} n'ont pas pu être vérifiés ; ils restent en attente.</translation></message>
     <message><source>The value that was being written when the connection was lost may be the old one, the new one or, after a power cut, the default. It will be read again.</source>
@@ -3067,8 +3015,6 @@
         <translation>Les étalonnages des voies restent.</translation></message>
     <message><source>The connection was lost.</source>
         <translation>La connexion a été perdue.</translation></message>
-    <message><source>{0} of {1}: {2}</source>
-        <translation>{0} sur {1} : {2}</translation></message>
     <message><source>not attempted</source>
         <translation>non tenté</translation></message>
     <message><source>No source confirms the default of: {0}.</source>
@@ -3215,18 +3161,14 @@
         <translation>Démarrage sécurisé : les moteurs attendent un signal sur l'entrée {0}.</translation></message>
     <message><source>Safe-start: the motors wait until channel 5 no longer requests override.</source>
         <translation>Démarrage sécurisé : les moteurs attendent que la voie 5 ne demande plus la priorité.</translation></message>
-    <message><source>Power cycle</source>
-        <translation>Couper et remettre</translation></message>
-    <message><source>Power on</source>
-        <translation>Mettre sous tension</translation></message>
-    <message><source>SO–G holds the serial output to ground: no reply gets out.</source>
-        <translation>SO–G maintient la sortie série à la masse : aucune réponse ne sort.</translation></message>
     <message><source>Resets everything: stored settings, jumpers, sticks, loads and faults of the line</source>
         <translation>Réinitialise tout : réglages enregistrés, cavaliers, manches, charges et défauts de la liaison</translation></message>
     <message><source>Power on</source><comment>state</comment>
         <translation>Sous tension</translation></message>
     <message><source>The board's power switch</source>
         <translation>L'interrupteur d'alimentation de la carte</translation></message>
+    <message><source>Power cycle</source>
+        <translation>Couper et remettre</translation></message>
     <message><source>Battery</source>
         <translation>Batterie</translation></message>
     <message><source>Move by themselves</source>
@@ -3245,22 +3187,16 @@
         <translation>Le cavalier Mix : l'entrée 2 fait avancer, l'entrée 1 fait tourner ; prend effet immédiatement</translation></message>
     <message><source>Connects SO to ground; with Mix a power-up then learns the inputs' calibration</source>
         <translation>Relie SO à la masse ; avec Mix, une mise sous tension apprend alors l'étalonnage des entrées</translation></message>
-    <message><source>serial</source>
-        <translation>série</translation></message>
     <message><source>Factory state</source>
         <translation>État d'usine</translation></message>
+    <message><source>Mode is read at power-up; Mix takes effect at once.</source>
+        <translation>Le mode est lu à la mise sous tension ; Mix prend effet immédiatement.</translation></message>
     <message><source>The wire from SO is broken: the board executes commands, no reply arrives</source>
         <translation>Le fil de SO est coupé : la carte exécute les commandes, aucune réponse n'arrive</translation></message>
     <message><source>This share of the bytes is corrupted in either direction; CRC detects them</source>
         <translation>Cette proportion des octets est altérée dans chaque sens ; le CRC les détecte</translation></message>
     <message><source>Supply</source>
         <translation>Alimentation</translation></message>
-    <message><source>{0} to learn the inputs.</source>
-        <translation>{0} pour apprendre les entrées.</translation></message>
-    <message><source>{0} to enter {1} mode.</source>
-        <translation>{0} pour passer en mode {1}.</translation></message>
-    <message><source>Mode is read at power-up; Mix takes effect at once.</source>
-        <translation>Le mode est lu à la mise sous tension ; Mix prend effet immédiatement.</translation></message>
     <message><source>Error of one byte</source>
         <translation>Erreur d'un octet</translation></message>
     <message><source>Corrupt one byte</source>
@@ -3277,8 +3213,6 @@
         <translation>Le courant que consomme le moteur {0} à pleine vitesse ; à l'extrémité droite, il cale, ce qui déclenche limites de courant et défauts</translation></message>
     <message><source>Load</source>
         <translation>Charge</translation></message>
-    <message><source>{0} to start the boot loader.</source>
-        <translation>{0} pour démarrer le chargeur d'amorçage.</translation></message>
     <message><source>Overrun</source>
         <translation>Débordement</translation></message>
     <message><source>Input {0}</source>
@@ -3309,14 +3243,6 @@
         <translation>&amp;Conduire ensemble</translation></message>
     <message><source>no problem</source>
         <translation>aucun problème</translation></message>
-    <message><source>Arrangement</source>
-        <translation>Disposition</translation></message>
-    <message><source>Front and back</source>
-        <translation>Avant et arrière</translation></message>
-    <message><source>Left and right</source>
-        <translation>Gauche et droite</translation></message>
-    <message><source>Arran&amp;gement:</source>
-        <translation>&amp;Disposition :</translation></message>
     <message><source>reversed</source>
         <translation>inversé</translation></message>
     <message><source>not driven</source>
@@ -3337,10 +3263,6 @@ Before settings are applied or defaults restored, in this window or with trexcmd
 Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans cette fenêtre ou avec trexcmd, tout ce que la carte contient est enregistré ici. Vous pouvez comparer un instantané avec la carte et le restaurer en tout ou en partie.</translation></message>
     <message numerus="yes"><source>Permanently delete %n snapshot(s), the newest of {0}?</source>
         <translation><numerusform>Supprimer définitivement %n instantané ({0}) ?</numerusform><numerusform>Supprimer définitivement %n instantanés (le plus récent : {0}) ?</numerusform></translation></message>
-    <message><source>How many snapshots are kept</source>
-        <translation>Nombre d'instantanés conservés</translation></message>
-    <message numerus="yes"><source>Permanently remove the oldest %n of {0} snapshots?</source>
-        <translation><numerusform>Supprimer définitivement %n instantané sur {0}, le plus ancien ?</numerusform><numerusform>Supprimer définitivement %n instantanés sur {0}, les plus anciens ?</numerusform></translation></message>
     <message><source>Search snapshots</source>
         <translation>Rechercher dans les instantanés</translation></message>
     <message><source>No snapshot matches the search.</source>
@@ -3349,28 +3271,14 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>&amp;Nommer…</translation></message>
     <message><source>Save &amp;as…</source>
         <translation>Enregis&amp;trer sous…</translation></message>
-    <message><source>&amp;Open folder</source>
-        <translation>&amp;Ouvrir le dossier</translation></message>
     <message><source>Snapshots</source>
         <translation>Instantanés</translation></message>
     <message><source>Save a copy of the snapshot</source>
         <translation>Enregistrer une copie de l'instantané</translation></message>
-    <message><source>all</source>
-        <translation>tous</translation></message>
-    <message><source>&amp;Set</source>
-        <translation>&amp;Définir</translation></message>
     <message><source>&amp;History…</source>
         <translation>&amp;Historique…</translation></message>
-    <message><source>&amp;Keep</source>
-        <translation>&amp;Conserver</translation></message>
-    <message><source>snapshots</source>
-        <translation>instantanés</translation></message>
-    <message><source>Remove {0}</source>
-        <translation>En supprimer {0}</translation></message>
     <message><source>A copy was saved in {0}.</source>
         <translation>Une copie a été enregistrée dans {0}.</translation></message>
-    <message><source>The snapshots are in {0}.</source>
-        <translation>Les instantanés se trouvent dans {0}.</translation></message>
     <message><source>Nothing was saved. {0}</source>
         <translation>Rien n'a été enregistré. {0}</translation></message>
     <message><source>Push every stick forward or right first, all the way; then the other way. Move switches to all positions. Hold each end until it is ticked, then click Next.</source>
@@ -3379,12 +3287,6 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Cela prend au moins {0:.1f} s : à {1} bauds, seules {2:.1f} mesures arrivent par seconde.</translation></message>
     <message><source>Push every stick to all its ends, then release it. Move every switch to all its positions. The motors stay off.</source>
         <translation>Poussez chaque manche vers toutes ses extrémités, puis relâchez-le. Mettez chaque interrupteur dans toutes ses positions. Les moteurs restent à l'arrêt.</translation></message>
-    <message><source>If a channel does not get a good result, learn its values again.</source>
-        <translation>Si une voie ne donne pas un bon résultat, apprenez à nouveau ses valeurs.</translation></message>
-    <message numerus="yes"><source>&amp;Learn channel(s) {0} again</source>
-        <translation><numerusform>&amp;Réapprendre la voie {0}</numerusform><numerusform>&amp;Réapprendre les voies {0}</numerusform></translation></message>
-    <message><source>The new values are in the board. Their test has to stop the motors first.</source>
-        <translation>Les nouvelles valeurs sont dans la carte. Leur test doit d'abord arrêter les moteurs.</translation></message>
     <message><source>The board sends no measurements: the line is busy or disturbed. Waiting …</source>
         <translation>La carte n'envoie aucune mesure : la liaison est occupée ou perturbée. Attente …</translation></message>
     <message><source>Release every stick and set every switch to off. Then click Next.</source>
@@ -3407,6 +3309,8 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Extrémités</translation></message>
     <message><source>Review</source>
         <translation>Vérifier</translation></message>
+    <message><source>The new values are in the board. Their test has to stop the motors first.</source>
+        <translation>Les nouvelles valeurs sont dans la carte. Leur test doit d'abord arrêter les moteurs.</translation></message>
     <message><source>Sample &amp;again</source>
         <translation>Re&amp;faire la mesure</translation></message>
     <message><source>Start this step &amp;again</source>
@@ -3415,8 +3319,6 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>&amp;Recommencer</translation></message>
     <message><source>Test &amp;again</source>
         <translation>&amp;Tester à nouveau</translation></message>
-    <message><source>Stopping the motors. The board has to confirm the stop.</source>
-        <translation>Arrêt des moteurs. La carte doit confirmer l'arrêt.</translation></message>
     <message><source>Not every channel is at rest. Click “Sample again”, or Next to go on without channel {0}.</source>
         <translation>Toutes les voies ne sont pas au repos. Cliquez sur « Refaire la mesure », ou sur « Suivant » pour continuer sans la voie {0}.</translation></message>
     <message><source>Everything is as it should be.</source>
@@ -3431,6 +3333,8 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Les moteurs sont à l'arrêt : &amp;continuer</translation></message>
     <message><source>Try &amp;again</source>
         <translation>Réess&amp;ayer</translation></message>
+    <message><source>Stopping the motors. The board has to confirm the stop.</source>
+        <translation>Arrêt des moteurs. La carte doit confirmer l'arrêt.</translation></message>
     <message><source>Hands off. Sampling … {0:.1f} s</source>
         <translation>Lâchez les manches. Mesure … {0:.1f} s</translation></message>
     <message><source>&amp;Test the sticks…</source>
@@ -3513,16 +3417,6 @@ was {1}</source>
 avant {1}</translation></message>
     <message><source>{0} of channel {1}</source>
         <translation>{0} de la voie {1}</translation></message>
-    <message><source>You may drive now: arm the motors.</source>
-        <translation>Vous pouvez piloter maintenant : activez les moteurs.</translation></message>
-    <message><source>{0} asks to drive. Handing over stops the motors.</source>
-        <translation>{0} demande à piloter. Céder arrête les moteurs.</translation></message>
-    <message><source>Hand over</source>
-        <translation>Céder</translation></message>
-    <message><source>{0} drives. Taking over stops the motors.</source>
-        <translation>{0} pilote. La reprise arrête les moteurs.</translation></message>
-    <message><source>Take over</source>
-        <translation>Reprendre</translation></message>
     <message><source>These must be the settings that the board has now. A new board talks at 19200 baud, without error detection, with one stop bit. Changing them here changes nothing in the board.</source>
         <translation>Ce doivent être les réglages que la carte a actuellement. Une carte neuve communique à 19200 bauds, sans détection d'erreurs, avec un bit d'arrêt. Les modifier ici ne change rien dans la carte.</translation></message>
     <message><source>&amp;Address one board of several by its number (Pololu protocol)</source>
@@ -3589,38 +3483,6 @@ avant {1}</translation></message>
         <translation>modifiée</translation></message>
     <message><source>the calibration of {0}</source>
         <translation>l'étalonnage de la {0}</translation></message>
-    <message><source>&amp;All other channels</source>
-        <translation>&amp;Toutes les autres voies</translation></message>
-    <message><source>&amp;Reset to factory defaults</source>
-        <translation>&amp;Réinitialiser aux réglages d'usine</translation></message>
-    <message><source>&amp;Discard the edits of this channel</source>
-        <translation>Re&amp;jeter les modifications de cette voie</translation></message>
-    <message><source>&amp;Load calibrations from a file…</source>
-        <translation>&amp;Charger des étalonnages depuis un fichier…</translation></message>
-    <message><source>&amp;Copy to</source>
-        <translation>Copier &amp;vers</translation></message>
-    <message><source>&amp;Equal travel to both ends</source>
-        <translation>Course égale vers les &amp;deux extrémités</translation></message>
-    <message><source>As on the &amp;shorter side</source>
-        <translation>Comme du côté le &amp;plus court</translation></message>
-    <message><source>As on the &amp;longer side</source>
-        <translation>Comme du côté le plus &amp;long</translation></message>
-    <message><source>Assumed values: Pololu publishes no factory defaults</source>
-        <translation>Valeurs supposées : Pololu ne publie pas de réglages d'usine</translation></message>
-    <message><source>&amp;Save calibrations to a file…</source>
-        <translation>&amp;Enregistrer les étalonnages dans un fichier…</translation></message>
-    <message><source>{0} could not be loaded: {1}</source>
-        <translation>{0} n'a pas pu être chargé : {1}</translation></message>
-    <message><source>Calibrations loaded from {0} as edits: {1}.</source>
-        <translation>Étalonnages chargés depuis {0} comme modifications : {1}.</translation></message>
-    <message><source>Copy of the calibration of channel {0}</source>
-        <translation>Copie de l'étalonnage de la voie {0}</translation></message>
-    <message><source>{0} has the same calibrations.</source>
-        <translation>{0} contient les mêmes étalonnages.</translation></message>
-    <message><source>The calibrations shown were saved in {0}.</source>
-        <translation>Les étalonnages affichés ont été enregistrés dans {0}.</translation></message>
-    <message><source>Calibrations of {0}</source>
-        <translation>Étalonnages de {0}</translation></message>
     <message><source>Re&amp;versed</source>
         <translation>Inver&amp;sée</translation></message>
     <message><source>The output changes its sign: forward and reverse are swapped</source>
@@ -3667,28 +3529,40 @@ avant {1}</translation></message>
         <translation>retournement actif</translation></message>
     <message><source>override on</source>
         <translation>priorité active</translation></message>
-    <message><source>Learn &amp;this channel…</source>
-        <translation>Apprendre cette &amp;voie…</translation></message>
     <message><source>Inputs are read as {0}. They control the motors.</source>
         <translation>Les entrées sont lues comme {0}. Elles commandent les moteurs.</translation></message>
+    <message><source>&amp;All other channels</source>
+        <translation>&amp;Toutes les autres voies</translation></message>
+    <message><source>&amp;Reset to factory defaults</source>
+        <translation>&amp;Réinitialiser aux réglages d'usine</translation></message>
+    <message><source>&amp;Discard the edits of this channel</source>
+        <translation>Re&amp;jeter les modifications de cette voie</translation></message>
     <message><source>Learn a&amp;ll…</source>
         <translation>Tout appr&amp;endre…</translation></message>
     <message><source>Test stic&amp;ks…</source>
         <translation>C&amp;ontrôler les manches…</translation></message>
     <message><source>Live value</source>
         <translation>Valeur en direct</translation></message>
-    <message><source>Cop&amp;y, reset and files</source>
-        <translation>&amp;Copier, réinitialiser, fichiers</translation></message>
+    <message><source>Learn &amp;this channel…</source>
+        <translation>Apprendre cette &amp;voie…</translation></message>
+    <message><source>Cop&amp;y and reset</source>
+        <translation>&amp;Copier, réinitialiser</translation></message>
     <message><source>No board responds. Edits are kept until a board of the same kind is connected.</source>
         <translation>Aucune carte ne répond. Les modifications sont conservées jusqu'à ce qu'une carte du même type soit connectée.</translation></message>
     <message><source>Inputs are read as {0}. In serial mode they are shown only.</source>
         <translation>Les entrées sont lues comme {0}. En mode série, elles sont seulement affichées.</translation></message>
+    <message><source>&amp;Copy to</source>
+        <translation>Copier &amp;vers</translation></message>
+    <message><source>Assumed values: Pololu publishes no factory defaults</source>
+        <translation>Valeurs supposées : Pololu ne publie pas de réglages d'usine</translation></message>
     <message><source>Connect to a board to see and change its calibrations.</source>
         <translation>Connectez une carte pour voir et modifier ses étalonnages.</translation></message>
     <message><source>Inputs are read as {0}. Serial commands override them now.</source>
         <translation>Les entrées sont lues comme {0}. Les commandes série ont maintenant priorité.</translation></message>
     <message><source>Discard edits of channel {0}</source>
         <translation>Abandonner les modifications de la voie {0}</translation></message>
+    <message><source>Copy of the calibration of channel {0}</source>
+        <translation>Copie de l'étalonnage de la voie {0}</translation></message>
     <message><source>learned</source>
         <translation>apprise</translation></message>
     <message><source>factory calibration</source>
@@ -3731,10 +3605,10 @@ avant {1}</translation></message>
         <translation>{0}, terminée</translation></message>
     <message><source>⚠ means 80 % of the limit or more.</source>
         <translation>⚠ signifie 80 % de la limite ou plus.</translation></message>
-    <message><source>Brake</source>
-        <translation>Freiner</translation></message>
     <message><source>Speed 0: the motor is not driven and coasts</source>
         <translation>Vitesse 0 : le moteur n'est pas entraîné, il est en roue libre</translation></message>
+    <message><source>Brake</source>
+        <translation>Freiner</translation></message>
     <message><source>{0}, speed</source>
         <translation>{0}, vitesse</translation></message>
     <message><source>{0}, speed as a number</source>
@@ -3765,10 +3639,6 @@ avant {1}</translation></message>
         <translation>La pleine course correspond à {0:.0f} % de la pleine vitesse.</translation></message>
     <message><source>The gamepad cannot drive while this window is open, but its stop button works.</source>
         <translation>La manette ne peut pas piloter tant que cette fenêtre est ouverte, mais son bouton d'arrêt fonctionne.</translation></message>
-    <message><source>Move it…</source>
-        <translation>Bougez-le…</translation></message>
-    <message><source>Press it…</source>
-        <translation>Appuyez…</translation></message>
     <message><source>Invert</source>
         <translation>Inverser</translation></message>
     <message><source>Set up the gamepad</source>
@@ -3789,14 +3659,10 @@ avant {1}</translation></message>
         <translation>&amp;Zone morte :</translation></message>
     <message><source>&amp;Expo:</source>
         <translation>&amp;Expo :</translation></message>
-    <message><source>none: a moved stick drives</source>
-        <translation>aucun : un manche déplacé fait tourner les moteurs</translation></message>
-    <message><source>Push the stick fully to the right.</source>
-        <translation>Poussez le manche à fond vers la droite.</translation></message>
-    <message><source>Press the button.</source>
-        <translation>Appuyez sur le bouton.</translation></message>
     <message><source>Without a button to hold, a bumped stick drives the motors. The gamepad cannot drive while this window is open.</source>
         <translation>Sans bouton à maintenir, un manche heurté fait tourner les moteurs. La manette ne peut pas piloter tant que cette fenêtre est ouverte.</translation></message>
+    <message><source>none: a moved stick drives</source>
+        <translation>aucun : un manche déplacé fait tourner les moteurs</translation></message>
     <message><source>Live state</source>
         <translation>État en direct</translation></message>
     <message><source>Travel around the centre that has no effect</source>
@@ -3807,16 +3673,14 @@ avant {1}</translation></message>
         <translation>Moteur &amp;gauche</translation></message>
     <message><source>Right &amp;motor</source>
         <translation>Moteur &amp;droit</translation></message>
-    <message><source>Push the stick fully forward.</source>
-        <translation>Poussez le manche à fond vers l'avant.</translation></message>
     <message><source>pressed</source>
         <translation>appuyé</translation></message>
-    <message><source>{0}: detect</source>
-        <translation>{0} : détecter</translation></message>
     <message><source>{0}: inverted</source>
         <translation>{0} : inversé</translation></message>
     <message><source>&amp;Gamepad</source>
         <translation>&amp;Manette</translation></message>
+    <message><source>Drive with a gamepad</source>
+        <translation>Piloter avec une manette</translation></message>
     <message><source>Set &amp;up…</source>
         <translation>&amp;Configurer…</translation></message>
     <message><source>Stop behi&amp;nd other windows</source>
@@ -3827,8 +3691,6 @@ avant {1}</translation></message>
         <translation>La manette ne pilote que tant que la page Moteurs est ouverte.</translation></message>
     <message><source>Another window is in front, so the gamepad cannot drive.</source>
         <translation>Une autre fenêtre est au premier plan : la manette ne peut pas piloter.</translation></message>
-    <message><source>Drive with a gamepad</source>
-        <translation>Piloter avec une manette</translation></message>
     <message><source>Stop what the gamepad drives when the window loses the focus</source>
         <translation>Arrêter ce que pilote la manette quand la fenêtre perd le focus</translation></message>
     <message><source>Highest speed that this program sends to this board; full deflection of pad, keys and gamepad gives this speed. Raising it does not speed up a running motor.</source>
@@ -3839,8 +3701,6 @@ avant {1}</translation></message>
         <translation>À augmenter quand le sens de rotation est bon.</translation></message>
     <message><source>Held keys drive wherever the focus is on this page, except in number fields, tables and lists; sliders then get no arrow keys. In the pad they always drive.</source>
         <translation>Les touches maintenues pilotent où que soit le focus sur cette page, sauf dans les champs numériques, les tableaux et les listes ; les curseurs ne reçoivent alors pas les touches fléchées. Dans le pavé, elles pilotent toujours.</translation></message>
-    <message><source>Arrow ke&amp;ys or WASD</source>
-        <translation>Flèches ou &amp;WASD</translation></message>
     <message><source>Both motors &amp;linked</source>
         <translation>Les deu&amp;x moteurs liés</translation></message>
     <message><source>Either slider sets both motors; the robot does not turn</source>
@@ -3869,6 +3729,8 @@ avant {1}</translation></message>
         <translation>Un curseur ne fait tourner son moteur que tant que vous le tenez ; le relâcher freine le moteur</translation></message>
     <message><source>Drive with</source>
         <translation>Piloter avec</translation></message>
+    <message><source>Arrow ke&amp;ys or WASD</source>
+        <translation>Flèches ou &amp;WASD</translation></message>
     <message><source>E&amp;xtra options</source>
         <translation>A&amp;utres options</translation></message>
     <message><source>coast (0 %)</source>
@@ -3941,34 +3803,10 @@ avant {1}</translation></message>
         <translation>inconnu ({0})</translation></message>
     <message><source>{0}: channel {1}</source>
         <translation>{0} : voie {1}</translation></message>
-    <message><source>Edit, then review. Nothing is written before that.</source>
-        <translation>Modifiez, puis vérifiez. Rien n'est écrit avant.</translation></message>
-    <message><source>Parameters</source>
-        <translation>Paramètres</translation></message>
-    <message><source>Connect to a board to see its parameters.</source>
-        <translation>Connectez une carte pour voir ses paramètres.</translation></message>
-    <message><source>Factory defaults take effect after the next power cycle.</source>
-        <translation>Les réglages d'usine prennent effet après avoir coupé et remis l'alimentation.</translation></message>
-    <message><source>Stored, but not active until the board is switched off and on: {0}.</source>
-        <translation>Enregistré, mais inactif tant que l'alimentation de la carte n'a pas été coupée puis remise : {0}.</translation></message>
-    <message><source>{0}: the motors stop.</source>
-        <translation>{0} : les moteurs s'arrêtent.</translation></message>
-    <message><source>{0}: the motors may not stop.</source>
-        <translation>{0} : les moteurs ne s'arrêtent peut-être pas.</translation></message>
-    <message><source>Speed after an accelerate command: {0}. It slows down at once.</source>
-        <translation>Vitesse après une commande d'accélération : {0}. Le ralentissement est immédiat.</translation></message>
-    <message><source>Reversal by an accelerate command: {0}, then the ramp.</source>
-        <translation>Inversion par une commande d'accélération : {0}, puis la rampe.</translation></message>
-    <message><source>Current of a motor that starts, limit: {0}</source>
-        <translation>Courant d'un moteur qui démarre, limite : {0}</translation></message>
-    <message><source>{0:.0f} Hz, {1:g} ms of it</source>
-        <translation>{0:.0f} Hz, sur {1:g} ms</translation></message>
-    <message><source>{0}: the motors keep running.</source>
-        <translation>{0} : les moteurs continuent de tourner.</translation></message>
-    <message><source>Speed over the stick, brake in the deadband: {0}</source>
-        <translation>Vitesse selon le manche, freinage en zone morte : {0}</translation></message>
     <message><source>Search parameters</source>
         <translation>Rechercher des paramètres</translation></message>
+    <message><source>Edit, then review. Nothing is written before that.</source>
+        <translation>Modifiez, puis vérifiez. Rien n'est écrit avant.</translation></message>
     <message><source>&amp;Show all parameters</source>
         <translation>&amp;Afficher tous les paramètres</translation></message>
     <message><source>All</source>
@@ -3979,32 +3817,42 @@ avant {1}</translation></message>
         <translation>Hors défaut {0}</translation></message>
     <message><source>Findings {0}</source>
         <translation>Constats {0}</translation></message>
+    <message><source>Parameters</source>
+        <translation>Paramètres</translation></message>
+    <message><source>Connect to a board to see its parameters.</source>
+        <translation>Connectez une carte pour voir ses paramètres.</translation></message>
+    <message><source>Factory defaults take effect after the next power cycle.</source>
+        <translation>Les réglages d'usine prennent effet après avoir coupé et remis l'alimentation.</translation></message>
+    <message><source>Stored, but not active until the board is switched off and on: {0}.</source>
+        <translation>Enregistré, mais inactif tant que l'alimentation de la carte n'a pas été coupée puis remise : {0}.</translation></message>
     <message><source>No parameter matches.</source>
         <translation>Aucun paramètre ne correspond.</translation></message>
+    <message><source>{0}: the motors stop.</source>
+        <translation>{0} : les moteurs s'arrêtent.</translation></message>
+    <message><source>{0}: the motors may not stop.</source>
+        <translation>{0} : les moteurs ne s'arrêtent peut-être pas.</translation></message>
+    <message><source>Speed after an accelerate command: {0}. It slows down at once.</source>
+        <translation>Vitesse après une commande d'accélération : {0}. Le ralentissement est immédiat.</translation></message>
+    <message><source>Reversal by an accelerate command: {0}, then the ramp.</source>
+        <translation>Inversion par une commande d'accélération : {0}, puis la rampe.</translation></message>
+    <message><source>Current of a motor that starts, limit: {0}</source>
+        <translation>Courant d'un moteur qui démarre, limite : {0}</translation></message>
+    <message><source>{0}: the motors keep running.</source>
+        <translation>{0} : les moteurs continuent de tourner.</translation></message>
+    <message><source>Speed over the stick, brake in the deadband: {0}</source>
+        <translation>Vitesse selon le manche, freinage en zone morte : {0}</translation></message>
     <message><source>Try another &amp;wire value…</source>
         <translation>Essayer une autre valeur &amp;transmise…</translation></message>
-    <message><source>Edit</source>
-        <translation>Modifier</translation></message>
     <message><source>Und&amp;o edit</source>
         <translation>Annule&amp;r</translation></message>
-    <message><source>Pi&amp;n to the top</source>
-        <translation>Épingler en &amp;haut</translation></message>
-    <message><source>Pi&amp;n</source>
-        <translation>Épin&amp;gler</translation></message>
+    <message><source>Edit</source>
+        <translation>Modifier</translation></message>
     <message><source>Defa&amp;ult</source>
         <translation>Valeur par défa&amp;ut</translation></message>
     <message><source>Leave out of the fi&amp;le</source>
         <translation>&amp;Ne pas inclure dans le fichier</translation></message>
-    <message><source>U&amp;npin</source>
-        <translation>Déséping&amp;ler</translation></message>
     <message><source>Copy as “{0}”</source>
         <translation>Copier comme « {0} »</translation></message>
-    <message><source>Copy to {0}</source>
-        <translation>Copier vers {0}</translation></message>
-    <message><source>&amp;Settings at this time…</source>
-        <translation>&amp;Réglages à cet instant…</translation></message>
-    <message><source>Open the settings that the board stored at this time</source>
-        <translation>Ouvrir les réglages que la carte avait enregistrés à cet instant</translation></message>
     <message><source>{0}; the channels control the motors.</source>
         <translation>{0} ; les voies commandent les moteurs.</translation></message>
     <message><source>Serial mode with {0} inputs</source>
@@ -4065,6 +3913,16 @@ avant {1}</translation></message>
         <translation><numerusform>%n réglage de ce {0} diffère de ce qui a été appliqué en dernier ({1}) : perdu, modifié par autre chose, ou c'est une autre carte.</numerusform><numerusform>%n réglages de ce {0} diffèrent de ce qui a été appliqué en dernier ({1}) : perdus, modifiés par autre chose, ou c'est une autre carte.</numerusform></translation></message>
     <message><source>Keep the values of the board</source>
         <translation>Garder les valeurs de la carte</translation></message>
+    <message><source>You may drive now: arm the motors.</source>
+        <translation>Vous pouvez piloter maintenant : activez les moteurs.</translation></message>
+    <message><source>{0} asks to drive. Handing over stops the motors.</source>
+        <translation>{0} demande à piloter. Céder arrête les moteurs.</translation></message>
+    <message><source>Hand over</source>
+        <translation>Céder</translation></message>
+    <message><source>{0} drives. Taking over stops the motors.</source>
+        <translation>{0} pilote. La reprise arrête les moteurs.</translation></message>
+    <message><source>Take over</source>
+        <translation>Reprendre</translation></message>
     <message><source>Save as a settings file…</source>
         <translation>Enregistrer comme fichier de réglages…</translation></message>
     <message><source>Keep and close</source>
@@ -4229,8 +4087,6 @@ avant {1}</translation></message>
         <translation>Voie</translation></message>
     <message><source>Printed {0} by TReX Studio.</source>
         <translation>Imprimé le {0} par TReX Studio.</translation></message>
-    <message><source>Qt's printing is not installed here ({0}); save a PDF file instead.</source>
-        <translation>Le module d'impression de Qt n'est pas installé ici ({0}) ; enregistrez plutôt un fichier PDF.</translation></message>
     <message><source>Findings</source>
         <translation>Constats</translation></message>
     <message><source>Calibrations</source>
@@ -4273,6 +4129,8 @@ avant {1}</translation></message>
         <translation>Enregistrer en P&amp;DF…</translation></message>
     <message><source>Compare &amp;with:</source>
         <translation>Comparer &amp;avec :</translation></message>
+    <message><source>Nothing could be repaired: correct the text in the lines named below.</source>
+        <translation>Rien n'a pu être réparé : corrigez le texte aux lignes indiquées ci-dessous.</translation></message>
     <message><source>Tool bar</source>
         <translation>Barre d'outils</translation></message>
     <message><source>It still has errors.</source>
@@ -4281,16 +4139,12 @@ avant {1}</translation></message>
         <translation>Réglages d'usine</translation></message>
     <message><source>The text no longer has errors; all pages are available.</source>
         <translation>Le texte n'a plus d'erreurs ; toutes les pages sont disponibles.</translation></message>
-    <message><source>Nothing could be repaired: correct the text in the lines named below.</source>
-        <translation>Rien n'a pu être réparé : corrigez le texte aux lignes indiquées ci-dessous.</translation></message>
     <message><source>Correct the rest in the text.</source>
         <translation>Corrigez le reste dans le texte.</translation></message>
     <message><source>&amp;New…</source>
         <translation>&amp;Nouveau…</translation></message>
     <message><source>&amp;Save</source>
         <translation>&amp;Enregistrer</translation></message>
-    <message><source>&amp;Print…</source>
-        <translation>&amp;Imprimer…</translation></message>
     <message><source>&amp;Convert for another board…</source>
         <translation>&amp;Convertir pour une autre carte…</translation></message>
     <message><source>With another &amp;file…</source>
@@ -4517,8 +4371,6 @@ avant {1}</translation></message>
         <translation>Ensuite, à la main :</translation></message>
     <message><source>{0} Then test the motors again.</source>
         <translation>{0} Testez ensuite à nouveau les moteurs.</translation></message>
-    <message><source>checked</source>
-        <translation>vérifié</translation></message>
     <message><source>is not a readable settings file.</source>
         <translation>n'est pas un fichier de réglages lisible.</translation></message>
     <message><source>Calibrations that the board does not show now were kept: {0}.</source>
@@ -4529,8 +4381,6 @@ avant {1}</translation></message>
         <translation>{0} n'a pas été enregistré une nouvelle fois : son enregistrement est encore en cours.</translation></message>
     <message><source>&amp;Export as code…</source>
         <translation>E&amp;xporter comme code…</translation></message>
-    <message><source>{0}, settings shown</source>
-        <translation>{0}, réglages affichés</translation></message>
     <message><source>The settings shown were saved in {0}.</source>
         <translation>Les réglages affichés ont été enregistrés dans {0}.</translation></message>
     <message><source>{0} was not saved: {1}</source>
@@ -4545,8 +4395,8 @@ avant {1}</translation></message>
         <translation>Cet instantané est celui d'un {0}, et la carte ici est un {1} : il ne peut pas être restauré.</translation></message>
     <message><source>Note: this snapshot is of device number {0}, the board here is number {1}.</source>
         <translation>Remarque : cet instantané est celui du numéro d'appareil {0}, la carte ici porte le numéro {1}.</translation></message>
-    <message><source>No setting differs.</source>
-        <translation>Aucun réglage ne diffère.</translation></message>
+    <message><source>Now, with edits</source>
+        <translation>Maintenant, avec les modifications</translation></message>
     <message><source>Reading…</source>
         <translation>Lecture…</translation></message>
     <message><source>{0}, before {1}</source>
@@ -4557,26 +4407,16 @@ avant {1}</translation></message>
         <translation>Rien n'est sélectionné pour la restauration.</translation></message>
     <message><source>To restore one of the two, select it alone.</source>
         <translation>Pour restaurer l'un des deux, sélectionnez-le seul.</translation></message>
-    <message><source>To restore, compare with the board.</source>
-        <translation>Pour restaurer, comparez avec la carte.</translation></message>
     <message><source>The board does not respond, so nothing can be restored.</source>
         <translation>La carte ne répond pas : rien ne peut être restauré.</translation></message>
     <message><source>Settings are being written; wait until that is done.</source>
         <translation>Des réglages sont en cours d'écriture ; attendez la fin.</translation></message>
     <message><source>No board is connected. Connect one to restore a snapshot.</source>
         <translation>Aucune carte n'est connectée. Connectez-en une pour restaurer un instantané.</translation></message>
-    <message><source>{0} cannot be compared with: {1}</source>
-        <translation>{0} ne peut pas être comparé : {1}</translation></message>
     <message><source>Select one snapshot, or two to compare them.</source>
         <translation>Sélectionnez un instantané, ou deux pour les comparer.</translation></message>
-    <message><source>Now, with edits</source>
-        <translation>Maintenant, avec les modifications</translation></message>
-    <message><source>the board as it is now, with edits</source>
-        <translation>la carte telle qu'elle est maintenant, avec les modifications</translation></message>
-    <message><source>the snapshot beside it</source>
-        <translation>l'instantané voisin</translation></message>
-    <message><source>a settings file…</source>
-        <translation>un fichier de réglages…</translation></message>
+    <message><source>No setting differs.</source>
+        <translation>Aucun réglage ne diffère.</translation></message>
     <message><source>Restore snapshot of {0}</source>
         <translation>Restaurer l'instantané ({0})</translation></message>
     <message><source>Nothing was restored: {0}</source>
@@ -4629,10 +4469,6 @@ avant {1}</translation></message>
         <translation>un fichier de réglages d'un TReX</translation></message>
     <message><source>a board</source>
         <translation>une carte</translation></message>
-    <message><source>Factor&amp;y line settings: {0}…</source>
-        <translation>Réglages de liaison d'&amp;usine : {0}…</translation></message>
-    <message><source>Fas&amp;t: {0}…</source>
-        <translation>&amp;Rapide : {0}…</translation></message>
     <message><source>B&amp;oard</source>
         <translation>C&amp;arte</translation></message>
     <message><source>&amp;Channels</source>
@@ -4641,8 +4477,6 @@ avant {1}</translation></message>
         <translation>&amp;Moteurs</translation></message>
     <message><source>&amp;Parameters</source>
         <translation>&amp;Paramètres</translation></message>
-    <message><source>Prin&amp;t settings…</source>
-        <translation>&amp;Imprimer les réglages…</translation></message>
     <message><source>&amp;Discard all edits</source>
         <translation>Abandonner toutes les &amp;modifications</translation></message>
     <message><source>R&amp;eload settings from device</source>
@@ -4685,8 +4519,6 @@ avant {1}</translation></message>
         <translation>La session se termine</translation></message>
     <message><source>Connected again to {0}. No motor was started.</source>
         <translation>De nouveau connecté à {0}. Aucun moteur n'a été démarré.</translation></message>
-    <message><source>Connected again: the adapter of {1} is {0} now. No motor was started.</source>
-        <translation>De nouveau connecté : l'adaptateur de {1} est maintenant {0}. Aucun moteur n'a été démarré.</translation></message>
     <message><source>{0} also has {1} open and may take replies. Close it there.</source>
         <translation>{0} a aussi ouvert {1} et peut intercepter des réponses. Fermez-le dans ce programme.</translation></message>
     <message><source>Connecting to {0} …</source>
@@ -4711,8 +4543,6 @@ avant {1}</translation></message>
         <translation>L'alimentation est coupée. Remettez-la, puis cliquez sur « Connecter ».</translation></message>
     <message><source>Demo {0} (no hardware)</source>
         <translation>Démo {0} (sans matériel)</translation></message>
-    <message><source>No board was found.</source>
-        <translation>Aucune carte n'a été trouvée.</translation></message>
     <message><source>Ending the search …</source>
         <translation>Fin de la recherche …</translation></message>
     <message><source>Looking for {0} at {1} on {2} …</source>
@@ -4725,16 +4555,12 @@ avant {1}</translation></message>
         <translation>Recherche annulée.</translation></message>
     <message numerus="yes"><source>%n board(s) found.</source>
         <translation><numerusform>%n carte trouvée.</numerusform><numerusform>%n cartes trouvées.</numerusform></translation></message>
-    <message><source>At most {0} min left.</source>
-        <translation>Encore {0} min au plus.</translation></message>
+    <message><source>No board was found.</source>
+        <translation>Aucune carte n'a été trouvée.</translation></message>
     <message><source>Opening {0} …</source>
         <translation>Ouverture de {0} …</translation></message>
     <message><source>No reply on {0}. Other devices share the line: nothing else was tried.</source>
         <translation>Pas de réponse sur {0}. D'autres appareils partagent la liaison : rien d'autre n'a été essayé.</translation></message>
-    <message numerus="yes"><source>%n port(s) could not be searched (internal error).</source>
-        <translation><numerusform>%n port n'a pas pu être exploré (erreur interne).</numerusform><numerusform>%n ports n'ont pas pu être explorés (erreur interne).</numerusform></translation></message>
-    <message><source>At most {0} s left.</source>
-        <translation>Encore {0} s au plus.</translation></message>
     <message><source>{0} with device number {1}</source>
         <translation>{0} avec le numéro d'appareil {1}</translation></message>
     <message><source>the Demo {0}</source>
@@ -4747,48 +4573,44 @@ avant {1}</translation></message>
         <translation>&amp;Annuler : {0}</translation></message>
     <message><source>&amp;Redo {0}</source>
         <translation>&amp;Rétablir : {0}</translation></message>
+    <message><source>Show the help on the message in the line with the cursor</source>
+        <translation>Afficher l'aide sur le message de la ligne où se trouve le curseur</translation></message>
+    <message><source>Search (Ctrl+F)</source>
+        <translation>Rechercher (Ctrl+F)</translation></message>
+    <message><source>Copy the selected rows, or all that is shown</source>
+        <translation>Copier les lignes sélectionnées, ou tout ce qui est affiché</translation></message>
+    <message><source>Save a report for support; it is shown before it is written</source>
+        <translation>Enregistrer un rapport pour l'assistance ; il est d'abord affiché</translation></message>
     <message><source>O&amp;nly problems</source>
         <translation>Problèmes &amp;seulement</translation></message>
     <message><source>E&amp;xplain</source>
         <translation>&amp;Expliquer</translation></message>
     <message><source>Messages, stops, lost connections and written settings will be listed here.</source>
         <translation>Les messages, les arrêts, les connexions perdues et les réglages écrits apparaîtront ici.</translation></message>
-    <message><source>Show the help on the message in the line with the cursor</source>
-        <translation>Afficher l'aide sur le message de la ligne où se trouve le curseur</translation></message>
-    <message><source>Lo&amp;g</source>
-        <translation>&amp;Journal</translation></message>
-    <message><source>{0} of {1} shown</source>
-        <translation>{0} sur {1} affichées</translation></message>
-    <message><source>Search (Ctrl+F)</source>
-        <translation>Rechercher (Ctrl+F)</translation></message>
     <message><source>Diagnostics</source>
         <translation>Diagnostic</translation></message>
     <message><source>Cop&amp;y</source>
         <translation>&amp;Copier</translation></message>
     <message><source>Sa&amp;ve report…</source>
         <translation>Enre&amp;gistrer un rapport…</translation></message>
-    <message><source>Copy the selected rows, or all that is shown</source>
-        <translation>Copier les lignes sélectionnées, ou tout ce qui est affiché</translation></message>
-    <message><source>Save a report for support; it is shown before it is written</source>
-        <translation>Enregistrer un rapport pour l'assistance ; il est d'abord affiché</translation></message>
+    <message><source>Lo&amp;g</source>
+        <translation>&amp;Journal</translation></message>
     <message><source>T&amp;raffic</source>
         <translation>&amp;Trafic</translation></message>
+    <message><source>{0} of {1} shown</source>
+        <translation>{0} sur {1} affichées</translation></message>
     <message><source>Round trips of the last minute: up to {0:.0f} ms</source>
         <translation>Temps de réponse de la dernière minute : jusqu'à {0:.0f} ms</translation></message>
     <message><source>Nothing has gone wrong since {0:%H:%M}.</source>
         <translation>Aucun problème depuis {0:%H:%M}.</translation></message>
     <message><source>Connection</source>
         <translation>Connexion</translation></message>
-    <message><source>Lis&amp;t them</source>
-        <translation>Les li&amp;ster</translation></message>
     <message><source>Nothing is connected.</source>
         <translation>Rien n'est connecté.</translation></message>
     <message numerus="yes"><source>%n problem(s) active now</source>
         <translation><numerusform>%n problème actif</numerusform><numerusform>%n problèmes actifs</numerusform></translation></message>
     <message><source>Nothing else has gone wrong since {0:%H:%M}.</source>
         <translation>Aucun autre problème depuis {0:%H:%M}.</translation></message>
-    <message><source>The board can report {0} kinds of problem.</source>
-        <translation>La carte peut signaler {0} sortes de problèmes.</translation></message>
     <message numerus="yes"><source>%n time(s), last at {0:%H:%M:%S}</source>
         <translation><numerusform>%n fois, à {0:%H:%M:%S}</numerusform><numerusform>%n fois, la dernière à {0:%H:%M:%S}</numerusform></translation></message>
     <message><source>Show it</source>
@@ -4839,8 +4661,6 @@ avant {1}</translation></message>
         <translation>{0} est {1}. Il n'a pas été ouvert, car cette fenêtre est connectée à {2} : déconnectez, puis ouvrez-le à nouveau.</translation></message>
     <message><source>{0} is no longer there; it was removed from the recent files.</source>
         <translation>{0} n'existe plus ; il a été retiré des fichiers récents.</translation></message>
-    <message><source>&amp;Clear list</source>
-        <translation>&amp;Effacer la liste</translation></message>
     <message><source>a file of the {0}</source>
         <translation>un fichier pour {0}</translation></message>
     <message><source>Probes each port for a supported device: each kind at its likely settings, then at every baud rate, with every parity and with CRC. A TReX or Aracna moves no motor and changes no setting. Other devices on the line may: enter their numbers in the line settings first. A TReX that receives probes at another rate counts UART errors, and stops its motors if it is set to do so.</source>
@@ -4857,32 +4677,22 @@ avant {1}</translation></message>
         <translation>{0} – connecté à cette fenêtre</translation></message>
     <message><source>{0} is connected to this window, so it is not searched.</source>
         <translation>{0} est connecté à cette fenêtre et n'est donc pas exploré.</translation></message>
-    <message><source>Ports &amp;without a board</source>
-        <translation>Ports &amp;sans carte</translation></message>
-    <message><source>Connect and set</source>
-        <translation>Connecter et régler</translation></message>
     <message><source>Found devices</source>
         <translation>Appareils trouvés</translation></message>
     <message><source>What the LEDs mean, the wires, and how to restore serial settings</source>
         <translation>La signification des LED, le câblage et comment restaurer les réglages série</translation></message>
     <message><source>Copy command</source>
         <translation>Copier la commande</translation></message>
-    <message><source>Shows what will be written first</source>
-        <translation>Montre d'abord ce qui sera écrit</translation></message>
     <message><source>Search &amp;on:</source>
         <translation>&amp;Rechercher sur :</translation></message>
     <message><source>This computer has no serial ports. Plug an adapter in.</source>
         <translation>Cet ordinateur n'a pas de port série. Branchez un adaptateur.</translation></message>
-    <message><source>Connect and set other line settings: {0}</source>
-        <translation>Connecter et choisir d'autres réglages de liaison : {0}</translation></message>
     <message><source>Connect to {0}</source>
         <translation>Connecter à {0}</translation></message>
     <message><source>Help</source>
         <translation>Aide</translation></message>
     <message><source>TReX Studio</source>
         <translation>TReX Studio</translation></message>
-    <message><source>There is no log: {0} could not be written.</source>
-        <translation>Il n'y a pas de journal : {0} n'a pas pu être écrit.</translation></message>
     <message><source>&amp;Preferences…</source>
         <translation>&amp;Préférences…</translation></message>
     <message><source>E&amp;xit</source>
@@ -4893,8 +4703,6 @@ avant {1}</translation></message>
         <translation>A&amp;ide</translation></message>
     <message><source>&amp;Save report for support…</source>
         <translation>&amp;Enregistrer un rapport d'assistance…</translation></message>
-    <message><source>Open &amp;log folder</source>
-        <translation>Ouvrir le dossier du &amp;journal</translation></message>
     <message><source>&amp;About</source>
         <translation>À &amp;propos</translation></message>
     <message><source>{0} on {1}</source>
@@ -4903,8 +4711,6 @@ avant {1}</translation></message>
         <translation>{0} (démo)</translation></message>
     <message><source>The window was to be closed</source>
         <translation>La fenêtre allait être fermée</translation></message>
-    <message><source>No program of this computer shows folders. The log is in {0}.</source>
-        <translation>Aucun programme de cet ordinateur n'affiche les dossiers. Le journal se trouve dans {0}.</translation></message>
     <message><source>&amp;Window</source>
         <translation>Fe&amp;nêtre</translation></message>
     <message><source>As the system</source>
@@ -4925,26 +4731,16 @@ avant {1}</translation></message>
         <translation>Taille de &amp;police :</translation></message>
     <message><source>&amp;Language:</source>
         <translation>&amp;Langue :</translation></message>
-    <message><source>The window opens again; motors stop, and the board is connected again</source>
-        <translation>La fenêtre s'ouvre de nouveau ; les moteurs s'arrêtent et la carte est reconnectée</translation></message>
+    <message><source>Takes effect when the program starts again</source>
+        <translation>Prend effet au prochain démarrage du programme</translation></message>
     <message><source>&amp;Units:</source>
         <translation>&amp;Unités :</translation></message>
     <message><source>What is shown first, and what a number typed without a unit means</source>
         <translation>Ce qui est affiché en premier, et ce que signifie un nombre tapé sans unité</translation></message>
-    <message><source>&amp;Begin file dialogs in one folder</source>
-        <translation>&amp;Commencer les dialogues de fichiers dans un même dossier</translation></message>
-    <message><source>C&amp;hoose…</source>
-        <translation>C&amp;hoisir…</translation></message>
     <message><source>Connect to known boards automat&amp;ically</source>
         <translation>Connecter &amp;automatiquement les cartes connues</translation></message>
     <message><source>When the program starts and when an adapter is plugged in at which a board was found before, if just one board answers. Not after Disconnect, and not while another program uses the port. No motor moves.</source>
         <translation>Au démarrage du programme et au branchement d'un adaptateur où une carte a déjà été trouvée, si une seule carte répond. Pas après « Déconnecter », ni tant qu'un autre programme utilise le port. Aucun moteur ne bouge.</translation></message>
-    <message><source>&amp;Reset to defaults</source>
-        <translation>&amp;Restaurer les valeurs par défaut</translation></message>
-    <message><source>Folder of file dialogs</source>
-        <translation>Dossier des dialogues de fichiers</translation></message>
-    <message><source>Otherwise each begins in the folder that was used last</source>
-        <translation>Sinon, chacun commence dans le dernier dossier utilisé</translation></message>
     <message><source>{0} %</source>
         <translation>{0} %</translation></message>
     <message><source>This is what the report contains, and nothing else. It is only saved as a file, never sent. Names of users and computers, network addresses and serial numbers of adapters are masked. Clear the check box of a file to leave it out.</source>
@@ -4995,6 +4791,8 @@ avant {1}</translation></message>
         <translation>Le programme n'a pas pu arrêter les moteurs lui-même. Le processus gardien les a arrêtés à {0} et la carte l'a confirmé.</translation></message>
     <message><source>TReX Studio did not end properly the last time. If it crashed, a report for support says where.</source>
         <translation>TReX Studio ne s'est pas terminé correctement la dernière fois. S'il a planté, un rapport d'assistance indique où.</translation></message>
+    <message><source>End the recording; motors and connection are not affected</source>
+        <translation>Terminer l'enregistrement ; les moteurs et la connexion ne sont pas touchés</translation></message>
     <message><source>Recorded in {0} ({1}). {2} shows it.</source>
         <translation>Enregistré dans {0} ({1}). {2} l'affiche.</translation></message>
     <message><source>{0} is open; close its window before recording over it.</source>
@@ -5003,8 +4801,6 @@ avant {1}</translation></message>
         <translation>Enregistrer une cop&amp;ie…</translation></message>
     <message><source>Recording</source>
         <translation>Enregistrement</translation></message>
-    <message><source>End the recording; motors and connection are not affected</source>
-        <translation>Terminer l'enregistrement ; les moteurs et la connexion ne sont pas touchés</translation></message>
     <message><source>Recording  {0}  {1}</source>
         <translation>Enregistrement  {0}  {1}</translation></message>
     <message numerus="yes"><source>%n sample(s) lost: the disk is too slow</source>
@@ -5019,10 +4815,14 @@ avant {1}</translation></message>
         <translation>&amp;Pause</translation></message>
     <message><source>&amp;Play</source>
         <translation>&amp;Lecture</translation></message>
-    <message><source>Show &amp;all</source>
-        <translation>&amp;Tout afficher</translation></message>
-    <message><source>&amp;Export span…</source>
-        <translation>&amp;Exporter la plage…</translation></message>
+    <message><source>Show the whole recording again</source>
+        <translation>Afficher de nouveau tout l'enregistrement</translation></message>
+    <message><source>Save every sample in the plot as CSV or MCAP</source>
+        <translation>Enregistrer chaque échantillon du graphique en CSV ou MCAP</translation></message>
+    <message><source>Keep this recording: the oldest ones of faults and stops are removed</source>
+        <translation>Conserver cet enregistrement : les plus anciens enregistrements de défauts et d'arrêts sont supprimés</translation></message>
+    <message><source>Stop loading or exporting</source>
+        <translation>Arrêter le chargement ou l'exportation</translation></message>
     <message><source>Exporting, %p %</source>
         <translation>Exportation, %p %</translation></message>
     <message><source>Reading, %p %</source>
@@ -5037,16 +4837,10 @@ avant {1}</translation></message>
         <translation>MCAP pour PlotJuggler et Foxglove (*.mcap)</translation></message>
     <message><source>The open recording cannot be overwritten. Choose another file.</source>
         <translation>L'enregistrement ouvert ne peut pas être écrasé. Choisissez un autre fichier.</translation></message>
-    <message><source>Show the whole recording again</source>
-        <translation>Afficher de nouveau tout l'enregistrement</translation></message>
-    <message><source>Save every sample in the plot as CSV or MCAP</source>
-        <translation>Enregistrer chaque échantillon du graphique en CSV ou MCAP</translation></message>
-    <message><source>Keep this recording: the oldest ones of faults and stops are removed</source>
-        <translation>Conserver cet enregistrement : les plus anciens enregistrements de défauts et d'arrêts sont supprimés</translation></message>
-    <message><source>Stop loading or exporting</source>
-        <translation>Arrêter le chargement ou l'exportation</translation></message>
     <message><source>E&amp;vents</source>
         <translation>É&amp;vénements</translation></message>
+    <message><source>&amp;Export span…</source>
+        <translation>&amp;Exporter la plage…</translation></message>
     <message><source>{0}, recorded {1}</source>
         <translation>{0}, enregistré {1}</translation></message>
     <message><source>{0} – recording</source>
@@ -5055,6 +4849,8 @@ avant {1}</translation></message>
         <translation>La plage a été enregistrée dans {0}.</translation></message>
     <message><source>{0}, {1} long</source>
         <translation>{0}, durée {1}</translation></message>
+    <message><source>Show &amp;all</source>
+        <translation>&amp;Tout afficher</translation></message>
     <message><source>Exporting MCAP needs an optional package: {0}</source>
         <translation>L'exportation MCAP nécessite un paquet facultatif : {0}</translation></message>
     <message><source>The curves show its last {0} of {1} samples; exports contain all of them.</source>
@@ -5137,28 +4933,18 @@ avant {1}</translation></message>
         <translation>{0}, {1} : {2}, au-dessus de sa limite</translation></message>
     <message><source>No events</source>
         <translation>Aucun événement</translation></message>
-    <message><source>La&amp;yout</source>
-        <translation>Disp&amp;osition</translation></message>
-    <message><source>Colours of the curves; save and open how the plot is shown</source>
-        <translation>Couleurs des courbes ; enregistrer et ouvrir la présentation du graphique</translation></message>
-    <message><source>&amp;Colours</source>
-        <translation>&amp;Couleurs</translation></message>
-    <message><source>&amp;Open layout…</source>
-        <translation>&amp;Ouvrir une disposition…</translation></message>
-    <message><source>&amp;Save layout…</source>
-        <translation>&amp;Enregistrer la disposition…</translation></message>
-    <message><source>&amp;Reset layout</source>
-        <translation>&amp;Réinitialiser la disposition</translation></message>
-    <message><source>The layout was saved in {0}.</source>
-        <translation>La disposition a été enregistrée dans {0}.</translation></message>
-    <message><source>Plot layouts (*{0})</source>
-        <translation>Dispositions de graphique (*{0})</translation></message>
-    <message><source>plot layouts</source>
-        <translation>dispositions de courbes</translation></message>
-    <message><source>The layout of {0} is shown.</source>
-        <translation>La disposition de {0} est affichée.</translation></message>
-    <message><source>is {0}, not {1}</source>
-        <translation>est {0}, et non {1}</translation></message>
+    <message><source>Apply</source>
+        <translation>Appliqué</translation></message>
+    <message><source>Timeout</source>
+        <translation>Délai dépassé</translation></message>
+    <message><source>Line</source>
+        <translation>Liaison</translation></message>
+    <message><source>Events in the plot</source>
+        <translation>Événements du graphique</translation></message>
+    <message><source>Names of the curves</source>
+        <translation>Noms des courbes</translation></message>
+    <message><source>{0} ({1} from the mark)</source>
+        <translation>{0} ({1} depuis le repère)</translation></message>
     <message><source>Blue</source>
         <translation>Bleu</translation></message>
     <message><source>Orange</source>
@@ -5175,54 +4961,42 @@ avant {1}</translation></message>
         <translation>Gris</translation></message>
     <message><source>As text</source>
         <translation>Comme le texte</translation></message>
-    <message><source>it is nested too deeply</source>
-        <translation>l'imbrication est trop profonde</translation></message>
-    <message><source>this is not a plot layout: {0}</source>
-        <translation>ce n'est pas une disposition de courbes : {0}</translation></message>
-    <message><source>is none of {0}</source>
-        <translation>n'est aucun de {0}</translation></message>
-    <message><source>Apply</source>
-        <translation>Appliqué</translation></message>
-    <message><source>Timeout</source>
-        <translation>Délai dépassé</translation></message>
-    <message><source>Line</source>
-        <translation>Liaison</translation></message>
-    <message><source>Events in the plot</source>
-        <translation>Événements du graphique</translation></message>
-    <message><source>Names of the curves</source>
-        <translation>Noms des courbes</translation></message>
-    <message><source>{0} ({1} from the mark)</source>
-        <translation>{0} ({1} depuis le repère)</translation></message>
-    <message><source>Time shown</source>
-        <translation>Durée affichée</translation></message>
+    <message><source>A fixed range keeps plots comparable; peaks above it are cut off</source>
+        <translation>Une plage fixe permet de comparer les graphiques ; les crêtes au-dessus sont tronquées</translation></message>
     <message><source>Range of the currents</source>
         <translation>Plage des courants</translation></message>
+    <message><source>La&amp;yout</source>
+        <translation>Disp&amp;osition</translation></message>
+    <message><source>&amp;Reset layout</source>
+        <translation>&amp;Réinitialiser la disposition</translation></message>
+    <message><source>Time shown</source>
+        <translation>Durée affichée</translation></message>
     <message><source>Pa&amp;use</source>
         <translation>Pa&amp;use</translation></message>
     <message><source>Hold pea&amp;ks</source>
         <translation>Tenir les &amp;crêtes</translation></message>
+    <message><source>&amp;Colours</source>
+        <translation>&amp;Couleurs</translation></message>
     <message><source>Show the &amp;last</source>
         <translation>Afficher le&amp;s dernières</translation></message>
-    <message><source>A fixed range keeps plots comparable; peaks above it are cut off</source>
-        <translation>Une plage fixe permet de comparer les graphiques ; les crêtes au-dessus sont tronquées</translation></message>
+    <message><source>automatic</source>
+        <translation>automatique</translation></message>
     <message><source>Ran&amp;ge</source>
         <translation>Pla&amp;ge</translation></message>
     <message><source>Keep the highest value of each curve from now on, as a line and a figure</source>
         <translation>Garder à partir de maintenant la valeur la plus élevée de chaque courbe, sous forme de trait et de valeur</translation></message>
     <message><source>Back to li&amp;ve</source>
         <translation>Re&amp;venir au direct</translation></message>
-    <message><source>automatic</source>
-        <translation>automatique</translation></message>
     <message><source>Left and Right move the cursor, with Shift in large steps; its values are read out here. M sets a mark, plus and minus zoom, L goes back to live.</source>
         <translation>Gauche et Droite déplacent le curseur, par grands pas avec Maj ; ses valeurs sont annoncées ici. M place un repère, plus et moins zooment, L revient au direct.</translation></message>
     <message><source>Plot of currents and speeds against time</source>
         <translation>Graphique des courants et des vitesses en fonction du temps</translation></message>
     <message><source>No data yet</source>
         <translation>Pas encore de données</translation></message>
-    <message><source>&amp;Show polling</source>
-        <translation>Afficher l'inte&amp;rrogation</translation></message>
-    <message><source>O&amp;nly faults</source>
-        <translation>Défauts &amp;seulement</translation></message>
+    <message><source>Also show the requests that the program repeats many times a second</source>
+        <translation>Afficher aussi les requêtes que le programme répète de nombreuses fois par seconde</translation></message>
+    <message><source>Remove every row</source>
+        <translation>Supprimer toutes les lignes</translation></message>
     <message><source>No row matches the search.</source>
         <translation>Aucune ligne ne correspond à la recherche.</translation></message>
     <message><source>No faults so far.</source>
@@ -5233,20 +5007,10 @@ avant {1}</translation></message>
         <translation>Texte (*.txt *.tsv)</translation></message>
     <message numerus="yes"><source>{0} row(s) written to {1}.</source>
         <translation><numerusform>{0} ligne écrite dans {1}.</numerusform><numerusform>{0} lignes écrites dans {1}.</numerusform></translation></message>
-    <message><source>Also show the requests that the program repeats many times a second</source>
-        <translation>Afficher aussi les requêtes que le programme répète de nombreuses fois par seconde</translation></message>
-    <message><source>Show only failed transactions and line errors</source>
-        <translation>N'afficher que les transactions échouées et les erreurs de liaison</translation></message>
-    <message><source>Do not add rows for now; the traffic is still logged</source>
-        <translation>Ne pas ajouter de lignes pour l'instant ; le trafic reste journalisé</translation></message>
-    <message><source>Remove every row</source>
-        <translation>Supprimer toutes les lignes</translation></message>
     <message><source>&amp;Copy</source>
         <translation>&amp;Copier</translation></message>
     <message><source>Copy as &amp;Python</source>
         <translation>Copier en &amp;Python</translation></message>
-    <message><source>Copy as C (&amp;POSIX)</source>
-        <translation>Copier en &amp;C (POSIX)</translation></message>
     <message><source>Copy as &amp;Arduino sketch</source>
         <translation>Copier en sketch &amp;Arduino</translation></message>
     <message><source>Sa&amp;ve as text…</source>
@@ -5263,14 +5027,22 @@ avant {1}</translation></message>
         <translation>Pas encore de trafic. Pendant la connexion avec {0}, cette page liste chaque octet sur la liaison et sa signification.</translation></message>
     <message><source>No rows to save.</source>
         <translation>Aucune ligne à enregistrer.</translation></message>
+    <message><source>&amp;Show polling</source>
+        <translation>Afficher l'inte&amp;rrogation</translation></message>
+    <message><source>O&amp;nly faults</source>
+        <translation>Défauts &amp;seulement</translation></message>
+    <message><source>Show only failed transactions and line errors</source>
+        <translation>N'afficher que les transactions échouées et les erreurs de liaison</translation></message>
+    <message><source>Do not add rows for now; the traffic is still logged</source>
+        <translation>Ne pas ajouter de lignes pour l'instant ; le trafic reste journalisé</translation></message>
     <message><source>events lost: {0}</source>
         <translation>événements perdus : {0}</translation></message>
     <message><source>Send &amp;bytes</source>
         <translation>En&amp;voyer les octets</translation></message>
-    <message><source>Bytes t&amp;o send:</source>
-        <translation>&amp;Octets à envoyer :</translation></message>
     <message><source>Send these bytes as they are (Enter)</source>
         <translation>Envoyer ces octets tels quels (Entrée)</translation></message>
+    <message><source>Bytes t&amp;o send:</source>
+        <translation>&amp;Octets à envoyer :</translation></message>
     <message><source>Sent</source>
         <translation>Envoyé</translation></message>
     <message><source>Received</source>
@@ -5293,8 +5065,6 @@ avant {1}</translation></message>
         <translation>envoyé    {0}</translation></message>
     <message><source>received  {0}</source>
         <translation>reçu      {0}</translation></message>
-    <message><source>not connected</source>
-        <translation>pas connecté</translation></message>
     <message><source>Columns</source>
         <translation>Colonnes</translation></message>
     <message><source>Rows</source>

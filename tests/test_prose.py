@@ -1,0 +1,68 @@
+"""Docstrings and function names keep the rules of style."""
+
+import ast
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+Function = ast.FunctionDef | ast.AsyncFunctionDef
+Documented = ast.Module | ast.ClassDef | Function
+
+HOUSE_VERB = re.compile(r"_*(take|note|begin|make|ask|choose|keep|leave|forget|tell)(_|$)")
+QUESTION = re.compile(r"(What|Whether|How|Why|Where)\b")
+
+
+def first_sentence(docstring: str) -> str:
+    paragraph = " ".join(docstring.split("\n\n")[0].split())
+    end = re.search(r"[.!?](\s|$)", paragraph)
+    return paragraph[: end.start()] if end else paragraph
+
+
+def problems(place: str, node: Documented) -> Iterator[str]:
+    docstring = ast.get_docstring(node)
+    sentence = first_sentence(docstring) if docstring else ""
+    if ";" in sentence:
+        yield f"{place}: two thoughts in the first sentence: {sentence}"
+    if QUESTION.match(sentence):
+        yield f"{place}: opens with a question: {sentence}"
+    if isinstance(node, Function) and HOUSE_VERB.match(node.name):
+        yield f"{place}: not a standard verb: {node.name}"
+
+
+@pytest.mark.parametrize("folder", ["trex_gui", "tests"])
+def test_docstrings_and_names_keep_the_rules(folder: str) -> None:
+    found = [
+        problem
+        for path in sorted((ROOT / folder).rglob("*.py"))
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, Documented)
+        for problem in problems(f"{path.relative_to(ROOT)}:{getattr(node, 'lineno', 1)}", node)
+    ]
+    assert found == []
+
+
+@pytest.mark.parametrize(
+    ("docstring", "sentence"),
+    [
+        ("Return 1.5 V. Then more.", "Return 1.5 V"),
+        ("A noun\n    over two lines; and more\n\nAnother.", "A noun over two lines; and more"),
+    ],
+)
+def test_first_sentence_ends_with_its_full_stop(docstring: str, sentence: str) -> None:
+    assert first_sentence(docstring) == sentence
+
+
+@pytest.mark.parametrize(
+    "source",
+    ['"""One; two."""', 'class A:\n  """How to."""', "def take_board(): ...", "def _ask(): ..."],
+)
+def test_each_broken_rule_is_found(source: str) -> None:
+    assert [
+        found
+        for node in ast.walk(ast.parse(source))
+        if isinstance(node, Documented)
+        for found in problems("here", node)
+    ] != []
