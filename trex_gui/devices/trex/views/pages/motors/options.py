@@ -55,8 +55,8 @@ class SpeedCeiling(QWidget):
         title = ui.label(self, "", text, tip=tip, buddy=entry, size="caption")
         set_style_property(self._note, "textSize", "caption")
         self._note.setWordWrap(True)
-        beside = ui.row(entry, (self._note, 1), spacing=8)
-        ui.column(title, beside, 1, into=self, margins=0, spacing=2)
+        left = entry, 0, Qt.AlignmentFlag.AlignLeft
+        ui.column(title, left, self._note, 1, into=self, margins=0, spacing=2)
         motors.options_changed.connect(self._on_options_changed)
         self._on_options_changed()
 
