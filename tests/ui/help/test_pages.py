@@ -45,7 +45,7 @@ def check_links(text: str, path: Path) -> list[Path]:
     files = []
     anchors = {page.name: {one.anchor for one in page.sections} for page in pages()}
     for target in LINK.findall(text):
-        if target.startswith("http"):
+        if target.startswith(("http", "../../actions/", "../../releases")):  # pages of the host
             continue
         name, _, anchor = target.partition("#")
         file = (path.parent / name).resolve() if name else path

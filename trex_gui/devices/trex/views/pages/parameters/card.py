@@ -101,7 +101,7 @@ class ParameterCard(ui.Card):
         note = ui.label(made, "wireNote", text, wrap=True)
         self._wire_value = ui.spin_box(made, "wireField", tr("Wire value"), 0, HIGHEST_WIRE)
         accept = ui.button(made, "tryWireButton", tr("&Try this value"), on_click=self._on_try)
-        ui.column(note, ui.row((self._wire_value, 1), accept), into=made, margins=0)
+        ui.column(note, self._wire_value, accept, into=made, margins=0)
         return made
 
     def _concerns(self, finding: LintFinding) -> bool:
