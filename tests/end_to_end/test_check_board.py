@@ -53,7 +53,7 @@ def test_jumpers_bring_back_lost_serial_settings(
         ("power cycle",),
     )
     for number, (step, done) in enumerate(zip(_STEPS, changes, strict=True)):
-        assert dialog.text("handShakeToDo") == step.to_do
+        assert dialog.text("handShakeToDo") == step.instruction
         for change in done:
             board.do(change)
         window.wait(partial(shows, board, step.leds))

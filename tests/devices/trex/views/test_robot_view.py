@@ -10,7 +10,7 @@ from trex_gui.devices.trex.views.robot_view import RobotView, WheelPart
 
 
 def test_clicked_half_of_a_wheel_is_reported_and_filled(qtbot: QtBot) -> None:
-    robot, clicked = RobotView(asks=True), list[Movement]()
+    robot, clicked = RobotView(with_buttons=True), list[Movement]()
     qtbot.addWidget(robot)
     robot.wheel_clicked.connect(clicked.append)
     robot.show()

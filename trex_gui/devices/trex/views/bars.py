@@ -1,4 +1,4 @@
-"""The bar of an input with its calibration, and its axis."""
+"""Bar and axis of an input."""
 
 from collections.abc import Iterable
 
@@ -10,10 +10,10 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.plotting.axes import Labels, ticks, value_labels
 from trex_gui.ui.widgets.bar import paint_track
 
-# Raw counts. Ref: Pololu TReX User's Guide 4.b: a pulse counts from 0.5 to 2.5 ms.
+# Raw counts. Ref: Pololu TReX User's Guide 4.b: pulses from 0.5 to 2.5 ms are valid.
 USUAL_AXIS = {InputSource.RC: (2000, 5500), InputSource.ANALOG: (0, 1023)}
-_GROWS_BY = 250  # 100 us
-_STEPS = {  # between two labels of an axis, in µs and V
+_AXIS_STEP = 250  # counts, 100 µs
+_LABEL_STEPS = {  # µs and V
     InputSource.RC: (100.0, 200.0, 500.0, 1000.0, 2000.0),
     InputSource.ANALOG: (0.5, 1.0, 2.5, 5.0, 10.0),
 }
@@ -22,7 +22,7 @@ _STEPS = {  # between two labels of an axis, in µs and V
 def input_axis(
     source: InputSource, calibration: Calibration | None, count: int | None = None
 ) -> tuple[int, int]:
-    """Return the ends of an axis that includes the calibration and the count."""
+    """Return an axis that includes the calibration and the count."""
     counts = [] if count is None else [count]
     if calibration is not None:
         counts += [calibration.minimum, calibration.maximum]
@@ -30,22 +30,22 @@ def input_axis(
 
 
 def widened(axis: tuple[int, int], counts: Iterable[int]) -> tuple[int, int]:
-    """Return the ends of an axis, moved in round steps to include these counts."""
+    """Extend an axis in round steps to include the counts."""
     low, high = axis
     for count in counts:
         if count < low:
-            low = max(0, count // _GROWS_BY * _GROWS_BY)
+            low = max(0, count // _AXIS_STEP * _AXIS_STEP)
         if count > high:
-            high = -(-count // _GROWS_BY) * _GROWS_BY
+            high = -(-count // _AXIS_STEP) * _AXIS_STEP
     return low, high
 
 
-def input_labels(source: InputSource, axis: tuple[int, int], most: int) -> Labels:
-    """Return at most `most` labels, at positions in counts. The last label has the unit."""
+def input_labels(source: InputSource, axis: tuple[int, int], limit: int) -> Labels:
+    """Return up to `limit` labels, at positions in counts. The last label has the unit."""
     low, high = (source.physical(count) for count in axis)
-    for step in _STEPS[source]:
+    for step in _LABEL_STEPS[source]:
         values = ticks(low, high, step)
-        if len(values) <= most:
+        if len(values) <= limit:
             break
     labels = value_labels(values, source.unit)
     return [(value * source.counts_per_unit, text) for value, text in labels]

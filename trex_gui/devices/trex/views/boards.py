@@ -1,4 +1,4 @@
-"""Panel of the boards on a line, and dialog that changes a device number."""
+"""Panel of the boards on a line, and dialog for the device number."""
 
 from functools import partial
 
@@ -21,13 +21,13 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import Muted
 
 _NUMBER = Qt.ItemDataRole.UserRole
-_WIDEST = "00 · TReX Jr 1.2  "
+_WIDEST_NAME = "00 · TReX Jr 1.2  "
 _STATES = {
     Presence.SELECTED: tr_noop("selected"),
     Presence.RESPONDING: tr_noop("responding"),
     Presence.SILENT: tr_noop("not responding"),
     Presence.UNREADABLE: tr_noop("reply unreadable"),
-    Presence.UNKNOWN: tr_noop("not asked yet"),
+    Presence.UNKNOWN: tr_noop("not found yet"),
 }
 
 
@@ -41,9 +41,9 @@ class BoardPanel(QWidget):
         self.setObjectName("boardPanel")
         self._boards = boards
         self._group = group
-        self._joining: GroupDialog | None = None
         self._device = device
-        self._number: NumberDialog | None = None
+        self._group_dialog: GroupDialog | None = None
+        self._number_dialog: NumberDialog | None = None
 
         self._list = ui.named(QListWidget(self), "boardList", accessible=tr("Boards on this line"))
         self._list.setWordWrap(True)
@@ -51,17 +51,17 @@ class BoardPanel(QWidget):
         self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         tip = tr("Click a board, or press Enter, to show it on every page. Motors stop first.")
         self._list.setToolTip(tip)
-        self._list.itemClicked.connect(self._on_chosen)
-        self._list.itemActivated.connect(self._on_chosen)
+        self._list.itemClicked.connect(self._on_item_activated)
+        self._list.itemActivated.connect(self._on_item_activated)
         self._progress = ui.progress_bar(self, "boardsProgress", tr("Progress of the search"))
         self._progress.setRange(0, NUMBERS)
         button = partial(ui.button, self)
-        tip = tr("Ask for each device number which board has it; nothing is changed")
+        tip = tr("Find the boards of all device numbers; nothing is changed")
         self._scan = button(
             "scanBoardsButton", tr("Find boards"), icon="find", tip=tip, on_click=boards.scan
         )
         self._cancel = button("cancelScanButton", tr("Cancel"), on_click=boards.cancel_scan)
-        tip = tr("Give the board that is selected another device number")
+        tip = tr("Give the selected board another device number")
         self._change = button("changeNumberButton", tr("Change number…"), icon="edited", tip=tip)
         tip = tr("Drive several boards as one robot, with one pad and one Stop")
         self._together = button("groupButton", tr("Drive together…"), icon="motor", tip=tip)
@@ -83,32 +83,33 @@ class BoardPanel(QWidget):
 
     @Slot()
     def change_number(self) -> None:
-        if self._number is None:
-            self._number = NumberDialog(self._boards, self._device, self.window())
-        self._number.ask()
+        if self._number_dialog is None:
+            self._number_dialog = NumberDialog(self._boards, self._device, self.window())
+        self._number_dialog.prompt()
 
     @property
     def can_join(self) -> bool:
-        """True if boards can be driven together from now on."""
+        """True if the boards can be joined into a group."""
         boards, group = self._boards, self._group
-        may_ask = boards.can_change_number and boards.scanned is None
-        return may_ask and boards.has_several and group.can_change and not group.devices
+        is_idle = boards.can_change_number and boards.scanned is None
+        return is_idle and boards.has_several and group.can_change and not group.devices
 
     @Slot()
     def join_boards(self) -> None:
-        if self._joining is None:
-            self._joining = GroupDialog(self._device, self._boards, self._group, self.window())
-        self._joining.ask()
+        if self._group_dialog is None:
+            self._group_dialog = GroupDialog(self._device, self._boards, self._group, self.window())
+        self._group_dialog.prompt()
 
     def _update_width(self) -> None:
-        texts = (_WIDEST, *(button.text() for button in (self._scan, self._change, self._together)))
+        buttons = self._scan, self._change, self._together
+        texts = _WIDEST_NAME, *(button.text() for button in buttons)
         width = max(map(self.fontMetrics().horizontalAdvance, texts))
         self.setFixedWidth(width + 5 * self.fontMetrics().height())
 
     @Slot(QListWidgetItem)
-    def _on_chosen(self, item: QListWidgetItem) -> None:
+    def _on_item_activated(self, item: QListWidgetItem) -> None:
         self._boards.select(item.data(_NUMBER))
-        self._update()  # the current item changes only once the other board is read
+        self._update()  # restores the current item until the other board is read
 
     @Slot()
     def _update(self) -> None:
@@ -167,7 +168,7 @@ class BoardPanel(QWidget):
             return tr("armed") if device.motors.armed else tr("driven together")
         match board.presence:
             case Presence.SELECTED if self._boards.is_selecting:
-                return tr("being left …")
+                return tr("deselecting …")
             case Presence.SELECTED if device.link is ConnectionState.NOT_RESPONDING:
                 return tr("selected, not responding")
             case Presence.SELECTED if device.motors.armed:
@@ -187,8 +188,8 @@ class NumberDialog(QObject):
         field = QWidget(parent)
         self._number = ui.spin_box(field, "newNumberField", "", 0, NUMBERS - 1)
         title = ui.label(field, text=tr("&New number:"), buddy=self._number)
-        self._known = ui.named(Muted("", field), "numberKnown")
-        ui.row(title, self._number, (self._known, 1), into=field, margins=0)
+        self._problem = ui.named(Muted("", field), "numberKnown")
+        ui.row(title, self._number, (self._problem, 1), into=field, margins=0)
         self._dialog = ChangesDialog(
             device,
             parent,
@@ -200,40 +201,41 @@ class NumberDialog(QObject):
         )
         self._number.valueChanged.connect(self._dialog.refresh)
 
-    def ask(self) -> None:
-        """Propose the next higher device number that no known board has."""
-        present = self._boards.selected or 0
-        taken = {one.number for one in self._boards.boards} | {present}
-        numbers = [(present + step) % NUMBERS for step in range(1, NUMBERS)]
-        self._number.setValue(next((each for each in numbers if each not in taken), present))
+    def prompt(self) -> None:
+        """Propose the next free device number."""
+        current = self._boards.selected or 0
+        taken = {board.number for board in self._boards.boards} | {current}
+        numbers = [(current + step) % NUMBERS for step in range(1, NUMBERS)]
+        free = (number for number in numbers if number not in taken)
+        self._number.setValue(next(free, current))
         self._dialog.open_anew()
         self._number.setFocus()
         self._number.selectAll()
 
     def _describe(self, _ticked_of: TickedOf) -> Changes | None:
         boards, stored, new = self._boards, self._device.draft.stored, self._number.value()
-        taken = next((one for one in boards.boards if one.number == new), None)
-        known = "" if taken is None else tr("Taken: {0}.").format(taken.name)
+        owner = next((board for board in boards.boards if board.number == new), None)
+        problem = "" if owner is None else tr("Taken: {0}.").format(owner.name)
         if new == boards.selected:
-            known = tr("The board has this number already.")
-        self._known.setText(known)
+            problem = tr("The board has this number already.")
+        self._problem.setText(problem)
         if stored is None:
             return None
-        wanted = settings_after(stored, [(ParameterKey.DEVICE_NUMBER, new)])
+        after = settings_after(stored, [(ParameterKey.DEVICE_NUMBER, new)])
         text = tr(
-            "Before it is written, the line is asked for the new number: if another board has it, "
-            "nothing is written. A board that is off, or has other serial settings, cannot be "
-            "noticed. The new number takes effect at once, and a snapshot is saved first."
+            "The line is first searched for the new number: if another board has it, nothing is "
+            "written. A board that is off, or has other serial settings, cannot be found. A "
+            "snapshot is saved, then the new number takes effect at once."
         )
         return Changes(
             title_of(tr("Change device nu&mber…")),
             caption=text,
-            rows=Comparison(compare(stored, wanted).differing),
+            rows=Comparison(compare(stored, after).differing),
             sides=(tr("Board now"), tr("After", "value")),
             with_ticks=False,
             summary=" ",
             action=tr("&Write number"),
-            can_act=boards.can_change_number and not known,
+            can_act=boards.can_change_number and not problem,
         )
 
     def _on_write_clicked(self, _rows: Rows) -> None:

@@ -1,4 +1,4 @@
-"""Dialog for a board that does not respond: meaning of its LEDs, and serial settings."""
+"""Dialog for a board that does not respond."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -21,8 +21,8 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import Muted
 from trex_gui.ui.widgets.leds import Leds
 
-# Patterns of the red and the green LED, in words, their meaning, and what to do.
-_SIGHTS = (
+# Patterns of the red and the green LED, description, meaning, remedy.
+_LED_STATES = (
     (
         ("off", "off"),
         tr_noop("Both off"),
@@ -75,25 +75,25 @@ _SIGHTS = (
         tr_noop("Switch the board off and on, with the jumpers removed."),
     ),
 )
-"""Ref: the reference's table of LED patterns (guide 4.e, manual pages 10-11, forum 1769, 5011)."""
+"""Ref: guide 4.e, manual pages 10-11, forum threads 1769 and 5011."""
 
 
-class SightsPage(Page):
-    """The LED patterns of a board, and how it is connected."""
+class LedsPage(Page):
+    """LED patterns of a board, and its wiring."""
 
     def __init__(self) -> None:
         super().__init__("checkLedsPage", tr("What the LEDs show"))
         rows = ui.grid(self, margins=0, spacing=(16, 8), stretch=[(1, 1)])
-        for number, (patterns, *texts) in enumerate(_SIGHTS):
-            words, meaning, to_do = map(tr, texts)
-            leds, shown = Leds(self), ui.label(self, text=words, wrap=True)
-            leds.show_patterns(patterns, meaning=words)
+        for row, (patterns, *texts) in enumerate(_LED_STATES):
+            description, meaning, remedy = map(tr, texts)
+            leds, shown = Leds(self), ui.label(self, text=description, wrap=True)
+            leds.show_patterns(patterns, meaning=description)
             title = ui.label(self, text=meaning, bold=True, wrap=True)
-            # No alignment, since it would keep wrapped text from getting its height.
-            about = ui.column(title, Muted(to_do, self), 1, margins=0, spacing=0)
-            rows.addLayout(ui.column(leds, shown, 1, margins=0, spacing=0), number, 0)
-            rows.addLayout(about, number, 1)
-        rows.setRowStretch(len(_SIGHTS), 1)
+            # Not aligned: an aligned layout cuts off wrapped text.
+            about = ui.column(title, Muted(remedy, self), 1, margins=0, spacing=0)
+            rows.addLayout(ui.column(leds, shown, 1, margins=0, spacing=0), row, 0)
+            rows.addLayout(about, row, 1)
+        rows.setRowStretch(len(_LED_STATES), 1)
         sketch = WiringSketch(ttl_wiring(), "checkWiring", self.side)
         text = tr("Mode may also be on: the board responds in every mode.")
         ui.column((sketch, 1), Muted(text, self.side), into=self.side, margins=0)
@@ -101,11 +101,11 @@ class SightsPage(Page):
 
 @dataclass(frozen=True, slots=True)
 class _Step:
-    """One step: instruction, then jumpers, LEDs and received bytes after it."""
+    """Instruction, then jumpers, LEDs and received bytes after the step."""
 
     title: str
-    to_do: str
-    jumpers: tuple[bool, bool, *tuple[str, ...]]  # mix on, SO–G on, and the jumpers to move now
+    instruction: str
+    jumpers: tuple[bool, bool, *tuple[str, ...]]  # mix on, SO–G on, jumpers to move
     leds: tuple[str, str]
     shown: str
     received: str
@@ -159,12 +159,10 @@ _STEPS = (
         tr_noop("The TReX responds at the factory settings."),
     ),
 )
-"""Ref: forum threads 1769 and 4631. Inferred: which settings are restored."""
+"""Ref: forum threads 1769 and 4631. The restored settings are inferred."""
 
 
 class HandShakePage(Page):
-    """Shows the jumpers and LEDs of a step, and describes what the board sends."""
-
     def __init__(self) -> None:
         super().__init__("handShakePage", tr("Jumpers and LEDs"))
         self._picture = JumperPicture(self)
@@ -184,13 +182,13 @@ class HandShakePage(Page):
     def show_step(self, step: _Step) -> None:
         mix, so_ground, *moved = step.jumpers
         self._picture.show_jumpers(mix, so_ground=so_ground, moved=moved, leds=step.leds)
-        self._to_do.setText(tr(step.to_do))
+        self._to_do.setText(tr(step.instruction))
         self._leds.setText(tr(step.shown))
         self._received.setText(tr(step.received))
 
 
 class CheckBoardFlow(Flow):
-    """LEDs of a board that does not respond, then the steps for lost serial settings."""
+    """LED patterns, then the steps that restore the serial settings."""
 
     connect_requested = Signal(object)  # a `ConnectWith`
     find_requested = Signal()
@@ -201,7 +199,7 @@ class CheckBoardFlow(Flow):
         super().__init__()
         self._device = device
         self._at = 0
-        self._pages = SightsPage(), HandShakePage()
+        self._pages = LedsPage(), HandShakePage()
         self._result = "", False
         device.link_changed.connect(self._on_link_changed)
         device.request_failed.connect(self._on_failed)
@@ -215,7 +213,7 @@ class CheckBoardFlow(Flow):
         return self._find, self._connect
 
     def shown(self) -> Shown:
-        sights, hand_shake = self._pages
+        leds, hand_shake = self._pages
         is_free = self._device.link is ConnectionState.DISCONNECTED
         is_last = self._at == len(_STEPS)
         for button in (self._find, self._connect):
@@ -228,7 +226,7 @@ class CheckBoardFlow(Flow):
             title_of(tr("&Board does not respond…")),
             [tr("LEDs"), *(tr(step.title) for step in _STEPS)],
             self._at,
-            hand_shake if self._at else sights,
+            hand_shake if self._at else leds,
             note=note,
             is_alarming=is_alarming,
             next=self._connect.text() if is_last else tr("&Next"),
@@ -247,7 +245,7 @@ class CheckBoardFlow(Flow):
             self._at += 1
             self.changed.emit()
 
-    def leave(self, *, closed: bool) -> None:
+    def on_hidden(self, *, closed: bool) -> None:
         if closed:
             self._at, self._result = 0, ("", False)
 

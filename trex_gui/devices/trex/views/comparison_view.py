@@ -1,4 +1,4 @@
-"""Settings side by side: differences, matches, and check boxes for the changes."""
+"""Table that compares settings side by side."""
 
 from collections.abc import Mapping
 from types import MappingProxyType
@@ -27,7 +27,7 @@ from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.builders import check_box, column, flat_table, label, row
 
 _ROW_MARGIN = 16
-_LEAST = 3  # visible rows in the lowest window
+_MIN_ROWS = 3  # visible at the minimum height
 _WITH_SIGN = {ComparisonColumn.SETTING, ComparisonColumn.AFTER, ComparisonColumn.OUTCOME}
 
 
@@ -40,7 +40,7 @@ class _Delegate(QStyledItemDelegate):
 
     def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
         super().initStyleOption(option, index)
-        if option.state & QStyle.StateFlag.State_Selected:  # keep the colours of its cells
+        if option.state & QStyle.StateFlag.State_Selected:  # cells retain their colours
             option.state &= ~QStyle.StateFlag.State_Selected
             option.backgroundBrush = QBrush(theme().color("selected"))
 
@@ -52,7 +52,7 @@ class _Delegate(QStyledItemDelegate):
 
 
 class _Table(QTableView):
-    """Lets the space bar tick a row from any column."""
+    """Ticks the row with the space bar in any column."""
 
     resized = Signal()
 
@@ -71,14 +71,14 @@ class _Table(QTableView):
 
 
 class ComparisonView(QWidget):
-    """Table, counts and settings left out. Texts are never cut, since users decide by them."""
+    """Comparison table with counts. Texts are never cut off, since users decide by them."""
 
-    ticked_changed = Signal(int)  # the number of ticked changes
+    ticked_changed = Signal(int)  # number of ticked changes
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.table = ComparisonTable(self)
-        self._shown: object = None  # arguments of the shown comparison; `None`: nothing is shown
+        self._shown: object = None  # titles and options of the visible comparison
 
         self._all = check_box(self, "tickAllBox", tr("Select &all"), on_click=self._on_all_clicked)
         self._summary = label(self, "comparisonSummary", wrap=True, expand=True, size="caption")
@@ -118,8 +118,8 @@ class ComparisonView(QWidget):
     ) -> None:
         """Show or update a comparison. `summary` replaces the counts.
 
-        `before` and `after` are the titles of the sides. Check boxes keep their state unless the
-        titles, `with_ticks` or `outcomes` change. New changes are checked if `tick_new`.
+        `before` and `after` are the titles of the sides. Check boxes are reset if the titles,
+        `with_ticks` or `outcomes` change. New changes are checked if `tick_new`.
         """
         shown = (before, after, with_ticks, dict(outcomes))
         if shown == self._shown:
@@ -144,8 +144,8 @@ class ComparisonView(QWidget):
 
     def _update(self) -> None:
         rows, header = self._view.verticalHeader(), self._view.horizontalHeader()
-        few = sum(rows.sectionSize(row) for row in range(min(self.table.rowCount(), _LEAST)))
-        self._view.setMinimumHeight(header.sizeHint().height() + few)
+        least = sum(rows.sectionSize(row) for row in range(min(self.table.rowCount(), _MIN_ROWS)))
+        self._view.setMinimumHeight(header.sizeHint().height() + least)
         self._view.setVisible(self.table.rowCount() > 0)
         self._details.setVisible(bool(self.table.comparison.rows))
         self._view.updateGeometry()
@@ -169,26 +169,26 @@ class ComparisonView(QWidget):
 
     @Slot()
     def _fit_columns(self) -> None:
-        """Give each column the width that it needs. If there is too little, wrap the widest."""
+        """Fit the columns to their content. If space is short, the widest columns wrap."""
         bar = self._view.verticalScrollBar()
-        room = self._view.viewport().width() - (0 if bar.isVisible() else bar.sizeHint().width())
+        space = self._view.viewport().width() - (0 if bar.isVisible() else bar.sizeHint().width())
         margin = 2 * self.fontMetrics().averageCharWidth()
         title_width = self._view.horizontalHeader().sectionSizeHint
         cell_width, columns = self._view.sizeHintForColumn, range(self.table.columnCount())
         sections = [each for each in columns if not self._view.isColumnHidden(each)]
-        wanted = {at: max(cell_width(at), title_width(at)) + margin for at in sections}
-        for number, section in enumerate(sorted(sections, key=wanted.__getitem__)):
-            share = max(room, 0) // (len(wanted) - number)
-            wanted[section] = max(min(wanted[section], share), self._least_width(section))
-            room -= wanted[section]
-        spare = max(room, 0) // len(wanted)
-        for section, width in wanted.items():
+        widths = {each: max(cell_width(each), title_width(each)) + margin for each in sections}
+        for number, section in enumerate(sorted(sections, key=widths.__getitem__)):
+            share = max(space, 0) // (len(widths) - number)
+            widths[section] = max(min(widths[section], share), self._min_width(section))
+            space -= widths[section]
+        spare = max(space, 0) // len(widths)
+        for section, width in widths.items():
             self._view.setColumnWidth(section, width + spare)
         self._view.resizeRowsToContents()
         self._update()
 
-    def _least_width(self, column: int) -> int:
-        """Return the width of the longest word with its check box or sign. Words do not wrap."""
+    def _min_width(self, column: int) -> int:
+        """Return the width of the longest word and its sign, since words do not wrap."""
         font = self._view.font()
         font.setBold(True)
         metrics, table = QFontMetrics(font), self.table

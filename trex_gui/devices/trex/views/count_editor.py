@@ -1,4 +1,4 @@
-"""Spin boxes that show and accept numbers in several units, and a delegate for tables."""
+"""Spin boxes for numbers in several units, and their table delegate."""
 
 import math
 import re
@@ -25,25 +25,25 @@ BARE = re.compile(rf"\s*{DECIMAL}\s*")  # a number without a unit
 
 
 class UnitSpinBox(QSpinBox):
-    """Base of spin boxes whose input `parse` converts.
+    """Base of spin boxes that convert their input with `parse`.
 
     A number without a unit is in the displayed unit. A change of units first accepts the typed
-    text. Input that was reported as invalid is marked by an icon.
+    text. An icon marks rejected input.
     """
 
-    rejected = Signal(str)  # reason why the input is invalid, for the user
+    rejected = Signal(str)  # reason, for the user
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         never_mirror(self)
-        self.own_first = units().own_first  # as displayed; a change of units updates both
+        self.own_first = units().own_first  # of the displayed text
         self.setKeyboardTracking(False)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccelerated(True)
         self._problem = QAction(tr("Not a value"), self)
         set_icon(self._problem, "warning", "danger")
         self.lineEdit().addAction(self._problem, QLineEdit.ActionPosition.LeadingPosition)
-        self._problem.setVisible(False)  # not earlier: Qt shows an action that is added hidden
+        self._problem.setVisible(False)  # after `addAction`, which shows hidden actions
         self.lineEdit().setTextMargins(4, 0, 0, 0)
         self._typed = ""
         self.lineEdit().textChanged.connect(self._on_text_changed)
@@ -52,7 +52,7 @@ class UnitSpinBox(QSpinBox):
 
     @property
     def problem(self) -> str:
-        """Reason why the input is marked, else empty."""
+        """Reason for the warning icon, or empty."""
         return self._problem.toolTip() if self._problem.isVisible() else ""
 
     def _mark(self, problem: str) -> None:
@@ -66,13 +66,13 @@ class UnitSpinBox(QSpinBox):
 
     @property
     def rounding(self) -> str:
-        """Sentence with the stored value if it differs from the typed value, else empty."""
+        """Message about the stored value if the input was rounded, or empty."""
         stored = self.textFromValue(self.value())
         number, unit, *_ = f"{stored} ".split(" ")
         with suppress(BadRequest):
-            wanted, taken = quantity(self._typed, unit), quantity(number, unit)
-            is_taken = self.parse(self._typed) == self.value()
-            if is_taken and wanted and taken and not math.isclose(wanted, taken):
+            typed, rounded = quantity(self._typed, unit), quantity(number, unit)
+            is_current = self.parse(self._typed) == self.value()
+            if is_current and typed and rounded and not math.isclose(typed, rounded):
                 return tr("The nearest that the board can store is {0}.").format(stored)
         return ""
 
@@ -90,7 +90,7 @@ class UnitSpinBox(QSpinBox):
         """Return the value of the input.
 
         Raises:
-            BadRequest: the input is not a value, or outside the limits.
+            BadRequest: the input is invalid or out of range.
         """
         raise NotImplementedError
 
@@ -108,12 +108,12 @@ class UnitSpinBox(QSpinBox):
         return QValidator.State.Acceptable, text, pos
 
     def fixup(self, text: str) -> str:
-        """Report why the input is dropped when the editor is left."""
+        """Report invalid input before Qt replaces it."""
         self.report_problem()
         return super().fixup(text)
 
     def report_problem(self) -> None:
-        """Emit `rejected` if the input is not a value."""
+        """Mark invalid input and emit `rejected`."""
         try:
             self.parse(self.text())
         except BadRequest as error:
@@ -123,7 +123,7 @@ class UnitSpinBox(QSpinBox):
 
 
 class UnitDelegate(QStyledItemDelegate):
-    """Keeps the spin box of a cell open while its input is not a value."""
+    """Does not close a spin box with invalid input."""
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if (
@@ -139,7 +139,7 @@ class UnitDelegate(QStyledItemDelegate):
 
 
 class CountEditor(UnitSpinBox):
-    """Editor of a raw count, in µs, V or counts. Accepts `2.1 ms`, `1500 µs` or `3750 counts`."""
+    """Editor of a raw count. Accepts `2.1 ms`, `1500 µs`, `2.5 V` or `3750 counts`."""
 
     def __init__(self, source: InputSource, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -149,7 +149,7 @@ class CountEditor(UnitSpinBox):
         self.setToolTip(plain(self._expected()))
 
     def set_source(self, source: InputSource) -> None:
-        """Change to the units of another input source. The count is unchanged."""
+        """Set the input source and its units. The count is unchanged."""
         if source is not self._source:
             self._source = source
             self.setToolTip(plain(self._expected()))
@@ -165,7 +165,7 @@ class CountEditor(UnitSpinBox):
 
     @property
     def other_text(self) -> str:
-        """The value in the unit that is not shown, such as `3750 counts`."""
+        """Value in the other unit, such as `3750 counts`."""
         counts = tr("%n count(s)", "", self.value())
         return self._physical(self.value()) if self.own_first else counts
 

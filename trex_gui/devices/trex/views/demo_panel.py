@@ -1,4 +1,4 @@
-"""Panel of the Demo TReX: a drawing of the simulated board whose parts are its controls."""
+"""Panel of the Demo TReX."""
 
 from collections.abc import Callable
 from functools import partial
@@ -42,8 +42,8 @@ BoardRows = Rows[DemoSnapshot]
 OnClick = Callable[[], object]
 PartT = TypeVar("PartT", bound=BoardPart)
 
-_TRAVEL = 1200  # positions of a stick, in microseconds of its pulses
-_STALL, _AMPERE = 30, 10  # A of the simulated model, positions per A
+_TRAVEL = 1200  # slider positions of a stick, one per µs
+_STALL, _AMPERE = 30, 10  # stall current in A, slider positions per A
 _LOWEST, _HIGHEST, _VOLT = 4, 16, 10  # V, V, positions per V; a TReX resets below about 6 V
 _MODES = ("serial", "rc", "analog")
 _MIXED = tr_noop("&Turn"), tr_noop("&Forward")  # roles of inputs 1 and 2 with the mix jumper
@@ -55,7 +55,7 @@ _FLASHES = {  # while the board learns or is in the boot loader
 
 
 def led_patterns(snapshot: DemoSnapshot) -> tuple[str, str]:
-    """Return the patterns of the red and the green LED, steady while packets arrive."""
+    """Return the red and green patterns. `PACKETS` replaces the flicker of arriving packets."""
     red, green = snapshot.leds.red, snapshot.leds.green
     if snapshot.power and snapshot.boot_mode is None:
         if snapshot.serial_controls and green in {"on", "off"}:
@@ -66,7 +66,7 @@ def led_patterns(snapshot: DemoSnapshot) -> tuple[str, str]:
 
 
 def led_words(pattern: str) -> str:
-    """Return the words of the Board page for an LED, shortened to fit here."""
+    """Return a short description of an LED pattern."""
     if pattern == PACKETS:
         return tr("flickers")
     kind, _, rate = pattern.rpartition(" ")
@@ -122,10 +122,10 @@ class DemoBoardView(DemoPanelBody[DemoSnapshot]):
 
 
 def _other_rows(board: DemoBoard, parent: QWidget) -> BoardRows:
-    """Return rows for the controls that the drawing does not show."""
+    """Create the controls of supply, sticks and cable faults."""
     rows = BoardRows("", Columns(value="30.0\u00a0V"), parent)
     text, tip = tr("Power on", "state"), tr("The board's power switch")
-    power = rows.check_box("demoPower", text, tip, board.set_power, lambda seen: seen.power)
+    power = rows.check_box("demoPower", text, tip, board.set_power, lambda state: state.power)
     tip = tr("Off for a second: jumpers are read, stored settings take effect")
     cycle = ui.button(rows, "demoPowerCycle", tr("Power cycle"), tip=tip, icon="power")
     cycle.clicked.connect(board.power_cycle)
@@ -176,7 +176,7 @@ def _other_rows(board: DemoBoard, parent: QWidget) -> BoardRows:
 
 
 class Drawing(BoardRows):
-    """The simulated board and its plugged-in parts, which can be moved and pressed."""
+    """Drawing of the simulated board. Its parts are the controls."""
 
     def __init__(self, board: DemoBoard, parent: QWidget) -> None:
         super().__init__("", Columns(), parent)
@@ -200,7 +200,7 @@ class Drawing(BoardRows):
         ]
         picture = ui.column(above, ui.row(*columns, spacing=8), spacing=12)
         self._grid.addLayout(picture, 0, 0, 1, -1)
-        follow_theme(self, "room", self._update_space)
+        follow_theme(self, "space", self._update_space)
 
     def _update_space(self) -> None:
         line, width = self.fontMetrics().height(), self.fontMetrics().horizontalAdvance
@@ -232,7 +232,7 @@ class Drawing(BoardRows):
         tip = tr("Input {0}: {1}. A double click centres it, Delete unplugs it.")
         tip = tip.format(channel, tr(CHANNEL_ROLES[channel]))
         ui.named(slider, f"demoInput{channel}", accessible=spoken, tip=tip)
-        slider.positions_per_unit = _TRAVEL / 100  # a screen reader says per cent and the value
+        slider.positions_per_unit = _TRAVEL / 100  # per cent, for screen readers
         slider.setSingleStep(10)
         slider.setPageStep(_TRAVEL // 10)
         slider.value_label = value
@@ -265,15 +265,15 @@ class Drawing(BoardRows):
             value.setText(f"{Number(position(per_cent)):.{decimals}f}\u00a0{source.unit}")
 
         def update(snapshot: DemoSnapshot) -> None:
-            seen = snapshot.channels[channel - 1]
+            state = snapshot.channels[channel - 1]
             role = tr(CHANNEL_NAMES[channel])
             if snapshot.jumpers.mix and channel <= len(_MIXED):
                 role = tr(_MIXED[channel - 1]).replace("&", "")
             name.setText(f"<b>{channel}</b>\u2002{role}")
-            is_in = seen.has_signal
+            is_in = state.has_signal
             slider.setEnabled(is_in)
             plug.show_plug(tr("plugged in") if is_in else tr("no signal"), out=not is_in)
-            if seen.stick(source) is None:
+            if state.stick(source) is None:
                 value.setText("–")
 
         self.connect_slider(
@@ -292,20 +292,19 @@ class Drawing(BoardRows):
         tip = tr(
             "Unplugged, the port is gone: Serial Timeout and UART-Error Shutdown should stop motors"
         )
-        made = self._part(
-            PlugPart, "demoCable", tr("Cable"), tip, lambda: self._demo.set_plugged(made.is_out)
+        plug = self._part(
+            PlugPart, "demoCable", tr("Cable"), tip, lambda: self._demo.set_plugged(plug.is_out)
         )
-        made.is_labelled, made.spoken_from = True, 1
+        plug.is_labelled, plug.spoken_from = True, 1
 
         def update(snapshot: DemoSnapshot) -> None:
             is_in = snapshot.line.plugged
-            made.show_plug(
-                tr("Cable"), tr("plugged in") if is_in else tr("unplugged"), out=not is_in
-            )
+            state = tr("plugged in") if is_in else tr("unplugged")
+            plug.show_plug(tr("Cable"), state, out=not is_in)
 
         self.on_snapshot(update)
-        self._plugs.append(made)
-        return made
+        self._plugs.append(plug)
+        return plug
 
     def _fill_body(self) -> None:
         board = self._demo
@@ -346,27 +345,27 @@ class Drawing(BoardRows):
     def _create_motor(self, number: int) -> MotorPart:
         name = tr("Motor {0}").format(number)
         tip = tr("The driver of motor {0} shuts down, as when hot or shorted").format(number)
-        made = self._part(
+        part = self._part(
             MotorPart,
             f"demoFault{number}",
             name,
             tip,
-            lambda: self._demo.set_fault(number, not made.alarm),
+            lambda: self._demo.set_fault(number, not part.alarm),
         )
-        made.color = f"motor{number}"
+        part.color = f"motor{number}"
 
         def update(snapshot: DemoSnapshot) -> None:
             motor = snapshot.motors[number - 1]
             turns = {"forward": 1, "reverse": -1}.get(motor.direction, 0)
-            made.show_speed(0 if motor.fault else turns * motor.speed)
+            part.show_speed(0 if motor.fault else turns * motor.speed)
             current = f"{Number(motor.current):.1f}\u00a0A"
             fault = (tr("Fault"),) if motor.fault else ()
-            made.show_lines(
+            part.show_lines(
                 name, motor_text(motor), current, *fault, alarm="danger" if fault else ""
             )
 
         self.on_snapshot(update)
-        return made
+        return part
 
     def _create_load(self, number: int) -> QLayout:
         spoken = tr("Load of motor {0}").format(number)

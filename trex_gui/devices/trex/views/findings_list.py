@@ -1,4 +1,4 @@
-"""Findings about settings, with buttons that accept a proposal or show a line."""
+"""List of findings about settings."""
 
 from collections.abc import Callable, Iterable
 from dataclasses import replace
@@ -16,24 +16,24 @@ from trex_gui.ui.widgets.builders import button, column, label, no_mnemonic, row
 from trex_gui.ui.widgets.labels import Sign
 
 Remark = LintFinding | Finding | str
-"""A finding of the linter, of the reader of a file, or a sentence."""
+"""Finding of the linter or of a file, or a sentence."""
 
-_MOST = 60  # findings that get a line; the rest is only counted
+_MAX_LINES = 60  # further findings are only counted
 _SIGNS = {Severity.ERROR: ("error", "danger"), Severity.WARNING: ("warning", "warning")}
 
 
 class FindingsList(QWidget):
-    """Findings, each with a button for its proposal. Hidden while empty."""
+    """Findings with buttons for their proposals. Hidden while empty."""
 
-    accepted = Signal(object)  # a `LintFinding`, whose change becomes an edit
-    line_chosen = Signal(int)  # line to show, from 1
+    accepted = Signal(object)  # `LintFinding` whose change becomes an edit
+    line_chosen = Signal(int)  # line number, from 1
 
     def __init__(
         self, where: str, after: QWidget, parent: QWidget | None = None, *, is_wide: bool = False
     ) -> None:
-        """Create the list. `where` begins the object names: `parameter`, `review`.
+        """Create the list. `where` is the prefix of its object names.
 
-        Tab moves from `after` to the list. `is_wide`: the whole proposal fits on a button.
+        Tab moves from `after` to the list. If `is_wide`, buttons show the whole proposal.
         """
         super().__init__(parent)
         self._after = after
@@ -51,7 +51,7 @@ class FindingsList(QWidget):
     def follow(
         self, linter: SettingsLinter, concerns: Callable[[LintFinding], bool] = bool
     ) -> None:
-        """Show the findings of a linter for which `concerns` is true."""
+        """Show the findings of a linter that pass `concerns`."""
         self._linter, self._concerns = linter, concerns
         linter.changed.connect(self.refresh)
         self.accepted.connect(linter.accept)
@@ -62,7 +62,7 @@ class FindingsList(QWidget):
         self.show_findings([each for each in self._linter.findings if self._concerns(each)])
 
     def show_findings(self, findings: Iterable[Remark], *, with_lines: bool = False) -> None:
-        """Show findings. `with_lines`: each has a button that shows its line."""
+        """Show findings. `with_lines` adds buttons that show their lines."""
         shown = tuple(findings)
         if shown != self._findings:
             self._findings, self._with_lines = shown, with_lines
@@ -77,8 +77,8 @@ class FindingsList(QWidget):
         for line in self._lines:
             self._layout.removeWidget(line)
             line.setParent(None)
-            line.deleteLater()  # later: one of its buttons may have called this
-        shown, more = self._findings[:_MOST], len(self._findings) - _MOST
+            line.deleteLater()  # one of its buttons may be the caller
+        shown, more = self._findings[:_MAX_LINES], len(self._findings) - _MAX_LINES
         if more > 0:
             shown += (tr("and %n more", "", more),)
         self._lines = [self._line(*numbered) for numbered in enumerate(shown)]
@@ -107,9 +107,9 @@ class FindingsList(QWidget):
             sign, at = _SIGNS[finding.severity], finding.line
             text = str(replace(finding, severity=Severity.ERROR))  # the sign shows the severity
         if at is not None and self._with_lines:
-            choose = partial(self.line_chosen.emit, at)
+            show_line = partial(self.line_chosen.emit, at)
             title = tr("Show line {0}").format(at)
-            actions.append(link(line, f"{self._where}Line{number}", title, on_click=choose))
+            actions.append(link(line, f"{self._where}Line{number}", title, on_click=show_line))
         text = f"{text[:1].upper()}{text[1:]}"
         shown = label(line, f"{self._where}Finding{number}", text, wrap=True, expand=True)
         mark = Sign(line)

@@ -1,4 +1,4 @@
-"""Boards that are driven together: dialog that joins them, and a card for each board."""
+"""Dialog that joins boards into a group, and a card for each board."""
 
 from PySide6.QtCore import QSize, Slot
 from PySide6.QtGui import QResizeEvent
@@ -20,11 +20,11 @@ from trex_gui.ui.widgets.labels import Muted, Note
 from trex_gui.ui.widgets.placement import resize_with_font
 
 _NOT_DRIVEN = 0
-_GAP = 40  # pixels between two boards, at least
+_MIN_GAP = 40  # pixels between two boards
 
 
 class GroupDialog(ReusedDialog):
-    """Asks for the place and the direction of each motor on the line."""
+    """Sets side and direction of each motor on the line."""
 
     def __init__(
         self, device: Device, boards: BoardList, group: BoardGroup, parent: QWidget
@@ -36,8 +36,8 @@ class GroupDialog(ReusedDialog):
         self.setWindowTitle(title_of(tr("Drive together…")))
         resize_with_font(self, 560, 360)
         about = tr(
-            "One pad, one arming and one Stop drive these boards as one robot. A board that does "
-            "not follow any more stops the others."
+            "One pad, one arming and one Stop drive these boards as one robot. A board that no "
+            "longer follows stops the others."
         )
         self._table = QWidget(self)
         self._grid = ui.grid(self._table, margins=0)
@@ -49,10 +49,10 @@ class GroupDialog(ReusedDialog):
         bar.fill(bar.armed, 1, close, self._join)
         ui.column(Muted(about, self), self._table, 1, bar, into=self)
 
-    def ask(self) -> None:
-        numbers = [one.number for one in self._boards.boards]
+    def prompt(self) -> None:
+        numbers = [board.number for board in self._boards.boards]
         self._create_rows(numbers)
-        proposed = {(one.board, one.motor): one for one in self._group.proposed(numbers)}
+        proposed = {(wheel.board, wheel.motor): wheel for wheel in self._group.proposed(numbers)}
         for place, (_, side, turns) in self._rows.items():
             wheel = proposed.get(place)
             side.setCurrentIndex(side.findData(_NOT_DRIVEN if wheel is None else wheel.side))
@@ -60,10 +60,10 @@ class GroupDialog(ReusedDialog):
         self.show_in_front()
 
     def _create_rows(self, numbers: list[int]) -> None:
-        wanted = [(number, motor) for number in numbers for motor in (1, 2)]
-        if wanted == list(self._rows):
+        motors = [(number, motor) for number in numbers for motor in (1, 2)]
+        if motors == list(self._rows):
             return
-        for row, number_and_motor in enumerate(wanted, len(self._rows)):
+        for row, number_and_motor in enumerate(motors, len(self._rows)):
             if number_and_motor in self._rows:
                 continue
             number, motor = number_and_motor
@@ -79,31 +79,34 @@ class GroupDialog(ReusedDialog):
                 self._grid.addWidget(widget, row, column)
         for number_and_motor, widgets in self._rows.items():
             for widget in widgets:
-                widget.setVisible(number_and_motor in wanted)
+                widget.setVisible(number_and_motor in motors)
 
     @property
     def wheels(self) -> tuple[Wheel, ...]:
-        """Wheels as selected in the dialog."""
-        shown = {one.number for one in self._boards.boards}
+        shown = {board.number for board in self._boards.boards}
         return tuple(
             Wheel(board, motor, side.currentData(), turns.isChecked())
             for (board, motor), (_, side, turns) in self._rows.items()
             if board in shown and side.currentData() != _NOT_DRIVEN
         )
 
+    @property
+    def _has_several_boards(self) -> bool:
+        return len({wheel.board for wheel in self.wheels}) > 1
+
     @Slot(int)
     def _on_changed(self, _index: int) -> None:
-        self._join.setEnabled(len({one.board for one in self.wheels}) > 1)
+        self._join.setEnabled(self._has_several_boards)
 
     @Slot()
     def _on_join(self) -> None:
         self.close()
-        if len({one.board for one in self.wheels}) > 1:  # boards may be gone by now
+        if self._has_several_boards:  # a board may have disappeared
             self._group.join(self.wheels)
 
 
 class SideBySide(QWidget):
-    """Shows one widget for each board, side by side if they fit, else in a column."""
+    """One widget for each board, side by side or in a column."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -123,8 +126,8 @@ class SideBySide(QWidget):
         self._place()
 
     def minimumSizeHint(self) -> QSize:
-        """Return the size of the column, which is used if a row does not fit."""
-        widths = [one.minimumSizeHint().width() for one in self._widgets]
+        """Return the size of a column, which is used if a row does not fit."""
+        widths = [widget.minimumSizeHint().width() for widget in self._widgets]
         return QSize(max(widths, default=0), self._box.minimumSize().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -132,15 +135,15 @@ class SideBySide(QWidget):
         self._place()
 
     def _place(self) -> None:
-        room = sum(one.minimumSizeHint().width() + _GAP for one in self._widgets)
-        is_wide = len(self._widgets) > 1 and self.width() >= room
+        needed = sum(widget.minimumSizeHint().width() + _MIN_GAP for widget in self._widgets)
+        is_wide = len(self._widgets) > 1 and self.width() >= needed
         directions = QBoxLayout.Direction
         self._box.setDirection(directions.LeftToRight if is_wide else directions.TopToBottom)
         self.updateGeometry()
 
 
 class GroupCards(QWidget):
-    """Shows currents and problems of each board of a group side by side. Hidden without a group."""
+    """Currents and problems of each board in a group. Hidden without a group."""
 
     def __init__(self, group: BoardGroup, parent: QWidget) -> None:
         super().__init__(parent)
@@ -171,7 +174,7 @@ class _BoardCard(ui.Card):
         self._device = device
         self._currents = [ui.label(self, f"groupBoard{number}Motor{m}") for m in (1, 2)]
         self._problem = ui.named(Note(1, self), f"groupBoard{number}Problem")
-        ui.column(ui.row(*((one, 1) for one in self._currents)), self._problem, into=self)
+        ui.column(ui.row(*((label, 1) for label in self._currents)), self._problem, into=self)
         device.telemetry.text_due.connect(self._show)
         device.link_changed.connect(self._show)
         device.main.motors.arming_changed.connect(self._show)

@@ -1,4 +1,4 @@
-"""The history window: list, compare and restore snapshots."""
+"""Window that lists, compares and restores snapshots."""
 
 from functools import partial
 from pathlib import Path
@@ -26,13 +26,13 @@ from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.messages import Banner, InlinePrompt, MessageRoom
 from trex_gui.ui.widgets.placement import restore_geometry, save_geometry
 
-_WIDEST = 34  # the initial width of a column, in characters
+_MAX_COLUMN_WIDTH = 34  # characters
 
 
 class HistoryDialog(ReusedDialog):
-    """Snapshots compared with the board or each other. Restored values become pending edits."""
+    """Compares snapshots with the board or each other. Restored values become edits."""
 
-    restore_requested = Signal()  # settings of a snapshot are edits now, to be reviewed
+    restore_requested = Signal()  # the edits are ready for review
 
     def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -44,8 +44,8 @@ class HistoryDialog(ReusedDialog):
         self._table = SnapshotTable(device.writer.history, self)
         self._place: tuple[int, Path | None] = 0, None  # row, path of the newest selected snapshot
         self._is_fitted = False
-        self._later = new_timer(self, 0, self._renew, single_shot=True)
-        # Starts after the window is drawn, since the reading thread slows this one down.
+        self._later = new_timer(self, 0, self._refresh_selection, single_shot=True)
+        # Starts after the window is drawn, since the reading thread slows drawing.
         self._reading = new_timer(self, 0, self.refresh, single_shot=True)
 
         notifier = Notifier(self)
@@ -58,7 +58,7 @@ class HistoryDialog(ReusedDialog):
         self._none = ui.label(self, "snapshotNoMatch", tr("No snapshot matches the search."))
         self._none.hide()
         button = partial(ui.button, self, default=False)  # Enter has another use
-        tip = tr("One with a name is kept, however many follow it; a double click, too")
+        tip = tr("Name the snapshot (or double-click it): it is then never deleted automatically")
         self._name = button("nameSnapshotButton", tr("&Name…"), icon="edited", tip=tip)
         tip = tr("Save a copy as a settings file")
         self._save = button("saveSnapshotButton", tr("Save &as…"), icon="save", tip=tip)
@@ -116,7 +116,7 @@ class HistoryDialog(ReusedDialog):
         view.setEditTriggers(triggers.DoubleClicked | triggers.EditKeyPressed)
         header = view.horizontalHeader()
         header.setStretchLastSection(True)
-        header.setResizeContentsPrecision(50)  # rows to measure for a width
+        header.setResizeContentsPrecision(50)  # measured rows
         view.resizeColumnsToContents()
         keys, context = QKeySequence.StandardKey.Delete, Qt.ShortcutContext.WidgetShortcut
         QShortcut(keys, view, self._on_delete_clicked, context=context)
@@ -129,19 +129,18 @@ class HistoryDialog(ReusedDialog):
 
     @Slot()
     def refresh(self) -> None:
-        """Read the folder again."""
         self._table.refresh()
 
     # --- The list -----------------------------------------------------------------------
 
     @property
-    def _chosen(self) -> tuple[Snapshot, ...]:
-        """The selected snapshots, the newest first."""
+    def _selected(self) -> tuple[Snapshot, ...]:
+        """Selected snapshots, newest first."""
         rows = sorted(index.row() for index in self._view.selectionModel().selectedRows())
         return tuple(self._table.snapshots[row] for row in rows)
 
     def _select(self, path: Path | None, otherwise: int = 0) -> None:
-        """Select a snapshot, or if it is not listed the row `otherwise`."""
+        """Select a snapshot, or the row `otherwise` if it is not listed."""
         found = None if path is None else self._table.row_of(path)
         row = min(otherwise, self._table.rowCount() - 1) if found is None else found
         index, flags = self._table.index(row, 0), QItemSelectionModel.SelectionFlag
@@ -150,22 +149,22 @@ class HistoryDialog(ReusedDialog):
 
     @Slot()
     def _on_selection_changed(self) -> None:
-        if chosen := self._chosen:
-            self._place = self._table.snapshots.index(chosen[0]), chosen[0].path
+        if selected := self._selected:
+            self._place = self._table.snapshots.index(selected[0]), selected[0].path
         self._later.start()
 
     @Slot()
     def _on_listed(self) -> None:
         count = self._table.rowCount()
-        if count and not self._chosen:
+        if count and not self._selected:
             row, path = self._place
             self._select(path, row)
         self._none.setVisible(bool(self._table.listing) and count == 0)
         self._fit_columns()
-        self._renew()
+        self._refresh_selection()
 
     def _fit_columns(self) -> None:
-        """Fit the columns once, to the first listed snapshots."""
+        """Fit the columns to the first listed snapshots, only once."""
         if self._is_fitted or not self._table.snapshots:
             return
         self._is_fitted = True
@@ -174,8 +173,8 @@ class HistoryDialog(ReusedDialog):
         for section in SnapshotColumn:
             size = self._view.columnWidth(section) + 2 * character
             title = self._view.horizontalHeader().sectionSizeHint(section)
-            self._view.setColumnWidth(section, max(min(size, _WIDEST * character), title))
-        last = self._view.horizontalHeader().minimumSectionSize()  # it takes the remaining width
+            self._view.setColumnWidth(section, max(min(size, _MAX_COLUMN_WIDTH * character), title))
+        last = self._view.horizontalHeader().minimumSectionSize()  # the last column stretches
         self._view.setColumnWidth(SnapshotColumn.ADAPTER, last)
 
     # --- The selected snapshots ---------------------------------------------------------
@@ -196,29 +195,29 @@ class HistoryDialog(ReusedDialog):
             self.refresh()
 
     @Slot()
-    def _renew(self) -> None:
+    def _refresh_selection(self) -> None:
         self._later.stop()
-        chosen = self._chosen
+        selected = self._selected
         self._pages.setCurrentIndex(int(self._table.listing == ()))
-        if self.focusWidget() is self._pages.currentWidget():  # moved here from the hidden list
+        if self.focusWidget() is self._pages.currentWidget():  # the hidden list had the focus
             self._close.setFocus()
-        self._pane.show_chosen(chosen)
-        self._save.setEnabled(len(chosen) == 1 and not self._table.problem_of(chosen[0]))
-        self._name.setEnabled(len(chosen) == 1)
-        self._delete.setEnabled(bool(chosen))
+        self._pane.show_snapshots(selected)
+        self._save.setEnabled(len(selected) == 1 and not self._table.problem_of(selected[0]))
+        self._name.setEnabled(len(selected) == 1)
+        self._delete.setEnabled(bool(selected))
 
     @Slot()
     def _on_name_clicked(self) -> None:
-        row = self._table.row_of(self._chosen[0].path)
+        row = self._table.row_of(self._selected[0].path)
         if row is not None:
             self._view.edit(self._table.index(row, SnapshotColumn.NAME))
 
     @Slot()
     def _on_save_clicked(self) -> None:
-        chosen = self._chosen
-        if len(chosen) != 1:
+        selected = self._selected
+        if len(selected) != 1:
             return
-        source = chosen[0].path
+        source = selected[0].path
         path = file_questions.prompt_to_save(
             self, tr("Save a copy of the snapshot"), file_questions.last_folder() / source.name
         )
@@ -236,13 +235,13 @@ class HistoryDialog(ReusedDialog):
 
     @Slot()
     def _on_delete_clicked(self) -> None:
-        chosen = self._chosen
-        if not chosen:
+        selected = self._selected
+        if not selected:
             return
-        text = tr("Permanently delete %n snapshot(s), the newest of {0}?", "", len(chosen))
+        text = tr("Permanently delete %n snapshot(s), the newest of {0}?", "", len(selected))
         self._question.prompt(
-            text.format(self._table.time_text(chosen[0])),
-            Answer("historyQuestionYes", title_of(tr("&Delete…")), lambda: self._remove(chosen)),
+            text.format(self._table.time_text(selected[0])),
+            Answer("historyQuestionYes", title_of(tr("&Delete…")), lambda: self._remove(selected)),
         )
 
     def _remove(self, snapshots: tuple[Snapshot, ...]) -> None:

@@ -1,4 +1,4 @@
-"""Line settings of this computer: baud rate, error detection, stop bits, addressing."""
+"""Dialog for the line settings of this computer."""
 
 from dataclasses import replace
 
@@ -20,7 +20,7 @@ _NUMBERS = r"((\d|[1-9]\d|1[01]\d|12[0-7])(, *|$))*"  # 0 to 127
 
 
 class LineSettingsDialog(ReusedDialog):
-    chosen = Signal(object)  # the new `ConnectionSettings`
+    chosen = Signal(object)  # new `ConnectionSettings`
 
     def __init__(self, settings: ConnectionSettings, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -42,8 +42,8 @@ class LineSettingsDialog(ReusedDialog):
         self._number = ui.spin_box(self, "deviceNumberField", "", 0, 127)
         tip = tr(
             "Numbers of other devices on this line, such as 0,1 (older Pololu motor and servo "
-            "controllers). With one, every packet is addressed, to none of these numbers, and no "
-            "other baud rate is tried."
+            "controllers). If there are any, every packet is addressed, none to these numbers, and "
+            "no other baud rate is tried."
         )
         self._reserved = ui.named(QLineEdit(self), "reservedField", tip=tip)
         self._reserved.setValidator(QRegularExpressionValidator(_NUMBERS, self))
@@ -75,7 +75,7 @@ class LineSettingsDialog(ReusedDialog):
 
     @Slot(object)
     def show_settings(self, settings: ConnectionSettings) -> None:
-        """Show these settings and discard edits."""
+        """Show the settings and discard edits."""
         self._settings = settings
         self._line.set_settings(settings.line)
         self._polynomial.setValue(settings.polynomial)

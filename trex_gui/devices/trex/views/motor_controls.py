@@ -1,4 +1,4 @@
-"""*Stop* and *Arm motors*: the row below every page, and the dialog before arming."""
+"""Stop and arm buttons, their bar, and the dialog before arming."""
 
 from collections.abc import Iterable
 
@@ -25,7 +25,7 @@ _ARROWS = {Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Up, Qt.Key.Key_Down}
 
 
 def arm(device: Device, window: QWidget) -> None:
-    """Arm the motors. On a real board without a serial timeout that should stop them, ask first."""
+    """Arm the motors. Prompts first if a real board needs a serial timeout."""
     motors, warning = device.motors, timeout_warning(device)
     if device.board.other_driver:
         motors.arm()  # only requests to drive
@@ -40,18 +40,18 @@ def arm(device: Device, window: QWidget) -> None:
 
 
 class ArmDialog(QDialog):
-    """Arms the motors after writing a serial timeout, or without a timeout, now and later."""
+    """Arms the motors, with or without writing a serial timeout first."""
 
     def __init__(self, device: Device, text: str, seconds: float, parent: QWidget) -> None:
-        """Propose a timeout in `seconds`. `text` describes the problem of the present timeout."""
+        """Propose a timeout of `seconds`. `text` is the warning."""
         super().__init__(parent)
         self.setObjectName("armDialog")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(tr("Arm the motors"))
         self._device, self._seconds = device, seconds
         remark = tr(
-            "Arming without one is remembered for this board. Cut the power by hand then if the "
-            "cable falls out."
+            "Arming without a timeout is remembered for this board. If the cable falls out, cut "
+            "the power by hand."
         )
         self._note = ui.named(Note(1, self), "armNote")
         write = tr("&Write {0:g} s and arm").format(Number(seconds))
@@ -102,13 +102,13 @@ class ArmDialog(QDialog):
 
 
 class TimeoutNotice(QWidget):
-    """Says what the motors do if the cable fails, and can write a better serial timeout."""
+    """Warns about a broken cable, and proposes a serial timeout."""
 
     def __init__(self, device: Device, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("timeoutNotice")
         self._device = device
-        self._seconds: float | None = None  # a better timeout
+        self._seconds: float | None = None  # proposed timeout
         self._text = ui.named(Note(3, self), "timeoutLabel")
         self._button = ui.button(self, "timeoutButton", on_click=self._on_clicked)
         reserve_space(self._button)
@@ -129,7 +129,7 @@ class TimeoutNotice(QWidget):
         self._button.setVisible(can_write)
         text = self._device.board.silence_remedy if warning is None else warning.text
         self._text.show_note(text, alarming=warning is not None)
-        number = f"{Number(seconds or 0):g}"  # without a proposal the button is hidden
+        number = f"{Number(seconds or 0):g}"  # 0 on a hidden button
         self._button.setText(tr("Write &{0} s").format(number))
         tip = tr(
             "Writes Serial Timeout and UART-Error Shutdown now: the board should stop its "
@@ -144,7 +144,7 @@ class TimeoutNotice(QWidget):
 
 
 class LostPanel(QFrame):
-    """Covers parts of a page while no stop can reach motors that may be turning."""
+    """Covers part of a page while motors may be turning out of reach."""
 
     def __init__(self, device: Device, name: str, parent: QWidget) -> None:
         super().__init__(parent)
@@ -162,7 +162,7 @@ class LostPanel(QFrame):
         self.hide()
 
     def show_loss(self, text: str) -> bool:
-        """Show a text while motors are lost. Return whether motors are lost."""
+        """Show a text while motors are out of reach. Return whether they are."""
         device = self._device
         is_lost = device.may_stop_matter and not device.is_connected
         if is_lost:
@@ -179,7 +179,7 @@ class LostPanel(QFrame):
 
 
 class StopButton(RedButton):
-    """Stop button with the same text, colour and effect everywhere. Esc also stops."""
+    """Stop button of all windows. Esc also stops."""
 
     def __init__(self, device: Device, name: str, parent: QWidget | None = None) -> None:
         super().__init__(name, title_of(tr("&Stop motors")), device.press_stop, parent)
@@ -189,7 +189,7 @@ class StopButton(RedButton):
         self._on_link_changed()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Keep the focus on arrow keys. Qt would move it, and the next keys may drive a motor."""
+        """Ignore arrow keys. Qt would move the focus, and the next key may drive a motor."""
         if event.key() not in _ARROWS:
             super().keyPressEvent(event)
 
@@ -208,7 +208,7 @@ def focus_stop(widget: QWidget) -> None:
 
 
 class MotorBar(ActionBar):
-    """Bar with the stop button. It is amber and says so while motors are armed."""
+    """Bar with the stop button. It is amber while motors are armed."""
 
     def __init__(self, device: Device, stop_name: str, parent: QWidget) -> None:
         super().__init__(StopButton(device, stop_name), parent)
@@ -224,7 +224,7 @@ class MotorBar(ActionBar):
 
 
 class ArmButton(ConfirmButton):
-    """Arms the motors, or stops and disarms armed motors, without the lock of Stop."""
+    """Arms the motors, or disarms them without the lockout of Stop."""
 
     def __init__(self, device: Device, name: str, parent: QWidget) -> None:
         super().__init__("", parent)
@@ -240,13 +240,13 @@ class ArmButton(ConfirmButton):
         if self._motors.armed:
             self._motors.stop()
             focus_stop(self)
-        elif self.takes_clicks:  # not the second press of a key that disarmed
+        elif self.takes_clicks:  # false right after disarming
             arm(self._device, self.window())
 
     @Slot()
     def _on_changed(self) -> None:
         armed = self._motors.armed
-        if armed and self.window().focusWidget() is self:  # also behind a dialog
+        if armed and self.window().focusWidget() is self:  # even behind a dialog
             focus_stop(self)
         text = tr("Disa&rm") if armed else tr("A&rm motors")
         if text != self.text():
@@ -261,7 +261,7 @@ class ArmButton(ConfirmButton):
         self.setEnabled(armed or self._motors.can_arm)
 
 
-_MANY = 88  # changes, for the longest text
+_MANY_CHANGES = 88  # for the longest text
 
 
 def apply_text(pending: int) -> str:
@@ -269,11 +269,11 @@ def apply_text(pending: int) -> str:
 
 
 class ControlBar(MotorBar):
-    """Stop, *Arm motors*, the state of the motors, and the changes to review."""
+    """Bar below the pages: stop, arm, motor state, and pending changes."""
 
     apply_requested = Signal()
 
-    _is_said_above = True  # the first page is the board page
+    _page_shows_state = True  # the first page is the board page
 
     def __init__(self, device: Device, recording: QWidget, parent: QWidget) -> None:
         super().__init__(device, "stopButton", parent)
@@ -284,9 +284,10 @@ class ControlBar(MotorBar):
         self._state.setAlignment(Qt.AlignmentFlag.AlignVCenter)
         reserve_space(self._state)
         tip = tr("Write the changed parameters into the board (Ctrl+Enter)")
-        self._apply = ui.button(self, "applyButton", apply_text(_MANY), tip=tip, default=False)
+        text = apply_text(_MANY_CHANGES)
+        self._apply = ui.button(self, "applyButton", text, tip=tip, default=False)
         ui.set_large(stop, run, self._apply)
-        self._apply.setMinimumWidth(self._apply.sizeHint().width())  # fixed when the text changes
+        self._apply.setMinimumWidth(self._apply.sizeHint().width())
 
         self.fill(run, self.armed, (self._state, 1), recording, self._apply)
 
@@ -297,7 +298,7 @@ class ControlBar(MotorBar):
             device.notifier.shown_changed,
             device.draft.pending_changed,
             device.errors_changed,
-            device.telemetry.text_due,  # a fault is over some time later
+            device.telemetry.text_due,  # for the end of a fault
             motors.arming_changed,
             motors.setpoints_changed,
         ):
@@ -306,8 +307,8 @@ class ControlBar(MotorBar):
 
     @Slot(str)
     def set_page(self, key: str) -> None:
-        """Hide the state if the head of this page shows it."""
-        self._is_said_above = key in {"board", "motors"}
+        """Hide the state if the head of the page shows it."""
+        self._page_shows_state = key in {"board", "motors"}
         self._on_changed()
 
     @Slot()
@@ -316,35 +317,35 @@ class ControlBar(MotorBar):
         statuses = drive_statuses(drive_inputs(self._device))
         fault = fault_text(statuses)
         may_matter = self._device.may_stop_matter
-        alarming = bool(fault) or motors.armed or may_matter or self._is_beyond_reach
+        alarming = bool(fault) or motors.armed or may_matter or self._has_no_effect
         self._state.show_note(
             " ".join(filter(None, (fault, self._state_text(statuses)))),
             alarming=alarming,
             color="danger" if self._is_out_of_reach else "warning",
         )
-        # The heads describe the board on the line, not a board that was lost before.
-        is_said = self._is_said_above and not self._device.driving.lost_board
-        is_said = is_said or self._state.text() in self._device.notifier.shown
-        self._state.setVisible(motors.armed or self._is_beyond_reach or not is_said)
+        # The page describes the connected board, not the board that was lost before.
+        is_shown = self._page_shows_state and not self._device.driving.lost_board
+        is_shown = is_shown or self._state.text() in self._device.notifier.shown
+        self._state.setVisible(motors.armed or self._has_no_effect or not is_shown)
         self._apply.setText(apply_text(pending))
         set_look(self._apply, "primary" if pending else "")
         self._apply.setEnabled(pending > 0 and self._device.writer.can_apply)
 
     @property
     def _is_out_of_reach(self) -> bool:
-        """True if motors may be turning and no stop can be sent to them."""
+        """True if motors may be turning and cannot be stopped."""
         reached = {ConnectionState.CONNECTED, ConnectionState.DISCONNECTING}
         return self._device.may_stop_matter and self._device.link not in reached
 
     @property
-    def _is_beyond_reach(self) -> bool:
+    def _has_no_effect(self) -> bool:
         """True if the user pressed Stop while channels control the motors."""
         motors = self._device.motors
         is_locked_out = not motors.is_available and not self._device.driving.reaches_several
         return self._device.is_connected and is_locked_out and motors.locked_for > 0
 
     def _state_text(self, statuses: Iterable[DriveStatus]) -> str:
-        """Return the driving state, or the first reason why nothing is sent, without faults."""
+        """Return the driving state, or the first blocker other than a fault."""
         device, motors = self._device, self._device.motors
         if motors.armed:
             return motors.text
@@ -352,6 +353,7 @@ class ControlBar(MotorBar):
             return device.loss_text
         if device.driving.lost_board:
             return device.driving.lost_board
-        if self._is_beyond_reach:
+        if self._has_no_effect:
             return tr("Channels control the motors: Stop does not affect them.")
-        return next((one.text for one in statuses if one.blocker is not DriveBlocker.FAULT), "")
+        blockers = (each for each in statuses if each.blocker is not DriveBlocker.FAULT)
+        return next((blocker.text for blocker in blockers), "")

@@ -1,4 +1,4 @@
-"""A field for the note on a setting."""
+"""Field for the note on a setting."""
 
 from PySide6.QtCore import QSignalBlocker, Qt, Slot
 from PySide6.QtGui import QFocusEvent
@@ -12,47 +12,46 @@ from trex_gui.ui.widgets.builders import named
 
 
 class NoteField(QPlainTextEdit):
-    """Shows and edits the note on one setting. Text typed in one go is one undo step."""
+    """Edits the note on a setting. Uninterrupted typing is one undo step."""
 
     def __init__(
         self, notes: Notes, name: str, parent: QWidget | None = None, *, lines: int = 3
     ) -> None:
-        """Create a field that is `lines` high. `name` is its object name."""
         super().__init__(parent)
         self._notes = notes
         self._lines = lines
         self._key = self._name = ""
-        self._run = object()
+        self._undo_step = object()
         named(self, name, accessible=tr("Note"))
         self.setTabChangesFocus(True)
-        use = tr("Why this value? Kept on this computer and in files.")
+        hint = tr("Why this value? Kept on this computer and in files.")
         if lines > 1:
-            self.setPlaceholderText(use)
+            self.setPlaceholderText(hint)
         else:
             self.setPlaceholderText(tr("Note"))
-            self.setToolTip(use)
+            self.setToolTip(hint)
             self.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
             self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
             self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         follow_theme(self, "height", self._fit)
         self.textChanged.connect(self._on_typed)
-        notes.changed.connect(self._renew)
-        self._renew()
+        notes.changed.connect(self._refresh)
+        self._refresh()
 
     def _fit(self) -> None:
         frame = 2 * (self.frameWidth() + round(self.document().documentMargin()))
         self.setFixedHeight(self._lines * self.fontMetrics().lineSpacing() + frame)
 
     def show_note_on(self, key: str, name: str) -> None:
-        """Show the note on a setting. An empty key shows no note. `name`: for the user."""
+        """Show the note on a setting. An empty key disables the field."""
         if key != self._key:
-            self._run = object()
+            self._undo_step = object()
         self._key, self._name = key, name
         self.setAccessibleName(tr("Note on {0}").format(name) if key else tr("Note"))
-        self._renew()
+        self._refresh()
 
     @Slot()
-    def _renew(self) -> None:
+    def _refresh(self) -> None:
         self.setEnabled(bool(self._key) and self._notes.are_known)
         note = self._notes.of(self._key)
         if clean_note(self.toPlainText()) != note:
@@ -61,9 +60,9 @@ class NoteField(QPlainTextEdit):
 
     @Slot()
     def _on_typed(self) -> None:
-        self._notes.edit(self._key, self.toPlainText(), name=self._name, run=self._run)
-        self._renew()  # truncates a note that is too long
+        self._notes.edit(self._key, self.toPlainText(), name=self._name, run=self._undo_step)
+        self._refresh()  # truncates a long note
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
-        self._run = object()
+        self._undo_step = object()

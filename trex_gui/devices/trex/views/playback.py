@@ -1,4 +1,4 @@
-"""Window of a recording of a board."""
+"""Playback window for a recording of a board."""
 
 from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QFormLayout, QLabel, QWidget
@@ -18,7 +18,7 @@ from trex_gui.ui.plotting.figures import TraceColumn, TraceTable, TraceTableView
 from trex_gui.ui.widgets import builders
 from trex_gui.ui.widgets.bar import NO_VALUE
 
-_WIDEST = "0000.0 µs (0000), remapped −000 "
+_WIDEST_VALUE = "0000.0 µs (0000), remapped −000 "
 
 
 class PlaybackWindow(RecordingWindow):
@@ -27,8 +27,8 @@ class PlaybackWindow(RecordingWindow):
         self.playback = playback
         self._table = TraceTable(self.plot, self)
         table = TraceTableView(self._table, self)
-        table.setColumnHidden(TraceColumn.NOW, True)  # there is no newest value
-        # A long table scrolls, as the plot needs the space.
+        table.setColumnHidden(TraceColumn.NOW, True)
+        # A long table scrolls, since the plot needs the space.
         table.setMaximumHeight(max(table.minimumHeight(), 8 * self.fontMetrics().height()))
 
         bar, values = MotorBar(device, "playbackStopButton", self), ValuesPanel(playback, self)
@@ -48,7 +48,7 @@ class PlaybackWindow(RecordingWindow):
 
 
 class ValuesPanel(QWidget):
-    """Shows the values at the position, and a dash for unknown values."""
+    """Values at the playback position. Unknown values are dashes."""
 
     def __init__(self, playback: Playback, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -65,7 +65,7 @@ class ValuesPanel(QWidget):
             *((f"channel{number}", tr("Channel {0}").format(number)) for number in CHANNELS),
         ):
             value = builders.label(self, f"{key}AtPosition")
-            value.setMinimumWidth(self.fontMetrics().horizontalAdvance(_WIDEST))
+            value.setMinimumWidth(self.fontMetrics().horizontalAdvance(_WIDEST_VALUE))
             form.addRow(title, value)
             self._values[key] = title, value
         builders.column(self._control, form, into=self, margins=0)

@@ -1,4 +1,4 @@
-"""Steps of a power cycle, as a panel of the review and as a separate dialog."""
+"""Steps of a power cycle, as a panel and as a dialog."""
 
 from collections.abc import Sequence
 
@@ -18,7 +18,7 @@ from trex_gui.ui.widgets.step_strip import StepStrip
 
 _STEPS_DONE = {Stage.ON_WANTED: 1, Stage.BACK: 3}
 
-_RESULTS = {  # by stage, and whether the stage takes long
+_RESULTS = {  # (stage, takes long) → text
     (Stage.OFF_WANTED, False): tr_noop(
         "Switch the board off for at least one second. Waiting for the board to stop responding …"
     ),
@@ -44,7 +44,7 @@ _RESULTS = {  # by stage, and whether the stage takes long
 
 
 class PowerCyclePage(Page):
-    """Shows the next step, the detected state and the settings that are active afterwards."""
+    """Next step, detected state, and settings that are not active yet."""
 
     def __init__(self, cycle: PowerCycle) -> None:
         super().__init__("powerCyclePage")
@@ -80,7 +80,7 @@ class PowerCyclePage(Page):
         return tr("The board has to be switched off and on.")
 
     def _result_text(self) -> tuple[str, bool]:
-        """Return the detected state, and whether it is alarming."""
+        """Return the text, and whether it is alarming."""
         cycle, waiting = self._cycle, ", ".join(self._cycle.still_waiting)
         stage, takes_long = cycle.stage, cycle.takes_long
         if stage is Stage.BACK and waiting:
@@ -94,7 +94,7 @@ class PowerCyclePage(Page):
 
 
 def _steps(cycle: PowerCycle) -> tuple[Sequence[str], int]:
-    """Return the titles of the steps, and the number of completed steps."""
+    """Return the step titles and the number of completed steps."""
     titles = tr("Switch off"), tr("Switch on"), tr("Read again")
     return titles, _STEPS_DONE.get(cycle.stage, 0)
 
@@ -127,12 +127,12 @@ class PowerCycleFlow(Flow):
         title = tr("Switch the board off and on")
         return Shown(title, *_steps(self._cycle), self._page, closes=True)
 
-    def leave(self, *, closed: bool) -> None:
+    def on_hidden(self, *, closed: bool) -> None:
         if closed:
             self._cycle.end()
 
     def guide(self) -> None:
-        """Start a power cycle and show its steps, if a board is connected."""
+        """Show the steps of a power cycle if a board is connected."""
         if self._device.is_connected:  # not while the window closes
             self._cycle.start()
             self.show_in_front()

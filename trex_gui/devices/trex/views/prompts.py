@@ -1,4 +1,4 @@
-"""Questions about unapplied edits, settings that a board lost, and who drives a board."""
+"""Prompts about unapplied edits, lost settings, and the driver of a board."""
 
 from collections.abc import Callable
 from functools import partial
@@ -21,7 +21,7 @@ from trex_gui.ui.widgets.messages import InlinePrompt
 
 
 class ClosePrompt(QObject):
-    """Asks whether to apply, save, keep or discard edits before the window closes."""
+    """Prompts about unapplied edits before the window closes."""
 
     def __init__(
         self, device: Device, files: SettingsFiles, review: Callable[[], object], frame: MainWindow
@@ -31,31 +31,31 @@ class ClosePrompt(QObject):
         self._files = files
         self._review = review
         self._frame = frame
-        self._agreed: Settings | None = None  # edited settings that the user agreed to leave
-        self.keeps_edits = True  # whether edits are offered when the board is connected again
-        device.draft.pending_changed.connect(self._keep_edits)
+        self._agreed: Settings | None = None  # settings at the user's answer, edits included
+        self.keeps_edits = True  # for the next connection of the board
+        device.draft.pending_changed.connect(self._on_pending_changed)
 
     def may_close(self, leave: Callable[[], object]) -> bool:
-        """Return whether the window may close now. `leave` closes it once the user agrees."""
+        """Return whether the window may close now. `leave` closes it after an answer."""
         device, draft, question = self._device, self._device.draft, self._frame.question
         agreed, self._agreed = self._agreed, None
         may_leave = agreed is not None and agreed == draft.shown
         if may_leave or not (device.writer.running or draft.pending):
-            leave_now = partial(self._leave, leave, draft.shown if may_leave else None)
+            leave_now = partial(self._close, leave, draft.shown if may_leave else None)
             return self._files.may_close(leave_now)
 
-        def set_exit_code(agreed: Settings | None, *, keep_edits: bool) -> None:
+        def close(agreed: Settings | None, *, keep_edits: bool) -> None:
             self.keeps_edits = keep_edits
-            self._leave(leave, agreed)
+            self._close(leave, agreed)
 
-        def keep() -> None:
-            set_exit_code(draft.shown, keep_edits=True)
+        def close_with_edits() -> None:
+            close(draft.shown, keep_edits=True)
 
         def discard() -> None:
-            set_exit_code(draft.shown, keep_edits=False)
+            close(draft.shown, keep_edits=False)
 
-        def save_and_leave() -> None:
-            self._files.shown.prompt_and_save(partial(set_exit_code, draft.shown, keep_edits=False))
+        def save_and_close() -> None:
+            self._files.shown.prompt_and_save(partial(close, draft.shown, keep_edits=False))
 
         self._frame.activateWindow()
         if device.writer.running:
@@ -63,40 +63,40 @@ class ClosePrompt(QObject):
                 "Settings are still being written. Close anyway? Unwritten settings are "
                 "offered when the board is connected again."
             )
-            answer = Answer("closeYes", tr("Close anyway"), keep)
+            answer = Answer("closeYes", tr("Close anyway"), close_with_edits)
             question.prompt(text, answer, still=lambda: device.writer.running)
         else:
             apply = Answer("applyFirst", tr("Review and apply…"), self._review)
             question.prompt(
                 tr("There are unapplied changes."),
                 *([apply] if device.writer.can_apply else []),
-                Answer("saveAndClose", tr("Save as a settings file…"), save_and_leave),
-                Answer("keepAndClose", tr("Keep and close"), keep),
+                Answer("saveAndClose", tr("Save as a settings file…"), save_and_close),
+                Answer("keepAndClose", tr("Keep and close"), close_with_edits),
                 Answer("closeYes", tr("Discard and close"), discard),
                 still=lambda: draft.pending > 0 and not device.writer.running,
             )
         return False
 
     @Slot()
-    def _keep_edits(self) -> None:
-        """Keep edits that the user makes after an answer if the window stayed open."""
+    def _on_pending_changed(self) -> None:
+        """Save new edits if the window stayed open after an answer."""
         self.keeps_edits = True
 
-    def _leave(self, leave: Callable[[], object], agreed: Settings | None) -> None:
-        """Leave without a question about the edits, unless they have changed meanwhile."""
+    def _close(self, leave: Callable[[], object], agreed: Settings | None) -> None:
+        """Close the window. Prompts again only if the edits differ from `agreed`."""
         self._agreed = agreed
         leave()
 
 
 class RestorePrompt(QObject):
-    """Offers edits of an earlier run, and shows settings that a board lost, at each connection."""
+    """Offers earlier edits and reports lost settings at each connection."""
 
     def __init__(self, device: Device, files: SettingsFiles, question: InlinePrompt) -> None:
         super().__init__(files)
         self._device = device
         self._files = files
         self._question = question
-        self._offered_losses: set[ComparisonRow] = set()  # lost settings
+        self._reported: set[ComparisonRow] = set()  # lost settings
         device.edit_backup.offered.connect(self._on_edits_offered)
         device.kept.changed.connect(self._on_memory_changed)
 
@@ -126,18 +126,18 @@ class RestorePrompt(QObject):
 
     @Slot()
     def _on_memory_changed(self) -> None:
-        """Ask about new differences from the last applied settings, once per connection."""
+        """Report new differences from the last applied settings, once per connection."""
         memory = self._device.board.memory
         differing, record = memory.differing, memory.expected
         self._question.reconsider()
-        news = set(differing.rows) - self._offered_losses
+        new = set(differing.rows) - self._reported
         if not differing.rows or record is None or record.applied is None:
-            self._offered_losses = set()
-        elif news and not self._question.text:
-            self._offered_losses = set(differing.rows)
+            self._reported = set()
+        elif new and not self._question.text:
+            self._reported = set(differing.rows)
             text = tr(
-                "%n setting(s) of this {0} differ from what was applied last ({1}): lost, changed "
-                "by something else, or this is another board.",
+                "%n setting(s) of this {0} differ from the values applied last ({1}): lost, "
+                "changed by another program, or this is another board.",
                 "",
                 len(differing.rows),
             )
@@ -162,7 +162,7 @@ class LeasePrompt(QObject):
         super().__init__(parent)
         self._device, self._question = device, question
         self._offered: tuple[str, ...] = ()  # waiting users at the last prompt
-        self._waits = False  # this program has asked to drive
+        self._is_waiting = False  # requested to drive
         device.lease_changed.connect(self._on_lease_changed)
         device.connection.motors_stopped.connect(self._on_motors_stopped)
         device.connection.line_closed.connect(self._on_line_closed)
@@ -172,8 +172,8 @@ class LeasePrompt(QObject):
         lease = self._device.board.lease
         if lease is None:
             return
-        if lease.is_mine and self._waits:
-            self._waits = False
+        if lease.is_mine and self._is_waiting:
+            self._is_waiting = False
             self._device.notifier.info.emit(tr("You may drive now: arm the motors."))
         if not lease.is_mine:
             self._offered = ()
@@ -197,7 +197,7 @@ class LeasePrompt(QObject):
         """Offer an owner to take over if arming failed because another user drives."""
         if report.reason is not ErrorCode.OTHER_DRIVES:
             return
-        self._waits = True
+        self._is_waiting = True
         lease = self._device.board.lease
         if lease is None or not lease.may_take or lease.is_mine:
             return
@@ -212,5 +212,5 @@ class LeasePrompt(QObject):
 
     @Slot()
     def _on_line_closed(self) -> None:
-        self._offered, self._waits = (), False
+        self._offered, self._is_waiting = (), False
         self._question.reconsider()

@@ -34,10 +34,10 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.labels import Muted, Note
 
-_WIDEST = 480  # pixels of the buttons that turn a motor
+_MAX_WIDTH = 480  # pixels, of the motor buttons
 
 _CERTAINTY = {
-    NEW: tr_noop("A new board: its device number is in no line of the record."),
+    NEW: tr_noop("A new board: its device number is not in the record."),
     KNOWN: tr_noop("Known: its device number and its calibrations are in the record."),
     NUMBER_ONLY: tr_noop(
         "Probably known: its device number is in the record, with other calibrations."
@@ -47,8 +47,6 @@ _RESULTS = {"ok": tr_noop("written and verified"), "skipped": tr_noop("skipped")
 
 
 class ProfilePage(Page):
-    """Page for the profile, the record and the names of the boards."""
-
     def __init__(self, start: Callable[[], object]) -> None:
         super().__init__("provisionProfilePage", tr("What every board gets"))
         grid = ui.grid(self, margins=0, spacing=(8, 12), stretch=[(1, 1)])
@@ -73,17 +71,17 @@ class ProfilePage(Page):
             path.textChanged.connect(self._on_edited)
         about = tr(
             "The profile is a settings file. Each board gets its settings, a device number that no "
-            "other one has, and a line in the record: a CSV file, which is continued if it exists."
+            "other board has, and a line in the record: a CSV file, extended if it exists."
         )
         serial = tr(
-            "Boards have no serial number. One whose device number is in the record keeps it."
+            "Boards have no serial number. A board whose device number is in the record keeps it."
         )
-        self.trouble = ui.named(Note(0, self.side), "provisionTrouble")
+        self.problem = ui.named(Note(0, self.side), "provisionTrouble")
         texts = Muted(about, self.side), Muted(serial, self.side)
-        ui.column(*texts, self.trouble, 1, into=self.side, margins=0)
+        ui.column(*texts, self.problem, 1, into=self.side, margins=0)
 
     def _add_path(
-        self, grid: QGridLayout, name: str, title: str, choose: Callable[[], object]
+        self, grid: QGridLayout, name: str, title: str, on_click: Callable[[], object]
     ) -> QLineEdit:
         field, row = ui.named(QLineEdit(self), name), grid.rowCount()
         text = tr("Select…")
@@ -94,7 +92,7 @@ class ProfilePage(Page):
             icon="folder",
             accessible=f"{text} {title.replace('&', '')}",
             default=False,
-            on_click=choose,
+            on_click=on_click,
         )
         for column, widget in enumerate((ui.label(self, text=title, buddy=field), field, button)):
             grid.addWidget(widget, row, column)
@@ -111,15 +109,15 @@ class ProfilePage(Page):
     def _select_record(self) -> None:
         proposal = Path(self.record.text() or file_questions.last_folder() / "provisioned.csv")
         kinds = tr("CSV files (*.csv);;All files (*)")
-        goes_on = QFileDialog.Option.DontConfirmOverwrite
+        option = QFileDialog.Option.DontConfirmOverwrite
         title = tr("Record of the boards")
-        path, _ = QFileDialog.getSaveFileName(self, title, str(proposal), kinds, options=goes_on)
+        path, _ = QFileDialog.getSaveFileName(self, title, str(proposal), kinds, options=option)
         if path:
             self.record.setText(path)
 
     @Slot()
     def _on_edited(self) -> None:
-        self.trouble.show_note("")
+        self.problem.show_note("")
 
 
 class BoardStep(Page):
@@ -182,7 +180,7 @@ class MotorsStep(Page):
         super().__init__("provisionMotorsPage", tr("Hold each button: does its motor turn?"))
         self._controls = PulseControls("provision", device, work.pulses, self)
         self._controls.hold_started.connect(work.pulses.start)
-        self._controls.setMaximumWidth(_WIDEST)
+        self._controls.setMaximumWidth(_MAX_WIDTH)
         ui.column(self._controls, 1, into=self, margins=0)
 
     def refresh(self) -> None:
@@ -206,7 +204,7 @@ class ProvisionFlow(Flow):
         for field in (self._first.profile, self._first.record):
             field.textChanged.connect(self.changed)
 
-    def leave(self, *, closed: bool) -> None:
+    def on_hidden(self, *, closed: bool) -> None:
         if closed:
             self.work.stop()
         elif self.work.step is ProvisionStep.MOTORS:
@@ -250,7 +248,7 @@ class ProvisionFlow(Flow):
 
     def _on_not_read(self, error: StudioError) -> None:
         self._is_loading = False
-        self._first.trouble.show_note(error_sentence(error), alarming=True)
+        self._first.problem.show_note(error_sentence(error), alarming=True)
         self.changed.emit()
 
     def shown(self) -> Shown:

@@ -1,4 +1,4 @@
-"""Buttons that turn one motor in weak pulses while they are held."""
+"""Buttons that turn a motor in weak pulses while they are held."""
 
 from collections.abc import Mapping
 from functools import partial
@@ -22,10 +22,10 @@ from trex_gui.ui.widgets.labels import Note
 class PulseControls(QWidget):
     """Check box for free wheels, arm button, and a hold button for each motor.
 
-    `below`: widgets below the hold buttons, by motor. The owner starts the pulses.
+    `below`: motor → widget below its hold button. The owner starts the pulses.
     """
 
-    hold_started = Signal(int)  # number of the motor
+    hold_started = Signal(int)  # motor number
 
     def __init__(
         self,
@@ -39,7 +39,7 @@ class PulseControls(QWidget):
         self._device, self._pulses = device, pulses
         text = tr("The wheels are &off the ground")
         self._free = ui.check_box(self, f"{name}WheelsFree", text, on_click=pulses.confirm_wheels)
-        self._run_place = QWidget(self)  # disabled in place of the button, which enables itself
+        self._run_place = QWidget(self)  # disables the button, which enables itself
         run = ArmButton(device, f"{name}RunButton", self._run_place)
         run.setAutoDefault(False)
         self._run_place.setEnabled(False)

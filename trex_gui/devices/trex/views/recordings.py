@@ -1,4 +1,4 @@
-"""Recordings by the user, and automatic recordings around faults and stops."""
+"""Manual recordings, and automatic recordings around faults and stops."""
 
 from functools import partial
 from pathlib import Path
@@ -37,8 +37,8 @@ class Recordings(RecordingManager["PlaybackWindow"]):
         self._device = device
         self.events = EventRecorder(device, recorder, self)
         self.starts_with_run = Preferences().flag(_WITH_RUN, default=False)
-        self.events.ended.connect(self._on_event_kept)
-        self.events.failed.connect(self._on_event_lost)
+        self.events.ended.connect(self._on_event_saved)
+        self.events.failed.connect(self._on_event_failed)
         device.motors.arming_changed.connect(self._on_arming_changed)
 
     def create_window(self, recording: Recording[Header, Record]) -> "PlaybackWindow":
@@ -49,11 +49,11 @@ class Recordings(RecordingManager["PlaybackWindow"]):
         return PlaybackWindow(Playback(recording), self._device)
 
     def entries(self) -> Entries:
-        choose, with_run = self.select_and_open, tr("Start recording &when the motors are armed")
+        select, with_run = self.select_and_open, tr("Start recording &when the motors are armed")
         keep_events = tr("&Keep 30 s around each fault and stop")
         return (
             Entry("record", tr("&Record…"), self.toggle, "Ctrl+Shift+R", "record"),
-            Entry("open_recording", tr("Open recor&ding…"), choose, "Ctrl+Shift+O", "plot"),
+            Entry("open_recording", tr("Open recor&ding…"), select, "Ctrl+Shift+O", "plot"),
             Entry("open_kept", tr("Open fa&ult or stop…"), self._select_and_open_kept),
             Entry("record_with_run", with_run, self._toggle_starts_with_run, checkable=True),
             Entry("keep_events", keep_events, self._toggle_keeps_events, checkable=True),
@@ -82,12 +82,12 @@ class Recordings(RecordingManager["PlaybackWindow"]):
             self.record(self.proposal())
 
     @Slot(object)
-    def _on_event_kept(self, path: Path) -> None:
+    def _on_event_saved(self, path: Path) -> None:
         text = tr("The seconds around “{0}” were kept. File, Open fault or stop: {1}")
         self._notifier.logged.emit(text.format(self.events.cause, path.name), False)
 
     @Slot(str)
-    def _on_event_lost(self, reason: str) -> None:
+    def _on_event_failed(self, reason: str) -> None:
         text = tr("The seconds around “{0}” could not be kept. {1}")
         self._notifier.logged.emit(text.format(self.events.cause, reason), True)
 

@@ -1,4 +1,4 @@
-"""Drawing of the robot from above: a chassis between two wheels, which can be clicked."""
+"""Drawing of the robot from above, with clickable wheels."""
 
 from functools import partial
 
@@ -13,11 +13,11 @@ from trex_gui.ui.widgets.builders import named
 from trex_gui.ui.widgets.circuit import paint_chassis, write
 from trex_gui.ui.widgets.painted import Animation, Painted, Painter, never_mirror
 
-_TREADS, _TREADS_A_SECOND = 7, 6.0  # on a wheel; at full speed, as no speed is measured
-_SIZE = 392.0, 300.0  # size of the drawing, in the unit of the rectangles
+_TREADS, _TREADS_PER_SECOND = 7, 6.0  # of a wheel; at full speed, assumed
+_SIZE = 392.0, 300.0  # of the drawing, in the units of its rectangles
 _WHEEL, _CHASSIS = QRectF(0, 30, 60, 240), QRectF(86, 0, 220, 300)
-_PARTS = {True: QRectF(7, 50, 46, 86), False: QRectF(7, 164, 46, 86)}  # of the left wheel
-MOVEMENTS = {  # in tab order: across
+_LEFT_PARTS = {True: QRectF(7, 50, 46, 86), False: QRectF(7, 164, 46, 86)}  # key: forward
+MOVEMENTS = {  # in Tab order
     Movement.LEFT_FORWARD: tr_noop("Left wheel, forward"),
     Movement.RIGHT_FORWARD: tr_noop("Right wheel, forward"),
     Movement.LEFT_BACKWARD: tr_noop("Left wheel, backward"),
@@ -27,7 +27,7 @@ MOVEMENTS = {  # in tab order: across
 
 
 class WheelPart(QPushButton):
-    """Half of a wheel with an arrow. Filled while it is checked."""
+    """Half of a wheel with an arrow, filled while checked."""
 
     def __init__(self, movement: Movement, parent: QWidget) -> None:
         super().__init__(parent)
@@ -56,31 +56,31 @@ class WheelPart(QPushButton):
 
 
 class RobotView(Painted):
-    """Shows which wheels turn. With `asks`, each has buttons for forward and backward."""
+    """Drawing of the turning wheels. `with_buttons` splits each wheel into two buttons."""
 
-    wheel_clicked = Signal(object)  # a `Movement`
+    wheel_clicked = Signal(object)  # `Movement`
 
-    def __init__(self, parent: QWidget | None = None, *, asks: bool = False) -> None:
+    def __init__(self, parent: QWidget | None = None, *, with_buttons: bool = False) -> None:
         super().__init__(parent)
         self.setAccessibleName(tr("The robot from above"))
         self._amounts = dict.fromkeys(Side, 0.0)
         self._colors = dict.fromkeys(Side, "outline")
         self._shifts = dict.fromkeys(Side, 0.0)  # of the treads
         self._motion = Animation(self, self._on_frame)
-        halves = [each for each in MOVEMENTS if each.side] if asks else []
-        self._parts = {each: WheelPart(each, self) for each in halves}
+        movements = [each for each in MOVEMENTS if each.side] if with_buttons else []
+        self._parts = {movement: WheelPart(movement, self) for movement in movements}
         for movement, part in self._parts.items():
             part.clicked.connect(partial(self._on_part_clicked, movement))
-        follow_theme(self, "room", self.updateGeometry)
+        follow_theme(self, "space", self.updateGeometry)
 
     def show_wheel(self, side: Side, amount: float, color: str = "outline") -> None:
-        """Show a wheel in the colour of its motor. It turns at `amount`: -1 to 1, 0 is at rest."""
+        """Show a wheel that turns at `amount`, from -1 to 1."""
         if (amount, color) != (self._amounts[side], self._colors[side]):
             self._amounts[side], self._colors[side] = amount, color
             self.update()
 
     def select(self, movement: Movement | None) -> None:
-        """Fill the half wheel of a movement. `None` clears all halves."""
+        """Check the button of a movement. `None` clears the selection."""
         for each, part in self._parts.items():
             part.setChecked(each is movement)
         self.update()
@@ -102,7 +102,7 @@ class RobotView(Painted):
         return self.sizeHint() / 2
 
     def robot_place(self) -> QRectF:
-        """Return the rectangle in which the robot is drawn."""
+        """Return the rectangle of the robot."""
         scale = min(self.width() / _SIZE[0], self.height() / _SIZE[1])
         place = QRectF(0, 0, _SIZE[0] * scale, _SIZE[1] * scale).adjusted(2, 2, -2, -2)
         place.moveCenter(QRectF(self.rect()).center())
@@ -112,7 +112,7 @@ class RobotView(Painted):
         super().resizeEvent(event)
         place = self.robot_place()
         for each, part in self._parts.items():
-            part.setGeometry(_placed(_PARTS[each.forward], place, each.side).toRect())
+            part.setGeometry(_placed(_LEFT_PARTS[each.forward], place, each.side).toRect())
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
@@ -124,7 +124,7 @@ class RobotView(Painted):
             write(painter, word, tr("front"), "muted", align=Qt.AlignmentFlag.AlignHCenter)
 
     def paint_robot(self, painter: QPainter, place: QRectF) -> None:
-        """Paint chassis and wheels. Animate the drawing while a wheel turns."""
+        """Paint chassis and wheels. Start the animation if a wheel turns."""
         paint_chassis(painter, _placed(_CHASSIS, place))
         for side in self._amounts:
             self._paint_wheel(painter, side, _placed(_WHEEL, place, side))
@@ -132,33 +132,33 @@ class RobotView(Painted):
 
     def _paint_wheel(self, painter: QPainter, side: Side, wheel: QRectF) -> None:
         parts = (part for each, part in self._parts.items() if each.side is side)
-        chosen = any(part.isChecked() for part in parts)
-        name, round_by = self._colors[side], wheel.width() * 0.22
+        is_selected = any(part.isChecked() for part in parts)
+        name, radius = self._colors[side], wheel.width() * 0.22
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(theme().color("selected" if chosen else "track"))
-        painter.drawRoundedRect(wheel, round_by, round_by)
+        painter.setBrush(theme().color("selected" if is_selected else "track"))
+        painter.drawRoundedRect(wheel, radius, radius)
         if amount := self._amounts[side]:
             painter.setPen(QPen(theme().color("hatch"), 1.5))
             for tread in range(_TREADS):
                 y = wheel.top() + wheel.height() * (tread + self._shifts[side] % 1) / _TREADS
-                if wheel.top() + round_by < y < wheel.bottom() - round_by:
-                    for left in (wheel.left(), wheel.right() - round_by):
-                        painter.drawLine(QLineF(left, y, left + round_by, y))
+                if wheel.top() + radius < y < wheel.bottom() - radius:
+                    for left in (wheel.left(), wheel.right() - radius):
+                        painter.drawLine(QLineF(left, y, left + radius, y))
             if not self._parts:
                 _paint_arrow(painter, wheel, amount, name)
-        edge = "accent" if chosen and name == "outline" else name
+        edge = "accent" if is_selected and name == "outline" else name
         painter.setPen(QPen(theme().color(edge), 2 if edge == "outline" else 3))
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.drawRoundedRect(wheel, round_by, round_by)
+        painter.drawRoundedRect(wheel, radius, radius)
 
     def _on_frame(self, seconds: float) -> None:
         for side, amount in self._amounts.items():
-            self._shifts[side] -= _TREADS_A_SECOND * amount * seconds
+            self._shifts[side] -= _TREADS_PER_SECOND * amount * seconds
         self.update()
 
 
 def _placed(part: QRectF, place: QRectF, side: Side | None = Side.LEFT) -> QRectF:
-    """Scale a part of the drawing to a place. Mirror it for the right side."""
+    """Scale a part of the drawing. Mirror it for the right side."""
     unit = place.height() / _SIZE[1]
     left = _SIZE[0] - part.right() if side is Side.RIGHT else part.left()
     corner = QPointF(place.center().x() + (left - _SIZE[0] / 2) * unit, place.top())
@@ -166,7 +166,7 @@ def _placed(part: QRectF, place: QRectF, side: Side | None = Side.LEFT) -> QRect
 
 
 def _paint_arrow(painter: QPainter, box: QRectF, amount: float, color: str) -> None:
-    """Paint an arrow up, or down if `amount` is negative. Its length follows the amount."""
+    """Paint an arrow of length `amount`. Negative amounts point down."""
     up = 1 if amount > 0 else -1
     head = min(box.width() * 0.3, box.height() * 0.2)
     length = max(box.height() * 0.85 * min(abs(amount), 1), 2 * head) / 2

@@ -1,4 +1,4 @@
-"""Dialog with the boards served on the network, the driver of each, and a stop for all."""
+"""Dialog with the boards that are served on the network."""
 
 from collections.abc import Callable
 from functools import partial
@@ -22,8 +22,6 @@ from trex_gui.ui.widgets.placement import resize_with_font
 
 
 class RobotsDialog(ReusedDialog):
-    """Lists the boards that this and other computers on the local network serve."""
-
     stays_on_stop = True
 
     def __init__(
@@ -33,11 +31,11 @@ class RobotsDialog(ReusedDialog):
         found: Callable[[dict[str, str]], object],
         parent: QWidget,
     ) -> None:
-        """Create the dialog. `connect` gets the URL of a board, `found` all labels by URL."""
+        """Create the dialog. `connect` gets a URL, `found` a mapping URL → label."""
         super().__init__(parent)
         self._device, self._connect, self._found = device, connect, found
         self._rows: list[dict[str, Any]] = []
-        self._robots = Robots()  # keeps its connections, so that a stop is sent without a wait
+        self._robots = Robots()  # holds its connections open, so that a stop has no delay
         self.setObjectName("robotsDialog")
         self.setWindowTitle(title_of(tr("Robots on the net&work…")))
         resize_with_font(self, 820, 420)
@@ -116,7 +114,7 @@ class RobotsDialog(ReusedDialog):
 
     @Slot()
     def _on_stop_all(self) -> None:
-        self._device.press_stop()  # stops the board of this window at once
+        self._device.press_stop()  # without delay
         urls = [row["url"] for row in self._rows]
         self._note.show_note(tr("Stopping …"))
         in_background(self, partial(self._robots.stop, urls), self._on_stopped, self._on_not_found)

@@ -1,4 +1,4 @@
-"""Commands for the settings of a board: apply, reload, defaults, line settings."""
+"""Commands for the settings of a board."""
 
 from contextlib import suppress
 from dataclasses import replace
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class SettingsCommands(QObject):
-    parameter_wanted = Signal(str)  # key of the parameter to show during its review
+    parameter_wanted = Signal(str)  # key of the parameter to show
 
     def __init__(
         self, device: Device, linter: BoardLinter, boards: BoardList, frame: MainWindow
@@ -54,7 +54,7 @@ class SettingsCommands(QObject):
 
     @Slot()
     def review(self) -> None:
-        """Let the user review the changes to write, or show the progress of writing."""
+        """Show the changes to write, or the progress of writing."""
         self._review.review()
 
     def review_defaults(self, *, serial_only: bool) -> None:
@@ -104,7 +104,7 @@ class SettingsCommands(QObject):
         )
 
     def propose_crc(self) -> None:
-        """Set CRC-7 in the stored line settings, and let the user review the edit."""
+        """Propose CRC-7 as an edit of the stored line settings."""
         key, parameters = ParameterKey.UART_SETTINGS, self._device.parameters
         if parameters.values.stored.get(key) != parameters.values.active_of(key):
             self.guide()
@@ -113,7 +113,7 @@ class SettingsCommands(QObject):
         wire = parameters.values.value_of(key)
         if wire is None:
             return
-        with suppress(BadRequest):  # a value without a valid baud rate has to be edited first
+        with suppress(BadRequest):  # invalid baud rate
             line = replace(LineSettings.from_wire(wire), detection=Detection.CRC7)
             parameters.edit(key, line.to_wire())
             text = tr(

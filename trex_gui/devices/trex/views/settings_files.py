@@ -1,4 +1,4 @@
-"""Commands that open settings files, load them into the board, or edit them in windows."""
+"""Commands for settings files."""
 
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -41,8 +41,8 @@ SAMPLES = {  # the first comment of each sample states its purpose
 
 
 class SettingsFiles(QObject):
-    staged = Signal()  # settings of a file are edits now
-    used = Signal(object)  # the `Path` of a settings file that was opened or saved
+    staged = Signal()  # the settings of a file became edits
+    used = Signal(object)  # `Path` of an opened or saved settings file
 
     def __init__(self, device: Device, window: QWidget) -> None:
         super().__init__(window)
@@ -50,17 +50,17 @@ class SettingsFiles(QObject):
         self._notifier = device.notifier
         self._window = window
         self._loading: ChangesDialog | None = None
-        self.editors: list[SettingsEditor] = []  # open windows with one file each
+        self.editors: list[SettingsEditor] = []  # one window per open file
         self.shown = ShownSettings(device, window)
         self.shown.saved.connect(self._record_used)
-        self._discarded: dict[SettingsEditor, str] = {}  # texts that the user discarded
+        self._discarded: dict[SettingsEditor, str] = {}  # discarded texts
 
     def prompt_and_open(self) -> None:
-        """Let the user select a file, and show the changes that it would make."""
+        """Prompt for a file and show the changes that it would make."""
         self._prompt_and(self.open_file)
 
     def prompt_for_document(self, use: Callable[[SettingsDocument], object]) -> None:
-        """Let the user select a file. `use` gets it, even if it has errors."""
+        """Prompt for a file and call `use`, even if the file has errors."""
         self._prompt_and(lambda path: self._open(path, use))
 
     def _prompt_and(self, use: Callable[[Path], object]) -> None:
@@ -68,29 +68,29 @@ class SettingsFiles(QObject):
         if path is not None:
             use(path)
 
-    def prompt_and_begin(self) -> None:
-        """Let the user select the initial content of a new file, and open its window."""
-        makers = dict(self._beginnings())
+    def prompt_and_create(self) -> None:
+        """Prompt for the initial content of a new file and open its window."""
+        factories = dict(self._initial_contents())
         dialog = QInputDialog(self._window)
         dialog.setObjectName("newSettingsDialog")
         dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.setWindowTitle(title_of(tr("&New settings file…")))
         dialog.setLabelText(tr("&Start the new file with:"))
         dialog.setOption(QInputDialog.InputDialogOption.UseListViewForComboBoxItems)
-        dialog.setComboBoxItems(list(makers))
+        dialog.setComboBoxItems(list(factories))
         (view,) = dialog.findChildren(QListView, options=Qt.FindChildOption.FindDirectChildrenOnly)
-        named(view, "beginningsList", accessible=tr("Beginnings"))
+        named(view, "beginningsList", accessible=tr("Initial contents"))
         view.setCurrentIndex(view.model().index(0, 0))
         view.activated.connect(dialog.accept)
-        dialog.textValueSelected.connect(lambda text: self.open_editor(makers[text]()))
+        dialog.textValueSelected.connect(lambda text: self.open_editor(factories[text]()))
         (buttons,) = dialog.findChildren(QDialogButtonBox)
         tab_order(view, buttons)
         resize_with_font(dialog, 620, 440)
         fit_on_screen(dialog)
         dialog.show()
 
-    def _beginnings(self) -> Iterator[tuple[str, Callable[[], SettingsDocument]]]:
-        """Yield each initial content of a new file, as a title and its maker."""
+    def _initial_contents(self) -> Iterator[tuple[str, Callable[[], SettingsDocument]]]:
+        """Yield the initial contents of a new file: title, factory."""
         shown = self._device.draft.shown
         if shown is not None and self._device.state is not None:
             text = tr("The board as shown: {0}, firmware {1}")
@@ -101,15 +101,14 @@ class SettingsFiles(QObject):
         text = tr("Factory defaults of a {0}, firmware {1}")
         for model in device_table().models:
             for firmware in reversed(model.firmware):
-                make = partial(_from_factory, model, firmware)
-                yield text.format(model.name, firmware), make
+                yield text.format(model.name, firmware), partial(_from_factory, model, firmware)
         for path in sorted(resource("samples").glob("*.txt")):
             if path.stem in SAMPLES:
-                make = partial(SettingsDocument, path.read_text(encoding="utf-8"), path.name)
-                yield tr("Sample: {0}").format(tr(SAMPLES[path.stem])), make
+                create = partial(SettingsDocument, path.read_text(encoding="utf-8"), path.name)
+                yield tr("Sample: {0}").format(tr(SAMPLES[path.stem])), create
 
     def open_file(self, path: Path) -> None:
-        """Show the changes that a file would make. Without a board, edit the file."""
+        """Show the changes of a file. Without a board, edit the file."""
         if self._device.state is None:
             self.edit_file(path)
         else:
@@ -122,7 +121,7 @@ class SettingsFiles(QObject):
             self._offer(document, edit=partial(self.edit_file, document.path))
 
     def edit_file(self, path: Path) -> None:
-        """Open a file in its own window, or raise the window that has it already."""
+        """Open a file in its own window, or raise its window."""
         if not self._raise_editor_of(path):
             self._open(path, self._edit)
 
@@ -131,7 +130,7 @@ class SettingsFiles(QObject):
             self.open_editor(document)
 
     def _raise_editor_of(self, path: Path) -> bool:
-        """Raise the window of a file. Return whether the file has a window."""
+        """Raise the window of a file. Return false if it has none."""
         for editor in self.editors:
             if editor.document.path == path:
                 _raise(editor)
@@ -168,7 +167,7 @@ class SettingsFiles(QObject):
         editor = SettingsEditor(document, self._device)
         self.editors.append(editor)
         editor.send_requested.connect(partial(self._send, editor))
-        editor.new_requested.connect(self.prompt_and_begin)
+        editor.new_requested.connect(self.prompt_and_create)
         editor.open_requested.connect(partial(self._prompt_and, self.edit_file))
         editor.converted.connect(self.open_editor)
         editor.saved.connect(self._record_used)
@@ -180,12 +179,11 @@ class SettingsFiles(QObject):
             self.editors.remove(editor)
 
     def _send(self, editor: "SettingsEditor") -> None:
-        """Offer to load the settings of an editor into the board."""
         if editor.document.settings is not None and self._device.state is not None:
             self._offer(editor.document)
 
     def offer_settings(self, settings: Settings, applied: str) -> None:
-        """Offer settings that were applied to the board at the time `applied`."""
+        """Offer settings that were applied to the board earlier."""
         title = tr("Settings applied {0}").format(applied)
         document = SettingsDocument.of_settings(settings, title, "Settings applied.")
         self._offer(document, tr("Applied"))
@@ -193,7 +191,7 @@ class SettingsFiles(QObject):
     def _offer(
         self, document: SettingsDocument, side: str = "", edit: Callable[[], object] | None = None
     ) -> None:
-        """Show the changes that a document would make. `side` names it in place of `File`."""
+        """Show the changes that a document would make. `side` replaces the title *File*."""
         if self._loading is not None:
             self._loading.close()
         self._loading = dialog = load_dialog(
@@ -219,9 +217,9 @@ class SettingsFiles(QObject):
         self.staged.emit()
 
     def may_close(self, leave: Callable[[], object]) -> bool:
-        """Return whether nothing would be lost. Prompts in each window with unsaved changes.
+        """Return whether the windows may close now. Prompts for unsaved changes.
 
-        If the user wants to save some of them, `leave` is called once they are saved.
+        `leave` is called after the changes are saved.
         """
         unfinished = ", ".join(path.name for path in self.shown.saving)
         if unfinished and not file_questions.may_leave_unfinished(self._window, unfinished):
@@ -248,10 +246,10 @@ class SettingsFiles(QObject):
         discarded: "dict[SettingsEditor, str]",
         leave: Callable[[], object],
     ) -> None:
-        """Save one editor after the other. If a discarded text changes, the user is asked again."""
+        """Save the editors in turn, then call `leave`."""
         if editors:
-            following = partial(self._save_and_leave, editors[1:], discarded, leave)
-            editors[0].saver.save_and_leave(editors[0].save, following)
+            save_next = partial(self._save_and_leave, editors[1:], discarded, leave)
+            editors[0].saver.save_and_leave(editors[0].save, save_next)
         else:
             self._discarded = discarded
             leave()

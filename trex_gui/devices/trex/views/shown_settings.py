@@ -1,4 +1,4 @@
-"""Commands that save or export the settings shown of a board, edits included."""
+"""Commands that save or export the settings of a board."""
 
 import contextlib
 from collections.abc import Callable
@@ -27,9 +27,9 @@ from trex_gui.ui.widgets import file_questions
 
 
 class ShownSettings(QObject):
-    """Writes files in the background, and reports the result in the window."""
+    """Saves and exports the settings shown, edits included, in the background."""
 
-    saved = Signal(object)  # the `Path` of a settings file
+    saved = Signal(object)  # `Path` of a settings file
 
     def __init__(self, device: Device, window: QWidget) -> None:
         super().__init__(window)
@@ -39,7 +39,7 @@ class ShownSettings(QObject):
         self.saving: set[Path] = set()  # files that are being written
 
     def prompt_and_save(self, then: Callable[[], object] = lambda: None) -> None:
-        """Let the user select a file, and save the settings shown. Call `then` afterwards."""
+        """Prompt for a file and save the settings, then call `then`."""
         state = self._device.state
         key = state.signature.model.key if state is not None else "trex"
         proposal = file_questions.last_folder() / f"{key}_settings.txt"
@@ -48,22 +48,22 @@ class ShownSettings(QObject):
             self.save_file(path, then)
 
     def prompt_and_export(self) -> None:
-        """Let the user select a file and a language, and export the settings shown as code."""
+        """Prompt for a file and a language, and export the settings as code."""
         settings = self._device.draft.shown
         if settings is None:
             return
         filters = {f"{language.title} (*{language.suffix})": language for language in Language}
         name = file_questions.last_folder() / file_name(settings, next(iter(filters.values())))
-        chosen, kind = QFileDialog.getSaveFileName(
+        selected, kind = QFileDialog.getSaveFileName(
             self._window, title_of(tr("&Export as code…")), str(name), ";;".join(filters)
         )
-        if chosen:
-            path = Path(chosen)
-            typed = {language.suffix: language for language in Language}
-            self.export_file(path, typed.get(path.suffix.lower(), filters[kind]))
+        if selected:
+            path = Path(selected)
+            languages = {language.suffix: language for language in Language}
+            self.export_file(path, languages.get(path.suffix.lower(), filters[kind]))
 
     def export_file(self, path: Path, language: Language) -> None:
-        """Write a program that applies the settings shown and drives the motors."""
+        """Write a program that applies the settings and drives the motors."""
         settings, link = self._device.draft.shown, self._device.settings
         if settings is None or link is None:
             return
@@ -82,10 +82,10 @@ class ShownSettings(QObject):
         in_background(self, work, on_saved, on_failed)
 
     def save_file(self, path: Path, then: Callable[[], object] = lambda: None) -> None:
-        """Save the settings shown, edits included. Call `then` once they are saved.
+        """Save the settings, then call `then`.
 
-        In an existing file only the values change. Comments are kept, as are the calibrations of
-        the other input source, which the board does not show.
+        In an existing file only values change. Comments and the calibrations of the other input
+        source remain.
         """
         settings = self._device.draft.shown
         if settings is None:
@@ -106,7 +106,7 @@ class ShownSettings(QObject):
         then: Callable[[], object],
         before: bytes | SettingsError | None,
     ) -> None:
-        """Save the settings. `before`: content of the file, or read error; `None` if missing."""
+        """Replace `before`: content of the file or read error, `None` if it is missing."""
         try:
             text, kept = self._text_for(path, settings, before)
         except StudioError as error:
@@ -132,7 +132,7 @@ class ShownSettings(QObject):
     def _text_for(
         self, path: Path, settings: Settings, content: bytes | SettingsError | None
     ) -> tuple[str | None, str]:
-        """Return the text to write (`None`: cancelled), and a note on kept calibrations.
+        """Return the text to write (`None`: cancelled), and a note on hidden calibrations.
 
         Raises:
             SettingsError, BadRequest: the settings cannot be written.
@@ -158,15 +158,15 @@ class ShownSettings(QObject):
         try:
             text = amend(before, whole, path.name)
         except SettingsError as error:
-            trouble = error.findings[0].message
-            return (fresh if file_questions.may_write_fresh(self._window, trouble) else None), ""
+            problem = error.findings[0].message
+            return (fresh if file_questions.may_write_fresh(self._window, problem) else None), ""
         names = ", ".join(sorted({key.source.word for key in hidden}))
         kept = tr("Calibrations that the board does not show now were kept: {0}.")
         return text, kept.format(names) if hidden else ""
 
 
 def _content_of(path: Path) -> bytes | SettingsError | None:
-    """Return the content of a file, or the read error. `None` if it is missing."""
+    """Return the content of a file or the read error, `None` if it is missing."""
     try:
         return load(path) if path.exists() else None
     except SettingsError as error:

@@ -1,4 +1,4 @@
-"""Settings of a snapshot, compared with the board or another snapshot."""
+"""Comparison of a snapshot with the board or another snapshot."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -24,9 +24,9 @@ from trex_gui.ui.widgets.labels import Note
 
 
 class SnapshotPane(QWidget):
-    """Snapshot compared with other settings on its left, and a button to restore it."""
+    """Comparison of a snapshot, and a button that restores it."""
 
-    restore_requested = Signal()  # settings of the snapshot are edits now; to be reviewed
+    restore_requested = Signal()  # the edits are ready for review
 
     def __init__(
         self, device: Device, table: SnapshotTable, notifier: Notifier, parent: QWidget
@@ -35,8 +35,8 @@ class SnapshotPane(QWidget):
         self._notifier = notifier
         self._device = device
         self._table = table
-        self._chosen: tuple[Snapshot, ...] = ()
-        self._shown: tuple[Path, str] | None = None  # snapshot, and title of the left side
+        self._snapshots: tuple[Snapshot, ...] = ()
+        self._shown: tuple[Path, str] | None = None  # snapshot, title of the left side
 
         self._title = ui.label(self, "snapshotTitle", wrap=True, size="heading")
         self._rows = ComparisonView(self)
@@ -48,15 +48,15 @@ class SnapshotPane(QWidget):
         ui.column(self._title, (self._rows, 1), below, into=self, margins=(6, 0, 0, 0))
         self._restore.clicked.connect(self._on_restore_clicked)
         self._rows.ticked_changed.connect(self._update_restore)
-        self.show_chosen(())
+        self.show_snapshots(())
 
-    def show_chosen(self, chosen: tuple[Snapshot, ...]) -> None:
+    def show_snapshots(self, snapshots: tuple[Snapshot, ...]) -> None:
         """Compare a snapshot with the board, or two snapshots with each other."""
-        self._chosen = chosen
+        self._snapshots = snapshots
         reason = tr("Select a snapshot to see what it would restore.")
-        if 0 < len(chosen) <= 2:
-            reason = self._compare(chosen[-1], chosen[0] if len(chosen) == 2 else None)
-        elif chosen:
+        if 0 < len(snapshots) <= 2:
+            reason = self._compare(snapshots[-1], snapshots[0] if len(snapshots) == 2 else None)
+        elif snapshots:
             reason = tr("Select one snapshot, or two to compare them.")
         if reason:
             self._shown = None
@@ -64,9 +64,9 @@ class SnapshotPane(QWidget):
         self._update_restore()
 
     def _compare(self, snapshot: Snapshot, other: Snapshot | None) -> str:
-        """Compare a snapshot with `other` or the board. Return the reason if it fails.
+        """Compare a snapshot with `other` or the board. Return the reason for a failure.
 
-        Without a board of its model, it is compared with the snapshot beside it.
+        Without a board of its model, compare it with the adjacent snapshot.
         """
         self._describe(snapshot)
         settings = self._table.content_of(snapshot)
@@ -76,11 +76,11 @@ class SnapshotPane(QWidget):
         if with_board:
             title = tr("Now, with edits")
             comparison = diff_against_draft(self._device.draft, settings)
-        elif beside := other or self._table.neighbour(snapshot):
-            content = self._table.content_of(beside)
+        elif adjacent := other or self._table.neighbour(snapshot):
+            content = self._table.content_of(adjacent)
             if not isinstance(content, Settings):
-                return self._unread(beside)
-            title, comparison = self._table.time_text(beside), compare(content, settings)
+                return self._unread(adjacent)
+            title, comparison = self._table.time_text(adjacent), compare(content, settings)
         else:
             nothing = replace(settings, parameters={}, calibrations={})
             title, comparison = "–", compare(nothing, settings)
@@ -99,7 +99,7 @@ class SnapshotPane(QWidget):
         return ""
 
     def _unread(self, snapshot: Snapshot) -> str:
-        """Return the reason why the settings of a snapshot cannot be shown."""
+        """Return the reason that a snapshot has no settings to show."""
         problem = self._table.content_of(snapshot)
         text = tr("This snapshot is damaged and cannot be restored. {0}")
         return text.format(problem) if problem else tr("Reading…")
@@ -117,12 +117,12 @@ class SnapshotPane(QWidget):
         self._note.show_note(blocker or self._other_number())
 
     def _blocker(self) -> str:
-        """Return the reason why nothing can be restored now. Empty if restoring is possible."""
+        """Return the reason that prevents restoring, or nothing."""
         if self._shown is None:
             return tr("Nothing is selected to be restored.")
-        if len(self._chosen) == 2:
+        if len(self._snapshots) == 2:
             return tr("To restore one of the two, select it alone.")
-        if blocker := self._board_blocker(self._chosen[0]):
+        if blocker := self._board_blocker(self._snapshots[0]):
             return blocker
         if not self._device.is_connected:
             return tr("The board does not respond, so nothing can be restored.")
@@ -131,7 +131,7 @@ class SnapshotPane(QWidget):
         return ""
 
     def _board_blocker(self, snapshot: Snapshot) -> str:
-        """Return the reason why a snapshot cannot be compared with the board, or nothing."""
+        """Return the reason that prevents a comparison with the board, or nothing."""
         closed = {ConnectionState.DISCONNECTED, ConnectionState.DISCONNECTING}
         state = self._device.state
         if state is None or self._device.link in closed:
@@ -141,22 +141,21 @@ class SnapshotPane(QWidget):
         return "" if snapshot.product == board else text.format(snapshot.product, board)
 
     def _other_number(self) -> str:
-        """Return a note if the snapshot is of another device number, else nothing."""
-        here = self._device.parameters.values.stored.get(ParameterKey.DEVICE_NUMBER)
-        number = self._chosen[0].device_number
-        if number is None or here is None or number == here:
+        """Return a note if the device numbers differ, or nothing."""
+        current = self._device.parameters.values.stored.get(ParameterKey.DEVICE_NUMBER)
+        number = self._snapshots[0].device_number
+        if number is None or current is None or number == current:
             return ""
         text = tr("Note: this snapshot is of device number {0}, the board here is number {1}.")
-        return text.format(number, here)
+        return text.format(number, current)
 
     @Slot()
     def _on_restore_clicked(self) -> None:
-        self.show_chosen(self._chosen)  # the board may have changed since the last update
+        self.show_snapshots(self._snapshots)  # the board may have changed
         if not self._restore.isEnabled():
             return
-        when = self._table.time_text(self._chosen[0])
+        text = tr("Restore snapshot of {0}").format(self._table.time_text(self._snapshots[0]))
         try:
-            text = tr("Restore snapshot of {0}").format(when)
             self._device.draft.stage(self._rows.table.ticked, text)
         except BadRequest as error:
             self._notifier.error.emit(tr("Nothing was restored: {0}").format(error))

@@ -1,4 +1,4 @@
-"""Texts and wiring of the page that is shown while nothing is connected."""
+"""Texts and wiring of the start page."""
 
 from trex_gui.core.translation import tr
 from trex_gui.ui.frame.start_panel import StartTexts, StartWay

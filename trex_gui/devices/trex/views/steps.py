@@ -1,4 +1,4 @@
-"""Dialog for tasks in steps: set-up, learning, hand-shake, power cycle."""
+"""Dialog for tasks with several steps."""
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
@@ -23,7 +23,7 @@ _GAP = 16
 
 
 class Page(QWidget):
-    """Drawing of a step. `side` goes into the card beside the drawing."""
+    """Drawing of a step. `side` is the content of the card beside it."""
 
     def __init__(self, name: str, heading: str = "") -> None:
         super().__init__()
@@ -33,12 +33,12 @@ class Page(QWidget):
         self.side.hide()
 
     def refresh(self) -> None:
-        """Show the newest state. Called before the page is shown and at each change."""
+        """Update the page. Called before it is shown and at each change."""
 
 
 @dataclass(frozen=True, slots=True)
 class Shown:
-    """One step as the dialog shows it. Next is hidden without a text."""
+    """Visible state of the dialog. Next is hidden if its text is empty."""
 
     title: str  # of the task
     titles: Sequence[str]  # of all steps
@@ -56,20 +56,20 @@ class Shown:
 
 
 class Flow(QObject):
-    """Steps of one task, and the actions of the buttons below them."""
+    """Steps of a task, and the actions of its buttons."""
 
     changed = Signal()
-    opened = Signal(bool)  # show the dialog; true: as the active window
-    closed = Signal()  # the task has ended by itself
+    opened = Signal(bool)  # True: activate the dialog
+    closed = Signal()  # the task has ended
 
-    name = ""  # starts the object names
+    name = ""  # prefix of the object names
     size = 1040, 600  # pixels of the dialog
 
     def show_in_front(self) -> None:
         self.opened.emit(True)
 
     def add_buttons(self, parent: QWidget) -> Sequence[QPushButton]:
-        """Create further buttons of this task, beside Back, Skip and Next."""
+        """Create buttons of this task besides Back, Skip and Next."""
         del parent
         return ()
 
@@ -82,12 +82,12 @@ class Flow(QObject):
 
     def next(self) -> None: ...
 
-    def leave(self, *, closed: bool) -> None:
-        """End actions that must not continue unseen. Not `closed`: the window was minimized."""
+    def on_hidden(self, *, closed: bool) -> None:
+        """Stop actions that need a visible dialog. `closed` is false if it was minimized."""
 
 
 class _Body(QWidget):
-    """Cards of the drawing and of the instructions, side by side if there is space."""
+    """Cards of drawing and instructions, side by side if they fit."""
 
     def __init__(self, name: str, parent: QWidget) -> None:
         super().__init__(parent)
@@ -96,12 +96,11 @@ class _Body(QWidget):
         self.note = ui.named(Note(1, self), f"{name}Note")
         self._drawing = ui.column(into=self.drawing)
         self._side = ui.column((self.note, 1), into=self.side)
-        row = ui.row((self.drawing, 5), (self.side, 3), into=self, margins=0, spacing=_GAP)
-        self._row = row
+        self._row = ui.row((self.drawing, 5), (self.side, 3), into=self, margins=0, spacing=_GAP)
         self._page: Page | None = None
 
     def show_page(self, page: Page) -> bool:
-        """Show a page. Return false if it was visible already."""
+        """Show a page. Return false if it was already visible."""
         if page is self._page:
             return False
         if self._drawing.indexOf(page) < 0:
@@ -137,9 +136,9 @@ class _Body(QWidget):
 
 
 class Steps(ReusedDialog):
-    """Shows the current step of a task. Hiding it ends actions that must not continue unseen."""
+    """Shows the current step of a task."""
 
-    stays_on_stop = True  # so that no answer and no measurement is lost
+    stays_on_stop = True  # a stop loses no answers and measurements
 
     def __init__(self, device: Device, flow: Flow, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -165,7 +164,8 @@ class Steps(ReusedDialog):
         self._next = ui.button(
             self._moves, f"{name}NextButton", default=True, confirms=True, on_click=flow.next
         )
-        for each in (self._back, self._skip, self._next):  # a second click hits no other button
+        # Buttons do not move, so that a second click hits no other button.
+        for each in (self._back, self._skip, self._next):
             reserve_space(each)
         ui.row(self._back, self._skip, self._next, into=self._moves, margins=0)
         bar.fill(*extras, bar.armed, 1, self._close, self._moves)
@@ -185,7 +185,7 @@ class Steps(ReusedDialog):
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
-        self.flow.leave(closed=not event.spontaneous())
+        self.flow.on_hidden(closed=not event.spontaneous())
 
     @Slot(bool)
     def _on_opened(self, activates: bool) -> None:
@@ -224,11 +224,11 @@ class Steps(ReusedDialog):
             isinstance(focused, QAbstractButton) and self._is_usable(focused)
         )
         if is_free or (is_new and focused not in bar):
-            # While Next is disabled, Enter must not press Close, and Skip only after an alarm.
+            # While Next is disabled, Enter must not press Close. It presses Skip after an alarm.
             skip = [self._skip] if shown.is_alarming else []
-            wanted = [self._close] if shown.closes else [self._next, *skip]
+            buttons = [self._close] if shown.closes else [self._next, *skip]
             other = shown.page.focusProxy() or self
-            next((each for each in wanted if self._is_usable(each)), other).setFocus()
+            next((each for each in buttons if self._is_usable(each)), other).setFocus()
 
     def _show_next(self, shown: Shown) -> None:
         is_other = shown.next != self._next.text() and self._next.isVisible()

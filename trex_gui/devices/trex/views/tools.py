@@ -1,4 +1,4 @@
-"""Windows beside the pages. This module is imported when the first window is opened."""
+"""Windows besides the pages. Imported when the first window is opened."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -26,7 +26,7 @@ FlowT = TypeVar("FlowT", bound=Flow)
 
 @dataclass
 class Tools:
-    """Windows, each created when it is first opened, and then reused."""
+    """Windows that are created on first use and then reused."""
 
     device: Device
     boards: BoardList

@@ -1,4 +1,4 @@
-"""Screenshot tour of a TReX: its pages with running motors, learning, and other dialogs."""
+"""Screenshot tour of a TReX."""
 
 from collections.abc import Iterator
 from functools import partial
@@ -9,11 +9,11 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.tour import Do, Tour
 
 SETUP_STEPS = ("driver", "jumpers", "sticks", "motors", "limits", "review")  # with one stick
-_HOLD_S = 1.2  # a stick held longer than a second counts as at an end
+_HOLD_S = 1.2  # a stick that is held for one second counts as at its end
 
 
 def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
-    """Drive the motors a little, visit the pages, learn the channels without applying them."""
+    """Drive the motors, visit the pages, and learn channels without applying them."""
     motors, sticks = controller.device.motors, controller.demo_board
 
     def drive() -> bool:
@@ -26,8 +26,6 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
         return True
 
     def hold(microseconds: float) -> Iterator[Do]:
-        """Hold all sticks for a while at this pulse length."""
-
         def push() -> None:
             for channel in CHANNELS:
                 sticks.hold_stick(channel, microseconds)
@@ -36,7 +34,7 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
         yield from tour.wait(_HOLD_S)
 
     def is_reached(page: str) -> bool:
-        """Return whether a page is visible. If not, retry: the stop may be slow on a busy PC."""
+        """Return whether a page is visible. If not, retry, since the stop may be slow."""
         return tour.is_visible(page) or (tour.press("learnAgainButton") and False)
 
     yield drive

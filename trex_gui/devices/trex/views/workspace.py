@@ -1,4 +1,4 @@
-"""The workspace of a TReX: pages, dialogs and menus."""
+"""Workspace of a TReX: pages, dialogs and menus."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property, partial
@@ -56,9 +56,9 @@ if TYPE_CHECKING:
 
 
 class TrexWorkspace(Workspace):
-    """Part of the window for a TReX. Holds no state of the device."""
+    """Part of the window for a TReX. It holds no state of the device."""
 
-    _parameter_shown = Signal(object)  # key of the parameter, on the parameters page
+    _parameter_shown = Signal(object)  # parameter key
 
     def __init__(self, controller: TrexController, frame: MainWindow) -> None:
         device = controller.device
@@ -90,8 +90,8 @@ class TrexWorkspace(Workspace):
         self.bar = bar = ControlBar(device, self.recordings.indicator, self)
         self.page_changed.connect(bar.set_page)
         ui.row(panel, (tabs, 1), into=self, margins=0)
-        make_demo, key = self._create_demo_view, "demo_panel/wanted"
-        self._demo = DemoDock("demoPanel", key, controller, make_demo, frame)
+        create_demo, key = self._create_demo_view, "demo_panel/wanted"
+        self._demo = DemoDock("demoPanel", key, controller, create_demo, frame)
         self._demo.setWindowTitle(tr("Demo TReX"))
         self.files = files = SettingsFiles(device, frame)
         self.docks = (self._demo,)
@@ -185,12 +185,13 @@ class TrexWorkspace(Workspace):
     def _learning(self) -> "Learning":
         from trex_gui.devices.trex.model.learning.learning import Learning  # noqa: PLC0415 - later
 
-        made = Learning(self._device, self)
-        # Queued, so that the review has its result. The test of the sticks follows.
-        made.stored.connect(self._settings.close_if_verified, Qt.ConnectionType.QueuedConnection)
-        made.begun.connect(self._controller.demo_board.centre_sticks)
-        made.begun.connect(lambda: self._tools.learn)  # `learn` tests what the set-up learned, too
-        return made
+        learning = Learning(self._device, self)
+        # Queued, so that the review has its result before the stick test.
+        queued = Qt.ConnectionType.QueuedConnection
+        learning.stored.connect(self._settings.close_if_verified, queued)
+        learning.begun.connect(self._controller.demo_board.centre_sticks)
+        learning.begun.connect(lambda: self._tools.learn)  # runs the stick test after a set-up
+        return learning
 
     @cached_property
     def _tools(self) -> "Tools":
@@ -203,7 +204,7 @@ class TrexWorkspace(Workspace):
         self.files.prompt_for_document(self._tools.apply_to_boards.open_file)
 
     def _open(self, tool: str) -> None:
-        """Open a window of `Tools` by its name there."""
+        """Open a window of `Tools` by its attribute name."""
         getattr(self._tools, tool).show_in_front()
 
     @Slot(object)
@@ -243,7 +244,7 @@ class TrexWorkspace(Workspace):
 
         return {
             Menu.FILE: (
-                Entry("new", tr("&New settings file…"), files.prompt_and_begin, keys.New, "new"),
+                Entry("new", tr("&New settings file…"), files.prompt_and_create, keys.New, "new"),
                 Entry("open", tr("&Open settings file…"), files.prompt_and_open, "Ctrl+O", "open"),
                 Entry("save", tr("&Save settings file…"), shown.prompt_and_save, "Ctrl+S", "save"),
                 Entry("export", tr("&Export as code…"), shown.prompt_and_export, "", "console"),
@@ -301,7 +302,7 @@ class TrexWorkspace(Workspace):
     def report_parts(self) -> dict[str, Callable[[], str]]:
         device = self._device
         return {
-            "status.txt": partial(str, status_text(device)),  # as it is now
+            "status.txt": partial(str, status_text(device)),
             **settings_parts(device),
             **super().report_parts(),
             "traffic.txt": device.connection.traffic.newest(),
@@ -360,7 +361,7 @@ class TrexWorkspace(Workspace):
         return self._close_prompt.may_close(leave)
 
     def prepare_to_close(self) -> None:
-        QObject.disconnect(self._undo_watch)  # the undo stack emits at its end, too
+        QObject.disconnect(self._undo_watch)  # a destroyed undo stack also emits
         if not self._close_prompt.keeps_edits:
             self._device.edit_backup.discard()
         children = Qt.FindChildOption.FindDirectChildrenOnly

@@ -84,7 +84,7 @@ class LearnFlow(Flow):
         elif self.learning.use_values():
             self.apply_requested.emit()
 
-    def leave(self, *, closed: bool) -> None:
+    def on_hidden(self, *, closed: bool) -> None:
         if closed:
             self.learning.cancel()
 

@@ -129,7 +129,7 @@ class WiringPage(Page):
         self._motor = 1  # motor whose movement a click reports
         side = self.side
         self._question = ui.label(self, "setupQuestion", bold=True)
-        self._robot = RobotView(self, asks=True)
+        self._robot = RobotView(self, with_buttons=True)
         self._robot.wheel_clicked.connect(self._record)
         text = tr("Nothing &moved")
         self._nothing = ui.button(

@@ -94,7 +94,7 @@ class SetupFlow(Flow):
         else:
             (self._learn if self._learns else self.setup).next()
 
-    def leave(self, *, closed: bool) -> None:
+    def on_hidden(self, *, closed: bool) -> None:
         if closed:
             self._is_open = False
             self._close_learning()
