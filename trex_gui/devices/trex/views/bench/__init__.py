@@ -1,1 +1,1 @@
-"""The window of bench tests."""
+"""Window for bench tests."""

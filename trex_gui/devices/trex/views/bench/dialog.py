@@ -1,4 +1,4 @@
-"""Window of bench tests: hold a button, see current and figures, tune, and hold it again."""
+"""Window for bench tests of a motor."""
 
 from collections.abc import Callable
 from functools import partial
@@ -45,13 +45,13 @@ from trex_gui.ui.widgets.scroll_box import ScrollBox
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.bench.plot import BenchPlot
 
-_PREVIOUS = -1  # comparison to select, in addition to the runs
+_PREVIOUS = -1  # comparison with the previous test
 
 
 class BenchDialog(ReusedDialog):
-    """Not modal. Closing it while a test runs stops and disarms all motors."""
+    """Window for bench tests. Closing it during a test stops and disarms all motors."""
 
-    stays_on_stop = True  # the user reads the result in it
+    stays_on_stop = True  # the result remains visible
 
     apply_requested = Signal()
 
@@ -88,9 +88,12 @@ class BenchDialog(ReusedDialog):
         run.setAutoDefault(False)
         ui.set_bold(self._hold)
         set_look(self._hold, "primary")
-        tip = tr("Open a saved test")
-        ask = self._prompt_and_open
-        self._open = button("benchOpenButton", tr("&Open…"), tip=tip, on_click=ask)
+        self._open = button(
+            "benchOpenButton",
+            tr("&Open…"),
+            tip=tr("Open a saved test"),
+            on_click=self._prompt_and_open,
+        )
         self._save = button("benchSaveButton", tr("Sa&ve…"), on_click=self._prompt_and_save)
         close = button("benchCloseButton", tr("&Close"), on_click=self.close)
 
@@ -125,13 +128,13 @@ class BenchDialog(ReusedDialog):
         self._on_changed()
 
     def _add_plot(self) -> None:
-        """Create the plot after the window is shown, since both together take 200 ms."""
+        """Create the plot after the window is shown. Both together take 200 ms."""
         from trex_gui.devices.trex.views.bench.plot import BenchPlot  # noqa: PLC0415 - pyqtgraph
 
         self._plot = BenchPlot(self)
         self._right.insertWidget(0, self._plot, 1)
         ui.tab_order(self._hold, self._plot, self._compare)
-        self._want_frame()
+        self._schedule_frame()
 
     # --- Files --------------------------------------------------------------------------
 
@@ -154,7 +157,7 @@ class BenchDialog(ReusedDialog):
         self._start(work, path, lambda _: self._report(text), tr("{0} was not saved: {1}."))
 
     def open_run(self, path: Path) -> None:
-        """Read a test and add it to the tests of this window."""
+        """Read a test and add it to this window."""
 
         def add(run: Run) -> None:
             self.bench.add_run(run)
@@ -188,7 +191,7 @@ class BenchDialog(ReusedDialog):
         self._open.setEnabled(idle)
         self._compare.setEnabled(idle)
         self._on_text_due()
-        self._want_frame()
+        self._schedule_frame()
 
     @Slot()
     @only_when_visible
@@ -200,10 +203,10 @@ class BenchDialog(ReusedDialog):
             self._hold.setText(text)
         was_aborted = bool(bench.runs) and bench.runs[-1].end is End.ABORTED
         alarming = self._device.motors.armed or (was_aborted and not self._message)
-        self._note.show_note(self._note_text(blocker), alarming=alarming)
+        self._note.show_note(self._status_text(blocker), alarming=alarming)
 
-    def _note_text(self, blocker: str) -> str:
-        """Return the result of the last test and what to do next."""
+    def _status_text(self, blocker: str) -> str:
+        """Return the result of the last test and the next step."""
         bench = self.bench
         if bench.is_driving and (run := bench.current) is not None:
             text = tr("Motor {0} is running: {1:.1f} of {2:g} s.")
@@ -233,8 +236,8 @@ class BenchDialog(ReusedDialog):
         self._show_figures()
 
     def _fill_compare(self) -> None:
-        """List every test but the last for comparison, and keep the selection."""
-        chosen = self._compare.currentData()
+        """List all tests except the last. The selection remains."""
+        selected = self._compare.currentData()
         text = tr("{0:%H:%M:%S}, motor {1}: {2}")
         with QSignalBlocker(self._compare):
             self._compare.clear()
@@ -242,19 +245,19 @@ class BenchDialog(ReusedDialog):
             for run in reversed(self.bench.runs[:-1]):
                 self._compare.addItem(text.format(run.started, run.motor, run.title), run)
             data = [self._compare.itemData(row) for row in range(self._compare.count())]
-            self._compare.setCurrentIndex(data.index(chosen) if chosen in data else 0)
+            self._compare.setCurrentIndex(data.index(selected) if selected in data else 0)
 
     @property
     def _before(self) -> Run | None:
-        chosen, runs = self._compare.currentData(), self.bench.runs
-        if isinstance(chosen, Run):
-            return chosen
+        selected, runs = self._compare.currentData(), self.bench.runs
+        if isinstance(selected, Run):
+            return selected
         index = -1 if self.bench.phase is not Phase.IDLE else -2
         return runs[index] if len(runs) >= -index else None
 
     @Slot()
     def _on_compare_changed(self) -> None:
-        self._want_frame()
+        self._schedule_frame()
         self._show_figures()
 
     @Slot()
@@ -262,8 +265,8 @@ class BenchDialog(ReusedDialog):
         run = None if self.bench.is_driving else self.bench.current
         self._figures.show_runs(run, self._before)
 
-    def _want_frame(self) -> None:
-        """Draw at most once a frame, so that drawing does not delay the line."""
+    def _schedule_frame(self) -> None:
+        """Draw at most once per frame, so that drawing does not delay the line."""
         if self.isVisible() and not self._timer.isActive():
             self._timer.start()
 
@@ -276,7 +279,7 @@ class BenchDialog(ReusedDialog):
         self._plot.show_plan(profile, plan.abort_current, self._device.current_limit(plan.motor))
         self._plot.show_runs(self.bench.current, self._before)
         if self.bench.phase is not Phase.IDLE:
-            self._want_frame()
+            self._schedule_frame()
 
 
 def _rows() -> tuple[tuple[str, str, str, str], ...]:
@@ -306,7 +309,7 @@ def _rows() -> tuple[tuple[str, str, str, str], ...]:
 
 
 class FiguresTable(QTableWidget):
-    """Table of figures: this test, the test compared with it, and the difference."""
+    """Figures of a test, of the compared test, and their difference."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         rows = _rows()
@@ -336,9 +339,9 @@ class FiguresTable(QTableWidget):
     def show_runs(self, run: Run | None, before: Run | None) -> None:
         now, then = (Figures() if test is None else figures(test) for test in (run, before))
         for index, (_, field, unit, _) in enumerate(_rows()):
-            one, other = getattr(now, field), getattr(then, field)
-            change = None if one is None or other is None else one - other
-            texts = _text(one, unit), _text(other, unit), _text(change, unit, "+")
+            value, old = getattr(now, field), getattr(then, field)
+            change = None if value is None or old is None else value - old
+            texts = _text(value, unit), _text(old, unit), _text(change, unit, "+")
             for column, text in enumerate(texts):
                 self.model().setData(self.model().index(index, column), text)
 

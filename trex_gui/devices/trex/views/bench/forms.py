@@ -1,4 +1,4 @@
-"""Forms of a bench test: its plan, and the parameters that it tunes."""
+"""Forms for the plan of a bench test and the tuned parameters."""
 
 from dataclasses import replace
 from functools import partial
@@ -34,7 +34,7 @@ def _form(parent: QWidget | None = None) -> QFormLayout:
 
 
 def _align(form: QFormLayout) -> None:
-    """Centre each title beside its field. Qt makes a title lower than a tall field."""
+    """Centre each title beside its field. Qt aligns only the tops."""
     for number in range(form.rowCount()):
         item = form.itemAt(number, QFormLayout.ItemRole.LabelRole)
         if item is not None and (title := item.widget()) is not None:
@@ -42,7 +42,7 @@ def _align(form: QFormLayout) -> None:
 
 
 class PlanForm(ui.Card):
-    """Edits the plan of a bench. It is disabled while a test runs."""
+    """Edits the plan of a bench test. Disabled during a test."""
 
     def __init__(self, device: Device, bench: Bench, parent: QWidget) -> None:
         super().__init__(tr("Test"), parent)
@@ -55,7 +55,6 @@ class PlanForm(ui.Card):
         seconds = partial(number, lowest=SHORTEST, highest=LONGEST, suffix=tr(" s"))
 
         def add(text: str, field: WidgetT) -> WidgetT:
-            """Add a field to the form, with its title as accessible name."""
             field.setAccessibleName(text.replace("&", ""))
             form.addRow(text, field)
             return field
@@ -147,7 +146,7 @@ class PlanForm(ui.Card):
         for combo, data in combos.items():
             combo.setCurrentIndex(combo.findData(data))
         for box, value in numbers.items():
-            if box.value() != value:  # setting it would reformat what is being typed
+            if box.value() != value:  # setting it would reformat typed text
                 box.setValue(value)  # type: ignore[arg-type]  # an int for the speed
         self._at_limit.setChecked(plan.abort_at_limit)
         del blockers
@@ -162,7 +161,7 @@ class PlanForm(ui.Card):
 
 
 class TuningForm(ui.Card):
-    """Edits one motor's acceleration, brake duration, current limit and P, like its page."""
+    """Edits acceleration, brake duration, current limit and P of a motor."""
 
     def __init__(self, device: Device, bench: Bench, parent: QWidget) -> None:
         super().__init__("", parent)
@@ -220,7 +219,7 @@ class TuningForm(ui.Card):
             editor.setAccessibleName(spec.name)
             editor.setToolTip(ui.plain(f"{spec.description} ({editor.toolTip()})"))
             editor.setMinimumWidth(editor.fontMetrics().horizontalAdvance(_WIDEST) + 40)
-            # The group names the motor; the long name of P would take half of the window.
+            # The title of the card has the motor, and the full name of P is too long.
             is_constant = key.endswith(MotorParameter.CURRENT_LIMIT_P)
             name = tr("Limit P") if is_constant else spec.short_name
             label = ui.label(self._editors, text=name, tip=spec.description)

@@ -18,7 +18,7 @@ from trex_gui.ui.widgets.builders import column, row
 from trex_gui.ui.widgets.labels import LegendKey
 from trex_gui.ui.widgets.painted import Painted
 
-_SPEED_REACH = 134.0
+_SPEED_REACH = 134.0  # ends of the speed axis, ±
 _AFTER = 0.6  # seconds shown after the end of a test
 _MIN_CURRENT = 2.0  # A; the current axis reaches at least this value
 _MAX_SECONDS_LABELS = 8
@@ -26,7 +26,7 @@ _MAX_CURRENT_LABELS = 4
 
 
 class BenchPlot(Painted):
-    """Plots of a test, of the test compared with it, and of the next profile."""
+    """Plots of a test, the compared test, and the next profile."""
 
     spoken_role = QAccessible.Role.Chart
 
@@ -82,7 +82,7 @@ class BenchPlot(Painted):
         return max(lengths, default=1.0) + _AFTER
 
     def show_plan(self, profile: Profile, abort: float, limit: float | None) -> None:
-        """Show the profile of the next test, its abort current and its limit, both in A."""
+        """Show the next profile, its abort current and its limit, in A."""
         if profile != self._profile:
             self._profile = profile
             self._planned.set_points(*_arrays(profile.course()))
@@ -93,7 +93,7 @@ class BenchPlot(Painted):
         self._limit_key.setText(tr("Limit {0:g} A").format(Number(limit or 0)))
 
     def show_runs(self, run: Run | None, before: Run | None) -> None:
-        """Show a test, which may still run, and the test compared with it."""
+        """Show a test, which may still run, and the compared test."""
         self._run, self._before = run, before
         peak = max((amps for test in (run, before) if test for _, amps in test.currents), default=0)
         peak = max(_MIN_CURRENT, 1.05 * peak)
@@ -133,7 +133,7 @@ def _arrays(points: object) -> tuple[Floats, Floats]:
 
 
 def _steps(run: Run | None) -> tuple[Floats, Floats]:
-    """Return the setpoints as a stepped line. Each holds until the next."""
+    """Return the setpoints as a stepped line."""
     if run is None or not run.setpoints:
         return _arrays(())
     times, speeds = _arrays(run.setpoints)

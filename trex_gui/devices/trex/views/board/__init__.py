@@ -1,1 +1,1 @@
-"""The page *Board*: the board drawn as it is now."""
+"""Board page."""

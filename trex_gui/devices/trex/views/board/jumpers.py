@@ -1,4 +1,4 @@
-"""Picture of the jumpers and LEDs of a board as a task requires them."""
+"""Picture of required jumper positions and LED patterns."""
 
 from collections.abc import Collection
 
@@ -14,11 +14,11 @@ from trex_gui.ui.widgets.leds import Leds
 from trex_gui.ui.widgets.painted import Painted, Painter
 
 _SCALE = 1.4  # text size, relative to the font of the widget
-_LEFT, _ABOVE, _LEDS = 1.8, 1.3, 1.9  # lines of text beside and above the jumpers, for LEDs
+_LEFT, _ABOVE, _LEDS = 1.8, 1.3, 1.9  # lines of text: margins of the jumpers, height of the LEDs
 
 
 class JumperPicture(Painted):
-    """Picture of each jumper with its position. Jumpers to move have a frame."""
+    """Picture of the jumpers. Jumpers to move have a frame."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -39,8 +39,8 @@ class JumperPicture(Painted):
     ) -> None:
         """Show the required positions of the jumpers, and the resulting LED patterns.
 
-        An empty `mode` means that its jumper is off. `mix` is `None` if it does not matter.
-        `moved` are the jumpers to move: `mode`, `mix`, `so_ground`.
+        If `mode` is empty, the mode jumper is off. If `mix` is `None`, the mix jumper is not
+        shown. `moved` are the jumpers to move: `mode`, `mix`, `so_ground`.
         """
         names = {
             "mode": (tr("Mode: {0}").format(mode) if mode else tr("Mode: off"), bool(mode)),
@@ -51,8 +51,8 @@ class JumperPicture(Painted):
             del names["mix"]
         self._moved, self._jumpers = moved, {}
         for key, (name, is_on) in names.items():
-            to_do = tr("put it on") if is_on else tr("remove it")
-            self._jumpers[key] = (f"{name}  {to_do}" if key in moved else name), is_on
+            action = tr("put it on") if is_on else tr("remove it")
+            self._jumpers[key] = (f"{name}  {action}" if key in moved else name), is_on
         self.setAccessibleName(", ".join(text for text, _ in self._jumpers.values()))
         self._leds.setVisible(leds is not None)
         if leds is not None:

@@ -1,4 +1,4 @@
-"""Page of the board: state of the motors, drawing, open set-up steps, and problems."""
+"""Board page: state of the motors, drawing, open set-up steps and problems."""
 
 from collections.abc import Callable
 
@@ -34,7 +34,7 @@ SIGNS = {
 
 
 class Reasons(PageHead):
-    """All reasons for the state of the motors. The most important reason is the title."""
+    """Reasons for the state of the motors. The most important reason is the title."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__("", parent)
@@ -51,7 +51,7 @@ class Reasons(PageHead):
         sign = ("run", "warning") if is_armed else SIGNS[first.blocker.effect]
         self.sign.show_sign(*sign)
         self.show_title(first.text)
-        more = (first.remedy, *(f"{one.text} {one.remedy}" for one in others))
+        more = (first.remedy, *(f"{status.text} {status.remedy}" for status in others))
         state = " ".join(filter(None, map(str.strip, more)))
         self.show_state(state)
         self.title.setAccessibleName(f"{first.text} {state}".rstrip())
@@ -59,7 +59,7 @@ class Reasons(PageHead):
 
 class BoardPage(QWidget):
     setup_requested = Signal()
-    page_wanted = Signal(str)  # the key of the page
+    page_wanted = Signal(str)  # page key
 
     def __init__(
         self,
@@ -68,7 +68,7 @@ class BoardPage(QWidget):
         start: Callable[[QWidget], QWidget],
         parent: QWidget | None = None,
     ) -> None:
-        """`start` creates the panel that is shown while nothing is connected."""
+        """Create the page. `start` creates the panel for the time without a connection."""
         super().__init__(parent)
         self.setObjectName("boardPage")
         self._device = device
@@ -114,11 +114,10 @@ class BoardPage(QWidget):
 
     @Slot()
     def _on_group_changed(self) -> None:
-        """Draw the other boards of a group beside this board."""
         for view in self._others:
             self._views.remove(view)
-        others = [one for one in self._group.devices.values() if one is not self._device]
-        self._others = {BoardView(one, self._views): one for one in others}
+        others = [each for each in self._group.devices.values() if each is not self._device]
+        self._others = {BoardView(device, self._views): device for device in others}
         for view, device in self._others.items():
             view.page_wanted.connect(self.page_wanted)
             self._views.add(view)
@@ -169,7 +168,7 @@ class BoardPage(QWidget):
 
     @Slot()
     def _show_motors(self) -> tuple[DriveInputs, DriveStatus]:
-        """Show the reasons for the state of the motors. Return the inputs and the first status."""
+        """Show the state of the motors. Return its inputs and the first status."""
         inputs = drive_inputs(self._device)
         statuses = drive_statuses(inputs)
         self._reasons.show_statuses(statuses)
@@ -178,7 +177,7 @@ class BoardPage(QWidget):
     @Slot()
     def _show_problems(self) -> None:
         board = self._device.board
-        names = [tr(one.name) for one in board.errors.entries if one.is_uncleared]
+        names = [tr(entry.name) for entry in board.errors.entries if entry.is_uncleared]
         text = ", ".join(names)
         if not names and board.connected_utc is not None:
             text = tr("None since {0}.").format(f"{board.connected_utc.astimezone():%H:%M}")
@@ -199,7 +198,7 @@ class BoardPage(QWidget):
 
 
 def _open_text(done: SetUp) -> str:
-    """Return the steps of the set-up, with a tick before stored steps."""
+    """Return the set-up steps, with ticks before stored steps."""
     steps = {
         tr("sticks learned"): done.sticks,
         tr("current limits"): done.limits,

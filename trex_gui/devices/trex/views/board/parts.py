@@ -1,4 +1,4 @@
-"""Parts of the drawing of a board. Each is a button with a name, a state and a page."""
+"""Parts of the board drawing. Each part is a button."""
 
 import math
 from collections.abc import Callable
@@ -26,15 +26,15 @@ from trex_gui.ui.widgets.painted import Painter, never_mirror
 PULLED = 10  # pixels between the socket and a pulled plug
 _SPOKES = 5
 WHEEL = 3.9  # diameter in text lines
-_TURNS = 0.8  # a second at full speed: symbolic, since the board measures no speed
+_TURNS = 0.8  # per second at full speed; symbolic, since the board measures no speed
 
 
 class BoardPart(QAbstractButton, Spoken):
-    """Shows its name in bold, and the reports of the board in the lines below."""
+    """Button with its name in bold, above the reports of the board."""
 
     spoken_role = QAccessible.Role.Button
-    spoken_from = 0  # first line that adds to the name
-    ground = ""  # colour around the part; if empty, the widget below is painted as well
+    spoken_from = 0  # first line after the name
+    ground = ""  # background colour; if empty, the part is transparent
 
     def __init__(
         self,
@@ -44,7 +44,7 @@ class BoardPart(QAbstractButton, Spoken):
         parent: QWidget,
         color: str = "outline",
     ) -> None:
-        """`open_page` opens the page on the part. `color` is a name of the theme."""
+        """Create the part. A click calls `open_page`. `color` is a theme colour."""
         super().__init__(parent)
         self.color = color
         never_mirror(self)
@@ -54,8 +54,8 @@ class BoardPart(QAbstractButton, Spoken):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self.lines: tuple[str, ...] = ()
-        self._seen = QRect()  # area that is being painted
-        self.alarm = ""  # theme colour of the last line in an alarm, else empty
+        self._painted = QRect()  # area of the current paint event
+        self.alarm = ""  # theme colour of the last line in an alarm
         self.clicked.connect(open_page)
         theme().changed.connect(self.update)
 
@@ -71,7 +71,7 @@ class BoardPart(QAbstractButton, Spoken):
         return ", ".join(filter(None, self.lines[self.spoken_from :]))
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        self._seen = event.rect()
+        self._painted = event.rect()
         # Set at each paint, because styles clear it for buttons.
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent, bool(self.ground))
         with Painter(self) as painter:
@@ -84,18 +84,17 @@ class BoardPart(QAbstractButton, Spoken):
             self.paint(painter)
 
     def paint(self, painter: QPainter) -> None:
-        """Paint the shape of the part and its lines."""
         raise NotImplementedError
 
     def write_beside(self, painter: QPainter, left: float) -> None:
-        """Write the lines beside a shape that ends at `left`, unless only the shape is painted."""
-        if self._seen.right() > left:
+        """Write the lines from `left`, if that area is painted."""
+        if self._painted.right() > left:
             place = QRectF(left, 0, self.width() - left, self.height())
             write_lines(painter, place, self.lines, alarm=self.alarm)
 
 
 class ChannelPart(BoardPart):
-    """An input: its value on a bar with the marks of its calibration."""
+    """Value of an input, on a bar with its calibration."""
 
     spoken_from = 2
     ground = "base"
@@ -117,20 +116,20 @@ class ChannelPart(BoardPart):
             self.update()
 
     def paint(self, painter: QPainter) -> None:
-        room = QRectF(self.rect()).adjusted(4, 2, -4, -2)
-        line = QRectF(room.left(), room.top(), room.width(), self.fontMetrics().height())
+        area = QRectF(self.rect()).adjusted(4, 2, -4, -2)
+        line = QRectF(area.left(), area.top(), area.width(), self.fontMetrics().height())
         title, role, value = (*self.lines, "", "", "")[:3]
-        beside, taken = (text_width(self.font(), f"{text} ") + 4 for text in (title, value))
+        left, right = (text_width(self.font(), f"{text} ") + 4 for text in (title, value))
         write(painter, line, title, "window_text", bold=True)
-        write(painter, line.adjusted(beside, 0, -taken, 0), role, "muted")
+        write(painter, line.adjusted(left, 0, -right, 0), role, "muted")
         write(painter, line, value, "window_text", bold=True, align=Qt.AlignmentFlag.AlignRight)
         high = 0.6 * line.height()
-        track = QRectF(room.left(), self.height_of_bar - high / 2, room.width(), high)
+        track = QRectF(area.left(), self.height_of_bar - high / 2, area.width(), high)
         paint_input(painter, track, self._axis, self._count, self._calibration)
 
 
 class LedPart(BoardPart):
-    """An LED in the pattern that the board shows, with the pattern in words."""
+    """LED with the pattern of the board, also in words."""
 
     spoken_from = 1
     ground = "board"
@@ -155,7 +154,7 @@ class LedPart(BoardPart):
 
 
 class JumperPart(BoardPart):
-    """Two pins, with or without a jumper. The jumper is dashed while unknown."""
+    """Two pins, with or without a jumper. An unknown jumper is dashed."""
 
     ground = "board"
     is_on: bool | None = None
@@ -172,7 +171,7 @@ class JumperPart(BoardPart):
 
 
 class MotorPart(BoardPart):
-    """A wheel that turns at the speed of the motor, with setpoint, current and limit."""
+    """Wheel that turns at the speed of its motor."""
 
     spoken_from = 1
     speed = 0  # -127 to 127
@@ -193,8 +192,8 @@ class MotorPart(BoardPart):
 
     def _wheel(self) -> QRectF:
         line = self.fontMetrics().height()
-        wanted = min(max(WHEEL * line, 0.6 * self.height()), 7 * line, 0.38 * self.width())
-        side = min(self.height() - 22.0, wanted)
+        preferred = min(max(WHEEL * line, 0.6 * self.height()), 7 * line, 0.38 * self.width())
+        side = min(self.height() - 22.0, preferred)
         return QRectF(10, (self.height() - side) / 2, side, side)
 
     def paint(self, painter: QPainter) -> None:
@@ -232,10 +231,10 @@ class MotorPart(BoardPart):
 
 
 class SerialPart(BoardPart):
-    """The header of the serial line, and the quality of the line."""
+    """Serial header at the lower edge of the board, and line quality."""
 
     PINS = ("SI", "SO", "GND")
-    body_width = 0  # width of the board, which has the header at its lower edge
+    body_width = 0  # width of the board, in pixels
 
     def _place_of_lines(self) -> QRect:
         return self.rect().adjusted(0, int(self._box().bottom()), 0, 0)
@@ -256,10 +255,10 @@ class SerialPart(BoardPart):
 
 
 class PlugPart(BoardPart):
-    """A wire with a plug at its end. A pulled plug is drawn beside its socket."""
+    """Wire with a plug. A pulled plug is drawn beside its socket."""
 
     is_out = False
-    is_labelled = False  # whether two lines, name and state, are above the wire
+    is_labelled = False  # name and state are above the wire
 
     def show_plug(self, *lines: str, out: bool) -> None:
         self.is_out = out

@@ -1,4 +1,4 @@
-"""Drawing of the board that shows each report at the part it concerns."""
+"""Drawing of the board with its reports."""
 
 from collections.abc import Callable, Mapping
 from functools import partial
@@ -32,7 +32,7 @@ from trex_gui.ui.theme.theme import follow_theme, scaled_font, theme
 from trex_gui.ui.widgets.circuit import paint_block, paint_body, text_width
 from trex_gui.ui.widgets.painted import Animation, Painter, never_mirror
 
-# Texts for setpoints that are no speed.
+# Texts of setpoints without a speed.
 _SOURCES = {
     SetpointSource.UNKNOWN: tr_noop("not known"),
     SetpointSource.JOINT: tr_noop("works with motor 1"),
@@ -41,16 +41,16 @@ _SOURCES = {
 }
 
 _WIRE = 1.4  # lines of text between the body and the parts beside it
-_LOWEST, _HIGHEST = 20, 26  # lines: minimum height, and height of the size hint
-_SERIAL = 3.4  # lines: height of the serial line, of which 0.8 are on the body
-_LARGEST = 1.5  # largest font scale, unless `_PLENTY` lines fit at a larger scale
-_PLENTY = 30  # lines
+_MIN_HEIGHT, _HEIGHT = 20, 26  # lines of text
+_SERIAL = 3.4  # lines: height of the serial line, 0.8 of it on the body
+_MAX_SCALE = 1.5  # of the font; larger only if `_MANY_LINES` still fit
+_MANY_LINES = 30
 
 
 class BoardView(QWidget):
-    """View of the connected board. Each part opens the page about it."""
+    """Drawing of the connected board. Each part opens its page."""
 
-    page_wanted = Signal(str)  # the key of the page
+    page_wanted = Signal(str)  # page key
 
     def __init__(self, device: Device, parent: QWidget) -> None:
         super().__init__(parent)
@@ -60,7 +60,7 @@ class BoardView(QWidget):
         self._device = device
         self._body = QRect()
         self._shown_name = self._name()
-        self._began = now()
+        self._started = now()
         self._motion = Animation(self, self._on_frame)
 
         def opens(page: str) -> Callable[[], object]:
@@ -92,12 +92,12 @@ class BoardView(QWidget):
             )
         }
         self._serial = SerialPart("Serial", tr("Serial line"), opens("errors"), self)
-        follow_theme(self, "room", self._place)
+        follow_theme(self, "space", self._place)
 
-    # --- Places -------------------------------------------------------------------------
+    # --- Layout -------------------------------------------------------------------------
 
     def _columns(self) -> tuple[tuple[float, float], ...]:
-        """Return the least and greatest widths of channels, body and motors, in lines of text."""
+        """Return minimum and maximum widths of channels, body and motors, in lines of text."""
         font, line = self.font(), self.fontMetrics().height()
         roles = text_width(font, *(f"CH5  {tr(role)}  2000 µs " for role in CHANNEL_NAMES.values()))
         words = f"{tr('not armed')} {tr('reverse')} {tr('limit {0:.1f} A').format(88.8)}".split()
@@ -107,11 +107,11 @@ class BoardView(QWidget):
 
     def minimumSizeHint(self) -> QSize:
         width, line = sum(least for least, _ in self._columns()), self.fontMetrics().height()
-        return QSize(round((width + 2 * _WIRE) * line) + 1, _LOWEST * line)
+        return QSize(round((width + 2 * _WIRE) * line) + 1, _MIN_HEIGHT * line)
 
     def sizeHint(self) -> QSize:
         width, line = sum(most for _, most in self._columns()), self.fontMetrics().height()
-        return QSize(round((width + 2 * _WIRE) * line) + 1, _HIGHEST * line)
+        return QSize(round((width + 2 * _WIRE) * line) + 1, _HEIGHT * line)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -120,12 +120,12 @@ class BoardView(QWidget):
     def _place(self) -> None:
         self.updateGeometry()
         least, base, width = self.minimumSizeHint(), self.fontMetrics().height(), self.width()
-        most = max(_LARGEST, self.height() / base / _PLENTY)
-        larger = min(width / least.width(), self.height() / least.height(), most)
-        line = round(base * max(1.0, larger))
+        max_scale = max(_MAX_SCALE, self.height() / base / _MANY_LINES)
+        scale = min(width / least.width(), self.height() / least.height(), max_scale)
+        line = round(base * max(1.0, scale))
         for part in self.findChildren(BoardPart):
             part.setFont(scaled_font(self.font(), line / base))
-        extra = max(0.0, width / line - least.width() / base)  # width to share among the columns
+        extra = max(0.0, width / line - least.width() / base)  # spare width, in lines
         columns = [round(line * min(most, least + extra / 4)) for least, most in self._columns()]
         wire = round(min(5.0, _WIRE + extra / 8) * line)
         left = max(0, (width - sum(columns) - 2 * wire) // 2)
@@ -143,21 +143,21 @@ class BoardView(QWidget):
         half = inside.width() // 2
         for number, led in enumerate(self._leds):
             led.setGeometry(inside.left() + number * half, at, half, round(2.4 * line))
-        room = (self._body.bottom() - line - at - 2 * line) // 3
+        step = (self._body.bottom() - line - at - 2 * line) // 3
         for number, jumper in enumerate((self._mode, self._mix, self._so_ground)):
-            place = QRect(inside.left(), at + round(2.4 * line) + number * room, inside.width(), 0)
-            place.setHeight(min(room, round(4.5 * line)))
+            place = QRect(inside.left(), at + round(2.4 * line) + number * step, inside.width(), 0)
+            place.setHeight(min(step, round(4.5 * line)))
             jumper.setGeometry(place)
         bottom = self._body.bottom() - round(0.8 * line)
         self._serial.body_width = self._body.width()
         width = left + sum(columns) + 2 * wire - self._body.left()
         self._serial.setGeometry(self._body.left(), bottom, width, self.height() - bottom)
 
-    def _place_column(self, parts: Mapping[int, BoardPart], room: QRect, height: int) -> None:
-        step = room.height() / len(parts)
+    def _place_column(self, parts: Mapping[int, BoardPart], area: QRect, height: int) -> None:
+        step = area.height() / len(parts)
         for number, part in enumerate(parts.values()):
-            top = round(room.top() + (number + 0.5) * step - height / 2)
-            part.setGeometry(room.left(), top, room.width(), height)
+            top = round(area.top() + (number + 0.5) * step - height / 2)
+            part.setGeometry(area.left(), top, area.width(), height)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         body, line = QRectF(self._body), self._serial.fontMetrics().height()
@@ -187,10 +187,10 @@ class BoardView(QWidget):
             return name
         return f"{name} · {settings.device_number}"
 
-    # --- What the board reports ---------------------------------------------------------
+    # --- Reports ------------------------------------------------------------------------
 
     def show_board(self, inputs: DriveInputs) -> None:
-        """Show the newest values. Unknown values are drawn as unknown."""
+        """Show the newest values."""
         device = self._device
         board = inputs.board if inputs.link is None else None
         self._show_channels()
@@ -208,13 +208,14 @@ class BoardView(QWidget):
             text = tr("{0:.0f} reads/s, {1:.1f} % answered").format(Number(quality.rate), answered)
         alarm = "warning" if quality.is_noisy or not is_connected else ""
         recent = device.board.errors.recent(1, now()) if is_connected else []
-        if errors := [tr(one.name) for one in recent if isinstance(one.bit, UartError)]:
+        if errors := [tr(entry.name) for entry in recent if isinstance(entry.bit, UartError)]:
             text, alarm = ", ".join(errors), "danger"
         self._serial.color = alarm or "led_green"
         self._serial.show_lines(text, alarm=alarm)
         self._show_leds()
         motors = self._motors.values()
-        self._motion.run(any(one.moves for one in self._leds) or any(one.speed for one in motors))
+        blinks = any(led.moves for led in self._leds)
+        self._motion.run(blinks or any(motor.speed for motor in motors))
         if self._name() != self._shown_name:
             self._shown_name = self._name()
             self.update()
@@ -288,7 +289,7 @@ class BoardView(QWidget):
                 currents = device.telemetry.motor_currents
                 if currents is not None:
                     lines.append(f"{Number(currents[number - 1]):.2f} A")
-                if not is_alarming:  # there is space for one more line only
+                if not is_alarming:  # only one more line fits
                     lines.append(limit_text(device, number))
             if faults:
                 lines.append(error_names(faults))
@@ -299,10 +300,10 @@ class BoardView(QWidget):
             part.show_speed(0 if setpoint.may_turn else speed)
             part.show_lines(*lines, alarm=alarm)
 
-    # --- What moves ---------------------------------------------------------------------
+    # --- Animation ----------------------------------------------------------------------
 
     def _show_leds(self) -> None:
-        moment = now() - self._began if self._motion.is_wanted else 0.0
+        moment = now() - self._started if self._motion.is_wanted else 0.0
         for led in self._leds:
             led.show_moment(moment)
 

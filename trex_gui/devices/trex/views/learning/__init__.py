@@ -1,1 +1,1 @@
-"""The wizard that learns channels."""
+"""Assistant that learns channels."""

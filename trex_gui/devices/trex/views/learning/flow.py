@@ -1,4 +1,4 @@
-"""Steps of learning (motors stopped, hands off, all ends, review) or of a stick test."""
+"""Steps of channel learning, or of a stick test."""
 
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -20,57 +20,57 @@ from trex_gui.devices.trex.views.robot_view import RobotView
 from trex_gui.devices.trex.views.steps import Flow, Page, Shown
 from trex_gui.ui.widgets import builders as ui
 
-# Index of a step in the list of steps. The test is at 1, other steps are at 0.
-_PLACES = {LearningStep.NEUTRAL: 1, LearningStep.TRAVEL: 2, LearningStep.REVIEW: 3}
+# The stick test has index 1, other steps have index 0.
+_INDICES = {LearningStep.NEUTRAL: 1, LearningStep.TRAVEL: 2, LearningStep.REVIEW: 3}
 
 
 class LearnFlow(Flow):
-    """Flow of learning channels. Opening it again does not restart learning in progress."""
+    """Steps of channel learning. Opening it again does not restart learning in progress."""
 
     size = 1040, 660
-    apply_requested = Signal()  # the learned values are edits now
+    apply_requested = Signal()  # the learned values became edits
 
     def __init__(
         self, learning: Learning, parent: QObject | None = None, *, name: str = "learn"
     ) -> None:
-        """`name`: differs from `learn` inside another task, which opens the test itself."""
+        """Create the flow. Inside another task, `name` is not `learn`, and no test follows."""
         super().__init__(parent)
         self.name = name
         self.learning = learning
         self._page: Page | None = None
         self._shown_for: tuple[LearningStep, object] | None = None
         self._offers_test = False
-        self._place = 0
+        self._index = 0
         learning.changed.connect(self._on_changed)
         learning.measured.connect(self._on_measured)
         if name == "learn":
             learning.stored.connect(self._on_stored)
 
     def learn(self, channels: Sequence[int] = CHANNELS) -> None:
-        """Learn these channels, unless learning is in progress. The motors are stopped first."""
+        """Learn channels if no learning is in progress. Stops the motors first."""
         self._open(partial(self.learning.start, channels))
 
     def test(self, channels: Sequence[int] = CHANNELS) -> None:
-        """Test the sticks with the stored values. The motors are stopped first."""
+        """Test the sticks with the stored values. Stops the motors first."""
         self._open(partial(self.learning.begin_test, channels))
 
-    def _open(self, begin: Callable[[], object]) -> None:
+    def _open(self, start: Callable[[], object]) -> None:
         if not self.is_learning:
             self._offers_test = False
-            begin()
+            start()
         self.show_in_front()
 
     @property
     def is_learning(self) -> bool:
-        """True while measurements could be lost. False in a test, which is quickly repeated."""
+        """True while measurements could be lost. False during a test."""
         ended = {LearningStep.ENDED, LearningStep.FAILED}
         return not self.learning.is_test and self.learning.step not in ended
 
     # --- Buttons ------------------------------------------------------------------------
 
     def add_buttons(self, parent: QWidget) -> Sequence[QPushButton]:
-        name, act = f"{self.name}AgainButton", self.learning.again
-        self._again = ui.button(parent, name, default=False, on_click=act)
+        name = f"{self.name}AgainButton"
+        self._again = ui.button(parent, name, default=False, on_click=self.learning.again)
         return (self._again,)
 
     def back(self) -> None:
@@ -95,7 +95,7 @@ class LearnFlow(Flow):
         if not self.learning.motors_armed:
             self.test(self.learning.numbers)
             return
-        self._offers_test = True  # the user is driving: the motors keep running
+        self._offers_test = True  # the user is driving
         self.opened.emit(False)
 
     @Slot()
@@ -121,10 +121,10 @@ class LearnFlow(Flow):
         if learning.is_test or self._offers_test:
             title, titles[1:] = title_of(tr("&Test the sticks…")), [tr("Test")]
         if step is not LearningStep.FAILED:
-            self._place = _PLACES.get(step, int(step is LearningStep.TEST))
+            self._index = _INDICES.get(step, int(step is LearningStep.TEST))
         self.show_buttons()
         text, may_go_on = tr("&Next"), learning.can_go_on
-        note, is_alarming = _note_on(learning)
+        note, is_alarming = _status_note(learning)
         if self._offers_test:
             text, may_go_on = tr("Stop the motors and &test"), True
             note = tr("The new values are in the board. Their test has to stop the motors first.")
@@ -138,7 +138,7 @@ class LearnFlow(Flow):
         return Shown(
             title,
             titles,
-            min(self._place, len(titles) - 1),
+            min(self._index, len(titles) - 1),
             self._page_of(step),
             note=note,
             is_alarming=is_alarming,
@@ -150,7 +150,7 @@ class LearnFlow(Flow):
         )
 
     def _page_of(self, step: LearningStep) -> Page:
-        # New channels or tests also need a new page.
+        # New channels and new tests also require a new page.
         learning = self.learning
         subject = learning.tests if step is LearningStep.TEST else learning.channels
         if self._page is not None and self._shown_for == (step, subject):
@@ -197,8 +197,8 @@ class LearnFlow(Flow):
         self._again.setEnabled(not learning.sampling)
 
 
-def _note_on(learning: Learning) -> tuple[str, bool]:
-    """Return the text about the current step, and whether it is alarming."""
+def _status_note(learning: Learning) -> tuple[str, bool]:
+    """Return a note on the current step, and whether it is alarming."""
     if learning.inputs.stalled:
         text = tr("The board sends no measurements: the line is busy or disturbed. Waiting …")
         return text, True

@@ -1,4 +1,4 @@
-"""Pages of live inputs: at rest, in motion, and in the stick test."""
+"""Pages with live inputs: at rest, in motion, and in the stick test."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -27,12 +27,12 @@ from trex_gui.ui.widgets.labels import Muted, Note, Sign
 
 ChannelT = TypeVar("ChannelT", bound=LearnedChannel | StickTest)
 
-_TEXT_WIDTH = 24  # characters of the text beside a strip before it wraps
-_LEAST_LINES = 3.2  # least height of a strip, in lines of text
+_TEXT_WIDTH = 24  # characters, of the text beside a strip
+_MIN_LINES = 3.2  # height of a strip, in lines of text
 
 
 class InputStrip(ChannelStrip):
-    """Strip of a channel that cannot be selected."""
+    """Channel strip that cannot be selected."""
 
     spoken_role = QAccessible.Role.Graphic
 
@@ -44,10 +44,10 @@ class InputStrip(ChannelStrip):
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._scale: tuple[InputSource, Calibration | None] | None = None
-        follow_theme(self, "room", self._update_space)
+        follow_theme(self, "space", self._update_space)
 
     def _update_space(self) -> None:
-        self.setMinimumHeight(round(_LEAST_LINES * self.fontMetrics().height()))
+        self.setMinimumHeight(round(_MIN_LINES * self.fontMetrics().height()))
 
     def show_input(
         self,
@@ -57,7 +57,7 @@ class InputStrip(ChannelStrip):
         raw: int | None,
         output: int | None = None,
     ) -> None:
-        """Add a sample, unless it is already shown. `raw` is `None` without a signal."""
+        """Add a sample if it is new. `raw` is `None` without a signal."""
         if (source, marks) != self._scale:
             self._scale = source, marks
             self.set_scale(source, marks)
@@ -68,7 +68,7 @@ class InputStrip(ChannelStrip):
 
 
 class ChannelRow(Generic[ChannelT]):
-    """Row of one channel: its live strip, signs and a text."""
+    """Row of a channel: live strip, signs and text."""
 
     text_name = ""
 
@@ -120,7 +120,7 @@ class ChannelRows(Page):
 
 
 class RestRow(ChannelRow[LearnedChannel]):
-    """The rest position of a channel and its noise."""
+    """Rest position and noise of a channel."""
 
     text_name = "learnNeutral"
 
@@ -141,7 +141,7 @@ class RestRow(ChannelRow[LearnedChannel]):
 
 
 class EndState(Enum):
-    """State of an end: its sign, colour and text."""
+    """State of an end: sign, colour, text."""
 
     OPEN = "○", "muted", tr_noop("{0} end: not reached yet")
     HOLD = "▸", "window_text", tr_noop("{0} end: hold it there")
@@ -150,7 +150,7 @@ class EndState(Enum):
 
 
 class EndSign(QLabel):
-    """Name and sign of an end, in a fixed width."""
+    """Name and sign of an end, with a fixed width."""
 
     def __init__(self, name: str, object_name: str, parent: QWidget) -> None:
         super().__init__(parent)
@@ -160,7 +160,7 @@ class EndSign(QLabel):
         self._state: EndState | None = None
         widest = f"{name} MM"
         follow_theme(
-            self, "room", lambda: self.setFixedWidth(self.fontMetrics().horizontalAdvance(widest))
+            self, "space", lambda: self.setFixedWidth(self.fontMetrics().horizontalAdvance(widest))
         )
         self.show_state(EndState.OPEN)
 
@@ -174,7 +174,7 @@ class EndSign(QLabel):
 
 
 class TravelRow(ChannelRow[LearnedChannel]):
-    """Ends of a channel: marks on its strip for reached ends, and a sign for each end."""
+    """Ends of a channel, as marks on its strip and as signs."""
 
     text_name = "learnTravel"
 
@@ -223,7 +223,7 @@ class TravelRow(ChannelRow[LearnedChannel]):
 
 
 class TestRow(ChannelRow[StickTest]):
-    """The output of a channel, and what is left to test."""
+    """Output of a channel, and progress of its test."""
 
     __test__ = False
     text_name = "learnTest"
@@ -236,7 +236,7 @@ class TestRow(ChannelRow[StickTest]):
 
 
 class TestPage(ChannelRows):
-    """Rows of the tested channels, and a note about what safe-start would do."""
+    """Rows of the tested channels, and a note on safe-start."""
 
     __test__ = False
 
@@ -256,7 +256,7 @@ class TestPage(ChannelRows):
 
 
 def _sign_of(test: StickTest) -> tuple[str, str]:
-    """Return the icon of a channel and its colour. The text beside it says the same."""
+    """Return icon and colour of a test."""
     if test.ignored:
         return "info", "muted"
     if test.output is None:

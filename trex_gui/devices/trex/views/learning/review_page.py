@@ -1,4 +1,4 @@
-"""Learned and stored values of each channel. Importing it loads pyqtgraph."""
+"""Learned and stored values of each channel. Importing this module loads pyqtgraph."""
 
 from functools import partial
 from typing import Any
@@ -31,7 +31,7 @@ _CURVE_CHARACTERS, _CURVE_LINES = 40, 13
 
 
 class ChannelForm(QWidget):
-    """Form of one channel: a box to use its new values, new and old values, reasons."""
+    """Form with the new and old values of a channel."""
 
     def __init__(self, learning: Learning, channel: LearnedChannel, parent: QWidget) -> None:
         super().__init__(parent)
@@ -45,7 +45,7 @@ class ChannelForm(QWidget):
             "deadband": tr("&Deadband"),
         }
         self._editors: dict[str, CountEditor] = {}
-        self._were: dict[str, Muted] = {}
+        self._old_values: dict[str, Muted] = {}
 
         self._include = ui.check_box(
             self,
@@ -57,7 +57,7 @@ class ChannelForm(QWidget):
         self._values = QWidget(self)
         text = tr("was reversed") if channel.reversed_now else tr("was not reversed")
         was_reversed = Muted(text, self)
-        self._turned = ui.named(Note(1, self), f"learnReversal{number}")
+        self._reversal = ui.named(Note(1, self), f"learnReversal{number}")
         self._problem = ui.named(Note(1, self), f"learnProblem{number}")
         self._reasons = ui.named(Muted("", self), f"learnReasons{number}")
 
@@ -73,7 +73,7 @@ class ChannelForm(QWidget):
             was = Muted("", self)
             for column, widget in enumerate((ui.label(self, text=name, buddy=editor), editor, was)):
                 grid.addWidget(widget, row, column)
-            self._editors[field], self._were[field] = editor, was
+            self._editors[field], self._old_values[field] = editor, was
             editor.valueChanged.connect(partial(self._on_value_changed, field))
             editor.rejected.connect(partial(self._problem.show_note, alarming=True))
         self._reversed = ui.check_box(
@@ -84,7 +84,7 @@ class ChannelForm(QWidget):
         )
         grid.addWidget(self._reversed, len(names), 1)
         grid.addWidget(was_reversed, len(names), 2)
-        grid.addWidget(self._turned, len(names) + 1, 0, 1, 3)
+        grid.addWidget(self._reversal, len(names) + 1, 0, 1, 3)
         self._rest = ui.button(self, f"learnUseRest{number}", on_click=self._on_rest_clicked)
         rest = self._rest, 0, Qt.AlignmentFlag.AlignLeft
         items = self._include, self._values, self._problem, rest, self._reasons
@@ -126,7 +126,7 @@ class ChannelForm(QWidget):
         self._rest.setText(tr("Use {0} &as neutral").format(channel.source.text(rest or 0)))
         reasons = [channel.remark]
         if channel.proposal is not None:
-            self._turned.show_note(channel.proposal.reversed_reason, alarming=True)
+            self._reversal.show_note(channel.proposal.reversed_reason, alarming=True)
             reasons += channel.proposal.reasons
         if self._learning.pending.has_edit(channel.number):
             reasons.insert(0, tr("This replaces a pending edit of the channel."))
@@ -142,11 +142,11 @@ class ChannelForm(QWidget):
             old = tr("unknown")
             if before is not None:
                 old = input_text(self.channel.source, getattr(before.calibration, field))
-            self._were[field].setText(tr("{0}\nwas {1}").format(editor.other_text, old))
+            self._old_values[field].setText(tr("{0}\nwas {1}").format(editor.other_text, old))
 
 
 class ReviewPage(Page):
-    """Page of one channel at a time: its curve with handles to edit it, and its values."""
+    """Curve and values of one channel at a time. Both can be edited."""
 
     def __init__(self, learning: Learning) -> None:
         super().__init__("learnReviewPage")
@@ -166,8 +166,8 @@ class ReviewPage(Page):
         self._keys = after, ui.named(before, "learnCurveBefore")
         self._live = ui.named(Muted("", self), "learnCurveLive")
         source = learning.preconditions.source
-        why = tr(WHY_THESE_VALUES).format(source.text(deadband_floor(source)))
-        self._common = ui.named(Muted(why, self.side), "learnCommonReasons")
+        reasons = tr(WHY_THESE_VALUES).format(source.text(deadband_floor(source)))
+        self._common = ui.named(Muted(reasons, self.side), "learnCommonReasons")
         self._earlier = ui.named(Note(0, self.side), "learnEarlierEdits")
         items = self._tabs, ui.row(*self._keys, 1), (self._plot, 1), self._live
         ui.column(*items, into=self, margins=0)
@@ -232,7 +232,7 @@ class ReviewPage(Page):
         self._tabs.setMinimumWidth(self._tabs.sizeHint().width())
 
     def _sign_of(self, channel: LearnedChannel) -> tuple[str, str, str]:
-        """Return the icon, its colour and its meaning."""
+        """Return icon, colour and meaning."""
         if channel.choice is None:
             return "warning", "warning", tr("Nothing was learned.")
         if not channel.choice.included:

@@ -1,1 +1,1 @@
-"""The assistant that sets up a robot."""
+"""Assistant that sets up a robot."""

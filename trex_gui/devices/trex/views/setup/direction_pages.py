@@ -1,4 +1,4 @@
-"""Setup steps that determine stick directions and the wiring of the motors."""
+"""Set-up steps for stick directions and motor wiring."""
 
 from functools import partial
 
@@ -25,7 +25,7 @@ from trex_gui.ui.widgets.labels import Muted, Note
 
 
 class SticksPage(Page):
-    """Starts learning, or with learned channels asks for the directions of the sticks."""
+    """Starts learning, or records the directions of learned sticks."""
 
     def __init__(self, device: Device, setup: RobotSetup, learning: Learning) -> None:
         super().__init__("setupSticksPage", tr("The board learns your sticks"))
@@ -100,7 +100,7 @@ class SticksPage(Page):
             strip.show_input(telemetry.latest, calibrations.source, marks, raw)
 
     def _stick_text(self, channel: int, *, is_unclear: bool) -> str:
-        """Return the known direction of a stick, or the reason why it is unclear."""
+        """Return the direction of a stick, or the reason that it is unclear."""
         names = {1: tr("Channel 1 (motor 1)"), 2: tr("Channel 2 (motor 2)")}
         if self._is_one:
             names = {1: tr("Channel 1 (turns)"), 2: tr("Channel 2 (drives)")}
@@ -120,13 +120,13 @@ class SticksPage(Page):
 
 
 class WiringPage(Page):
-    """Page about motor wiring. Its layout does not shift while motors are armed."""
+    """Page for the motor wiring. Its layout does not shift while motors are armed."""
 
     def __init__(self, device: Device, setup: RobotSetup) -> None:
         super().__init__("setupWiringPage", tr("Hold a button, then click what moved"))
         self._device = device
         self._setup = setup
-        self._motor = 1  # motor whose movement a click reports
+        self._motor = 1  # motor of the next answer
         side = self.side
         self._question = ui.label(self, "setupQuestion", bold=True)
         self._robot = RobotView(self, with_buttons=True)
@@ -142,7 +142,7 @@ class WiringPage(Page):
         )
         middle = Qt.AlignmentFlag.AlignHCenter
         text = tr("Wir&es swapped – test again")
-        tip = tr("Forget both answers and find out again which motor is which")
+        tip = tr("Clear both answers and test the motors again")
         self._again = ui.button(
             self, "setupAgainButton", text, icon="reload", default=False, tip=tip
         )
@@ -180,29 +180,28 @@ class WiringPage(Page):
         self._setup.pulses.start(motor, stronger=stronger)
 
     @Slot(object)
-    def _record(self, seen: Movement) -> None:
+    def _record(self, movement: Movement) -> None:
         motor = self._motor
-        if 3 - motor not in self._setup.movements and seen is not Movement.NOTHING:
+        if 3 - motor not in self._setup.movements and movement is not Movement.NOTHING:
             self._motor = 3 - motor
-        self._setup.record_movement(motor, seen)
+        self._setup.record_movement(motor, movement)
 
     def _show_answers(self) -> None:
-        """Show the movement that each motor caused, and ask about the current motor."""
         movements = self._setup.movements
         self._question.setText(tr("What did motor {0} move?").format(self._motor))
         set_text_color(self._question, f"motor{self._motor}")
         colors = dict.fromkeys(Side, "outline")
         for motor, answer in self._answers.items():
-            seen, sign = movements.get(motor), ""
-            text = tr(MOVEMENTS[seen]) if seen else tr("not tried yet")
-            if seen and seen.side:
-                colors[seen.side], sign = f"motor{motor}", "✓ "
+            movement, sign = movements.get(motor), ""
+            text = tr(MOVEMENTS[movement]) if movement else tr("not tried yet")
+            if movement and movement.side:
+                colors[movement.side], sign = f"motor{motor}", "✓ "
             answer.setText(f"{sign}{tr('Motor &{0}').format(motor)}: {text}")
         for side, color in colors.items():
             self._robot.show_wheel(side, 0, color)
-        seen = movements.get(self._motor)
-        self._robot.select(seen)
-        self._nothing.setChecked(seen is Movement.NOTHING)
+        movement = movements.get(self._motor)
+        self._robot.select(movement)
+        self._nothing.setChecked(movement is Movement.NOTHING)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

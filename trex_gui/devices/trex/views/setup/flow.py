@@ -1,4 +1,4 @@
-"""Steps of the assistant that sets up a robot."""
+"""Steps of the set-up assistant."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -25,7 +25,7 @@ from trex_gui.devices.trex.views.steps import Flow, Page, Shown
 
 
 class SetupFlow(Flow):
-    """Stops the motors when the user leaves. The sticks step includes learning."""
+    """Steps of the set-up. The sticks step includes channel learning."""
 
     apply_requested = Signal()
 
@@ -47,7 +47,7 @@ class SetupFlow(Flow):
             SetupStep.TIMEOUT: tr("T&imeout"),
             SetupStep.REVIEW: tr("Write"),
         }
-        self._makers: dict[SetupStep, Callable[[], Page]] = {
+        self._factories: dict[SetupStep, Callable[[], Page]] = {
             SetupStep.DRIVER: partial(DriverPage, setup),
             SetupStep.JUMPERS: partial(JumperPage, device, setup),
             SetupStep.STICKS: partial(SticksPage, device, setup, learning),
@@ -61,7 +61,7 @@ class SetupFlow(Flow):
             changed.connect(self.changed)
 
     @property
-    def _learns(self) -> bool:
+    def _is_learning(self) -> bool:
         learning = self._learn.learning
         is_learning = learning.step is not LearningStep.ENDED and not learning.is_test
         return is_learning and self.setup.step is SetupStep.STICKS
@@ -69,20 +69,20 @@ class SetupFlow(Flow):
     def show_in_front(self) -> None:
         if not self._is_open:
             self._is_open = True
-            self.setup.go_to(SetupStep.DRIVER)  # the answers given so far are kept
+            self.setup.go_to(SetupStep.DRIVER)  # earlier answers remain
         super().show_in_front()
 
     def add_buttons(self, parent: QWidget) -> Sequence[QPushButton]:
         return self._learn.add_buttons(parent)
 
     def back(self) -> None:
-        if self._learns and self._learn.learning.step not in {
+        if self._is_learning and self._learn.learning.step not in {
             LearningStep.TRAVEL,
             LearningStep.REVIEW,
         }:
             self._learn.learning.cancel()
         else:
-            (self._learn if self._learns else self.setup).back()
+            (self._learn if self._is_learning else self.setup).back()
 
     def skip(self) -> None:
         self._close_learning()
@@ -92,7 +92,7 @@ class SetupFlow(Flow):
         if self.setup.step is SetupStep.REVIEW:
             self.apply_requested.emit()
         else:
-            (self._learn if self._learns else self.setup).next()
+            (self._learn if self._is_learning else self.setup).next()
 
     def on_hidden(self, *, closed: bool) -> None:
         if closed:
@@ -101,7 +101,7 @@ class SetupFlow(Flow):
         self.setup.stop()
 
     def _close_learning(self) -> None:
-        if self._learns:
+        if self._is_learning:
             self._learn.learning.cancel()
 
     def shown(self) -> Shown:
@@ -109,13 +109,13 @@ class SetupFlow(Flow):
         names = {each: self._titles[each].replace("&", "") for each in setup.steps}
         titles, now = list(names.values()), setup.steps.index(step)
         undone = [names[each] for each in setup.open_steps]
-        if self._learns:
+        if self._is_learning:
             shown = self._learn.shown()
             shown = replace(shown, title=title, titles=titles, now=now, undone=undone)
             return replace(shown, may_go_back=True, may_skip=True)
         self._learn.show_buttons(hidden=True)
         if step not in self._pages:
-            self._pages[step] = self._makers[step]()
+            self._pages[step] = self._factories[step]()
         is_last = step is SetupStep.REVIEW
         pending = self._device.draft.pending
         can_apply = self._device.writer.can_apply and pending > 0

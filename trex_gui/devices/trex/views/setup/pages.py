@@ -1,4 +1,4 @@
-"""Steps of the setup assistant that ask, explain or select values."""
+"""Set-up steps with choices, values and instructions."""
 
 from collections.abc import Mapping
 from functools import partial
@@ -53,7 +53,7 @@ class DriverPage(Page):
 
 
 class JumperPage(Page):
-    """Drawing of the required jumper positions, beside what the board reports of them."""
+    """Drawing of the required jumper positions, with the reports of the board."""
 
     def __init__(self, device: Device, setup: RobotSetup) -> None:
         super().__init__("setupJumpersPage", tr("Move the jumpers as drawn"))
@@ -92,22 +92,21 @@ class JumperPage(Page):
         return False, mode_blocker(self._device)
 
     def _mix_result(self, is_mixed: bool) -> tuple[bool | None, str]:
-        seen = self._device.mix_jumper.is_on
-        if seen is not is_mixed and self._device.writer.is_rejected:
+        is_on = self._device.mix_jumper.is_on
+        if is_on is not is_mixed and self._device.writer.is_rejected:
             return None, tr(
                 "The mix jumper can be checked in serial mode only: now a stick would drive the "
                 "motors."
             )
-        if seen is None:
+        if is_on is None:
             return None, tr(
                 "The board does not report the mix jumper. Push a stick to one side to see it."
             )
-        if seen is is_mixed:
-            on, off = tr("The mix jumper is on."), tr("The mix jumper is off.")
-            return True, on if seen else off
-        take = tr("The mix jumper is on: remove it, then push a stick.")
-        put = tr("The mix jumper is off: put it on, then push a stick.")
-        return False, take if seen else put
+        if is_on is is_mixed:
+            return True, tr("The mix jumper is on.") if is_on else tr("The mix jumper is off.")
+        remove = tr("The mix jumper is on: remove it, then push a stick.")
+        put_on = tr("The mix jumper is off: put it on, then push a stick.")
+        return False, remove if is_on else put_on
 
 
 class LimitsPage(Page):
@@ -161,15 +160,15 @@ class LimitsPage(Page):
         self._hint.show_note(self._hint_text())
 
     def _show_ramps(self, preset: Preset | None) -> None:
-        """Draw the ramps of a preset, or of the board, and list its values."""
+        """Show ramps and values of a preset. `None`: of the board."""
         parameters = self._device.parameters
         values = parameters.values
-        found = values.stored if preset is None else preset.values(parameters.model_key)
+        wire = values.stored if preset is None else preset.values(parameters.model_key)
         keys = [p.of(1) for p in (MotorParameter.ACCELERATION, MotorParameter.BRAKE_DURATION)]
-        ramp, brake = (found.get(key) for key in keys)
+        ramp, brake = (wire.get(key) for key in keys)
         if ramp is None or brake is None:
             return
-        texts = [values.specs[key].text(found[key]) for key in (*keys, LIMITS[0]) if key in found]
+        texts = [values.specs[key].text(wire[key]) for key in (*keys, LIMITS[0]) if key in wire]
         seconds = FULL_SPEED_S / ramp if ramp else 0.0
         paint = partial(paint_ramp, seconds, brake * values.specs[keys[1]].scale / 1000)
         self._choices.show_picture(preset, paint, ", ".join(texts))
@@ -232,7 +231,7 @@ class TimeoutPage(Page):
 
 
 class SummaryPage(Page):
-    """Remaining tasks: in other steps, with Apply, and by hand."""
+    """Open steps, changes to apply, and tasks for the user."""
 
     def __init__(self, device: Device, setup: RobotSetup, titles: Mapping[SetupStep, str]) -> None:
         super().__init__("setupReviewPage", tr("What is left to do"))
@@ -271,12 +270,12 @@ class SummaryPage(Page):
         changes = compare(stored, shown).differing if stored and shown else ()
         rows = (f"{row.name}: {row.text_before} → {row.text_after}" for row in changes)
         self._changes.setText("\n".join(rows))
-        still_open = self._setup.open_steps
         for step, (go, reason) in self._open.items():
-            if step in still_open:
+            is_open = step in self._setup.open_steps
+            if is_open:
                 reason.setText(self._reason(step))
             for widget in (go, reason):
-                widget.setVisible(step in still_open)
+                widget.setVisible(is_open)
         driver = self._setup.driver
         mode = device.calibrations.source.word if driver.uses_sticks else ""
         is_mixed = driver is Driver.ONE_STICK if driver.uses_sticks else None
@@ -285,11 +284,11 @@ class SummaryPage(Page):
         self._tasks.setText("\n\n".join(f"{number}. {task}" for number, task in tasks))
 
     def _reason(self, step: SetupStep) -> str:
-        """Return the reason why a step is not done, for the user."""
+        """Return the reason that a step is open."""
         setup = self._setup
         wiring = setup.wiring
         if step is SetupStep.JUMPERS:
-            return tr("Not as they have to be, or not checked.")
+            return tr("Wrong positions, or not checked.")
         if step is SetupStep.STICKS:
             return tr("The directions of the sticks are not known.")
         if step is not SetupStep.MOTORS:

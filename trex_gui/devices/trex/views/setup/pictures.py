@@ -1,4 +1,4 @@
-"""Picture buttons that select the control of a robot, and how its motors start and stop."""
+"""Picture buttons for the driver and the ramps of a robot."""
 
 from collections.abc import Callable, Mapping
 from enum import Enum
@@ -18,7 +18,7 @@ from trex_gui.ui.widgets.painted import Painter
 ChoiceT = TypeVar("ChoiceT", bound=Enum | None)
 Paint = Callable[[QPainter, QRectF], None]
 
-_SPAN_S, _REVERSAL_S = 4.0, 2.0  # length of a curve, and start of its reversal
+_SPAN_S, _REVERSAL_S = 4.0, 2.0  # length of a curve, start of its reversal
 
 
 class _Choice(QToolButton):
@@ -48,18 +48,18 @@ class _Choice(QToolButton):
         width = min(max(self.width() - 2 * line, 9 * line), 2 * height)
         self.setIconSize(QSize(width, height))
         if self._paint is not None:
-            made = QPixmap(self.iconSize() * self.devicePixelRatioF())
-            made.setDevicePixelRatio(self.devicePixelRatioF())
-            made.fill(Qt.GlobalColor.transparent)
-            with Painter(made) as painter:
+            picture = QPixmap(self.iconSize() * self.devicePixelRatioF())
+            picture.setDevicePixelRatio(self.devicePixelRatioF())
+            picture.fill(Qt.GlobalColor.transparent)
+            with Painter(picture) as painter:
                 self._paint(painter, QRectF(8, 8, width - 16, height - 16))
-            self.setIcon(QIcon(made))
+            self.setIcon(QIcon(picture))
 
 
 class Choices(QWidget):
-    """Picture buttons in rows of `columns`, one of them checked."""
+    """Exclusive picture buttons, in rows of `columns`."""
 
-    chosen = Signal(object)
+    chosen = Signal(object)  # key of the button
 
     def __init__(
         self, name: str, texts: Mapping[ChoiceT, str], parent: QWidget, *, columns: int
@@ -138,11 +138,11 @@ def paint_ramp(ramp: float, brake: float, painter: QPainter, box: QRectF) -> Non
         y = box.center().y() - speed * box.height() / 2
         return QPointF(box.left() + seconds / _SPAN_S * box.width(), y)
 
-    there = _REVERSAL_S + brake
-    end = min(ramp, _REVERSAL_S)  # a slow ramp does not get to full speed
+    reversal = _REVERSAL_S + brake
+    end = min(ramp, _REVERSAL_S)  # a slow ramp does not reach full speed
     top = end / ramp if ramp else 1.0
     start = place(0, 0), place(end, top), place(_REVERSAL_S, top), place(_REVERSAL_S, 0)
-    back = place(there, 0), place(there + ramp, -1), place(_SPAN_S + ramp, -1)
+    back = place(reversal, 0), place(reversal + ramp, -1), place(_SPAN_S + ramp, -1)
     color = theme().color
     painter.save()
     painter.setPen(QPen(color("hatch"), 1))
