@@ -198,7 +198,7 @@ class CheckBoardFlow(Flow):
     def __init__(self, device: Device) -> None:
         super().__init__()
         self._device = device
-        self._at = 0
+        self._index = 0
         self._pages = LedsPage(), HandShakePage()
         self._result = "", False
         device.link_changed.connect(self._on_link_changed)
@@ -215,39 +215,39 @@ class CheckBoardFlow(Flow):
     def shown(self) -> Shown:
         leds, hand_shake = self._pages
         is_free = self._device.link is ConnectionState.DISCONNECTED
-        is_last = self._at == len(_STEPS)
+        is_last = self._index == len(_STEPS)
         for button in (self._find, self._connect):
             button.setEnabled(is_free)
         self._connect.setVisible(not is_last)
-        if self._at:
-            hand_shake.show_step(_STEPS[self._at - 1])
+        if self._index:
+            hand_shake.show_step(_STEPS[self._index - 1])
         note, is_alarming = self._result
         return Shown(
             title_of(tr("&Board does not respond…")),
             [tr("LEDs"), *(tr(step.title) for step in _STEPS)],
-            self._at,
-            hand_shake if self._at else leds,
+            self._index,
+            hand_shake if self._index else leds,
             note=note,
             is_alarming=is_alarming,
             next=self._connect.text() if is_last else tr("&Next"),
             may_go_on=is_free or not is_last,
-            may_go_back=self._at > 0,
+            may_go_back=self._index > 0,
         )
 
     def back(self) -> None:
-        self._at -= 1
+        self._index -= 1
         self.changed.emit()
 
     def next(self) -> None:
-        if self._at == len(_STEPS):
+        if self._index == len(_STEPS):
             self._connect_now()
         else:
-            self._at += 1
+            self._index += 1
             self.changed.emit()
 
     def on_hidden(self, *, closed: bool) -> None:
         if closed:
-            self._at, self._result = 0, ("", False)
+            self._index, self._result = 0, ("", False)
 
     def _connect_now(self) -> None:
         self.connect_requested.emit(ConnectWith(ConnectionSettings("")))

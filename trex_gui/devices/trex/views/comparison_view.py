@@ -52,7 +52,7 @@ class _Delegate(QStyledItemDelegate):
 
 
 class _Table(QTableView):
-    """Ticks the row with the space bar in any column."""
+    """Table that ticks a row with the space bar, in any column."""
 
     resized = Signal()
 

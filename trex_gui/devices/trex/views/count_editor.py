@@ -36,7 +36,7 @@ class UnitSpinBox(QSpinBox):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         never_mirror(self)
-        self.own_first = units().own_first  # of the displayed text
+        self.own_first = units().own_first  # units of the displayed text
         self.setKeyboardTracking(False)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccelerated(True)
@@ -123,7 +123,7 @@ class UnitSpinBox(QSpinBox):
 
 
 class UnitDelegate(QStyledItemDelegate):
-    """Does not close a spin box with invalid input."""
+    """Delegate that keeps a spin box with invalid input open."""
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if (

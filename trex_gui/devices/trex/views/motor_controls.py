@@ -317,7 +317,7 @@ class ControlBar(MotorBar):
         statuses = drive_statuses(drive_inputs(self._device))
         fault = fault_text(statuses)
         may_matter = self._device.may_stop_matter
-        alarming = bool(fault) or motors.armed or may_matter or self._has_no_effect
+        alarming = bool(fault) or motors.armed or may_matter or self._stop_has_no_effect
         self._state.show_note(
             " ".join(filter(None, (fault, self._state_text(statuses)))),
             alarming=alarming,
@@ -326,7 +326,7 @@ class ControlBar(MotorBar):
         # The page describes the connected board, not the board that was lost before.
         is_shown = self._page_shows_state and not self._device.driving.lost_board
         is_shown = is_shown or self._state.text() in self._device.notifier.shown
-        self._state.setVisible(motors.armed or self._has_no_effect or not is_shown)
+        self._state.setVisible(motors.armed or self._stop_has_no_effect or not is_shown)
         self._apply.setText(apply_text(pending))
         set_look(self._apply, "primary" if pending else "")
         self._apply.setEnabled(pending > 0 and self._device.writer.can_apply)
@@ -338,7 +338,7 @@ class ControlBar(MotorBar):
         return self._device.may_stop_matter and self._device.link not in reached
 
     @property
-    def _has_no_effect(self) -> bool:
+    def _stop_has_no_effect(self) -> bool:
         """True if the user pressed Stop while channels control the motors."""
         motors = self._device.motors
         is_locked_out = not motors.is_available and not self._device.driving.reaches_several
@@ -353,7 +353,7 @@ class ControlBar(MotorBar):
             return device.loss_text
         if device.driving.lost_board:
             return device.driving.lost_board
-        if self._has_no_effect:
+        if self._stop_has_no_effect:
             return tr("Channels control the motors: Stop does not affect them.")
         blockers = (each for each in statuses if each.blocker is not DriveBlocker.FAULT)
         return next((blocker.text for blocker in blockers), "")

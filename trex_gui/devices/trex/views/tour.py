@@ -9,7 +9,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.tour import Do, Tour
 
 SETUP_STEPS = ("driver", "jumpers", "sticks", "motors", "limits", "review")  # with one stick
-_HOLD_S = 1.2  # a stick that is held for one second counts as at its end
+_HOLD_S = 1.2  # an end counts as reached after one second
 
 
 def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:

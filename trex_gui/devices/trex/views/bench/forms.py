@@ -34,7 +34,7 @@ def _form(parent: QWidget | None = None) -> QFormLayout:
 
 
 def _align(form: QFormLayout) -> None:
-    """Centre each title beside its field. Qt aligns only the tops."""
+    """Centre each title beside its field, which may be taller."""
     for number in range(form.rowCount()):
         item = form.itemAt(number, QFormLayout.ItemRole.LabelRole)
         if item is not None and (title := item.widget()) is not None:

@@ -33,7 +33,7 @@ class LearnFlow(Flow):
     def __init__(
         self, learning: Learning, parent: QObject | None = None, *, name: str = "learn"
     ) -> None:
-        """Create the flow. Inside another task, `name` is not `learn`, and no test follows."""
+        """Create the flow. With another `name` it is part of a task, and opens no test."""
         super().__init__(parent)
         self.name = name
         self.learning = learning
