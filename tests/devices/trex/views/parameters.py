@@ -1,4 +1,4 @@
-"""A parameter table of its own, for tests of the table and its editors."""
+"""Parameter table on its own, for tests of the table and its editors."""
 
 from PySide6.QtCore import QModelIndex, QPoint, Qt
 from PySide6.QtTest import QTest
@@ -17,10 +17,10 @@ from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 
 
 class ParametersDriver(WidgetDriver):
-    """A table of parameters on a draft of settings.
+    """Parameter table on a draft of settings.
 
     Attributes:
-        rejected: the messages about input that was rejected.
+        rejected: messages about rejected input.
     """
 
     def __init__(self, qtbot: QtBot) -> None:
@@ -36,13 +36,13 @@ class ParametersDriver(WidgetDriver):
         self.view = self.find(ParameterView, "parametersView")
 
     def load(self, specs: ParameterSet, **other: int) -> None:
-        """Load a board with factory defaults, except for some."""
+        """Load a board with factory defaults, except for `other`."""
         values = {spec.key: spec.default for spec in specs.readable} | other
         self.model.load(specs, values, {}, power_cycled=True)
         self.draft.loaded.emit()
 
     def open_file(self, specs: ParameterSet, **given: int) -> None:
-        """Load a settings file with these parameters only."""
+        """Load a settings file with only the `given` parameters."""
         self.draft.take_settings(Settings(specs.model, specs.firmware, given))
 
     # --- Rows ---------------------------------------------------------------------------
@@ -59,11 +59,10 @@ class ParametersDriver(WidgetDriver):
 
     @property
     def current(self) -> str:
-        """The key of the current parameter."""
+        """Key of the current parameter."""
         return self.view.current_key
 
     def search(self, words: str) -> None:
-        """Replace the words in the search field."""
         self.type_into("parameterSearch", words, enter=False)
         if not words:
             QTest.keyClick(self.find(QWidget, "parameterSearch"), Qt.Key.Key_Delete)
@@ -95,14 +94,14 @@ class ParametersDriver(WidgetDriver):
     # --- Editors ------------------------------------------------------------------------
 
     def open_with_mouse(self, key: str, column: ParameterColumn | None = None) -> QWidget:
-        """Double-click a cell; return the editor that opens."""
+        """Double-click a cell. Return its editor."""
         place = self.place_of(self.cell(key, column))
         QTest.mouseClick(self.view.viewport(), LEFT, pos=place)
         QTest.mouseDClick(self.view.viewport(), LEFT, pos=place)
         return self.editor(key)
 
     def open_with_keys(self, key: str) -> QWidget:
-        """Press F2 on a parameter; return the editor that opens."""
+        """Press F2 on a parameter. Return its editor."""
         self.go_to(key)
         self.press(Qt.Key.Key_F2)
         return self.editor(key)

@@ -1,4 +1,4 @@
-"""Arming a real board whose motors nothing stops when the cable falls out."""
+"""Arming a real board without a serial timeout."""
 
 from collections.abc import Iterator
 
@@ -18,7 +18,7 @@ from trex_gui.ui.theme.theme import theme
 
 
 class Arming(WidgetDriver):
-    """A window with nothing but *Arm motors*, and its dialog."""
+    """Window with only *Arm motors*, and its dialog."""
 
     def __init__(self, device: Device, simulator: SimulatedDevice, qtbot: QtBot) -> None:
         super().__init__(QWidget(), qtbot)
@@ -51,7 +51,7 @@ def arming(quick_simulator: SimulatedDevice, qtbot: QtBot, qapp: QApplication) -
 
 
 @pytest.mark.parametrize("set_up", ["eeprom serial_timeout 0", "eeprom uart_error_shutdown 0"])
-def test_both_settings_are_written_before_the_motors_are_armed(arming: Arming, set_up: str) -> None:
+def test_both_settings_are_written_before_arming(arming: Arming, set_up: str) -> None:
     arming.simulator.do("eeprom serial_timeout 5", set_up, "power cycle")
     arming.connect()
     dialog = arming.press_run()
@@ -63,7 +63,7 @@ def test_both_settings_are_written_before_the_motors_are_armed(arming: Arming, s
     assert arming.stored() == (5, 1)
 
 
-def test_arming_without_is_remembered_for_the_board(arming: Arming) -> None:
+def test_arming_without_timeout_is_remembered(arming: Arming) -> None:
     arming.connect()
     arming.press_run().click("armWithoutButton")
     assert arming.device.motors.armed
@@ -77,21 +77,20 @@ def test_arming_without_is_remembered_for_the_board(arming: Arming) -> None:
 def test_failed_write_arms_nothing(arming: Arming) -> None:
     arming.connect()
     dialog = arming.press_run()
-    arming.simulator.do("eeprom motor1_acceleration 9")  # another program's
+    arming.simulator.do("eeprom motor1_acceleration 9")  # by another program
     dialog.click("writeAndArmButton")
     dialog.wait(lambda: dialog.text("armNote") not in {"", "Writing …"})
     assert not arming.device.motors.armed
     assert dialog.is_enabled("writeAndArmButton")
 
 
-def test_simulated_board_of_the_program_is_armed_at_once(arming: Arming) -> None:
+def test_own_simulated_board_is_armed_at_once(arming: Arming) -> None:
     arming.connect(name="Demo")
     arming.click("runButton")
     assert arming.device.motors.armed
 
 
 def test_keys_that_disarm_do_not_arm_again(arming: Arming) -> None:
-    """Nor does a press that began while the button did something else."""
     arming.connect(name="Demo")
     motors, button = arming.device.motors, arming.find(ArmButton, "runButton")
 

@@ -1,4 +1,4 @@
-"""Strips of the inputs: their bar, its axis and its colours."""
+"""Bars of the inputs, with their axes and colours."""
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -33,15 +33,15 @@ def test_fill_within_the_deadband_is_neutral(strip: InputStrip) -> None:
         assert theme().color(fill).name() in column
 
 
-def test_axis_holds_value_and_calibration() -> None:
+def test_axis_includes_value_and_calibration() -> None:
     assert input_axis(InputSource.RC, RC) == (2000, 5500)
     assert widened((2000, 5500), (5600,)) == (2000, 5750)
-    assert widened((2000, 5750), (3750,)) == (2000, 5750)  # must not breathe with the stick
+    assert widened((2000, 5750), (3750,)) == (2000, 5750)  # does not shrink
     assert input_axis(InputSource.RC, Calibration(1500, 3750, 6000, 75)) == (1500, 6000)
     assert input_axis(InputSource.ANALOG, DEFAULT_CALIBRATION[InputSource.ANALOG]) == (0, 1023)
 
 
-def test_strip_says_its_input_in_its_unit(strip: InputStrip) -> None:
+def test_strip_speaks_its_input_in_its_unit(strip: InputStrip) -> None:
     strip.show_input(2, InputSource.RC, RC, 2500)
     assert spoken_state(strip).startswith("1000 µs")
     strip.show_input(3, InputSource.RC, RC, None)

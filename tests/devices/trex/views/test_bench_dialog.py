@@ -1,4 +1,4 @@
-"""The window of bench tests, its button to hold, and what it shows."""
+"""Window for bench tests, and its hold button."""
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -24,10 +24,10 @@ from trex_gui.ui.widgets.behaviour import HoldButton
 
 
 class HoldButtonDriver(WidgetDriver):
-    """A button to hold, in a window with another field.
+    """Hold button in a window with another field.
 
     Attributes:
-        signals: "held" and "released", in the order in which the button emitted them.
+        signals: "held" and "released", in the order of the signals.
     """
 
     def __init__(self, qtbot: QtBot) -> None:
@@ -54,7 +54,7 @@ class HoldButtonDriver(WidgetDriver):
         QTest.mouseRelease(self.widget, LEFT)
 
     def move(self, to: QPoint) -> None:
-        """Move with the button of the mouse down."""
+        """Move with the mouse button pressed."""
         event = QMouseEvent(
             QEvent.Type.MouseMove,
             QPointF(to),
@@ -174,14 +174,14 @@ def test_form_fields_define_the_plan(dialog: BenchTestDialog) -> None:
     assert not plan.accelerate
     assert plan.abort_current == 7.5
     assert plan.abort_at_limit
-    dialog.wait(lambda: dialog.plot.seconds == pytest.approx(7.1))  # plotted as planned
+    dialog.wait(lambda: dialog.plot.seconds == pytest.approx(7.1))  # of the plan
 
 
 READINGS = [(index / 80, 12.0 if index < 10 else 4.0) for index in range(160)]
 GENTLER = [(index / 80, 6.0 if index < 10 else 4.0) for index in range(160)]
 
 
-def test_result_is_shown_beside_the_previous_or_a_selected_one(dialog: BenchTestDialog) -> None:
+def test_result_is_compared_with_the_previous_or_selected_test(dialog: BenchTestDialog) -> None:
     dialog.bench.add_run(run_of(READINGS))
     assert [dialog.figure(0, column) for column in range(3)] == ["12.00 A", "–", "–"]
     dialog.bench.add_run(run_of(GENTLER))

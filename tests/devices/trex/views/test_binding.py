@@ -1,4 +1,4 @@
-"""The Qt binding in use does not lose references, which would end the process in use."""
+"""The Qt binding loses no references, which would end the process."""
 
 import sys
 
@@ -9,7 +9,7 @@ from tests.support.window import WidgetDriver, WindowDriver
 
 
 def repaint_pages(window: WindowDriver, times: int) -> None:
-    """Repaint every widget of every page so many times, with new telemetry each time."""
+    """Repaint all widgets of all pages, each time with new telemetry."""
     tabs = window.window.pages
     for index in range(tabs.count()):
         tabs.setCurrentIndex(index)
@@ -25,7 +25,7 @@ def repaint_pages(window: WindowDriver, times: int) -> None:
 def test_repainting_loses_no_references_to_none(window: WindowDriver, times: int) -> None:
     window.connect_to_demo()
     window.wait(lambda: window.device.telemetry.raw is not None)
-    repaint_pages(window, 1)  # buffers that are made once hold many references
+    repaint_pages(window, 1)  # creates buffers with many references
     before = sys.getrefcount(None)
     repaint_pages(window, times)
     assert sys.getrefcount(None) > before - times, "one is lost with each repaint"

@@ -1,4 +1,4 @@
-"""The drawing of a board shows what the board reports, and what is not known as unknown."""
+"""Drawing of a board, with known and unknown values."""
 
 from collections.abc import Iterator
 
@@ -23,7 +23,7 @@ class Drawing(WidgetDriver):
         super().__init__(view, qtbot)
         self.view, self.device = view, device
 
-    def said(self, name: str) -> str:
+    def spoken(self, name: str) -> str:
         self.view.show_board(drive_inputs(self.device))
         part = self.find(BoardPart, f"boardPart{name}")
         return f"{part.accessibleName()}: {part.spoken_state()}"
@@ -45,35 +45,37 @@ def drawing(qtbot: QtBot) -> Iterator[Drawing]:
     assert device.shut_down()
 
 
-def test_nothing_is_said_that_is_not_known(drawing: Drawing) -> None:
-    assert drawing.said("Channel1") == "Channel 1: Motor 1: –"
+def test_unknown_values_are_shown_as_unknown(drawing: Drawing) -> None:
+    assert drawing.spoken("Channel1") == "Channel 1: Motor 1: –"
     for jumper in ("ModeJumper", "MixJumper", "SoGroundJumper"):
-        assert "not known" in drawing.said(jumper)
+        assert "not known" in drawing.spoken(jumper)
         assert drawing.find(JumperPart, f"boardPart{jumper}").is_on is None
-    assert drawing.said("RedLed") == "Red LED: unknown"
-    assert "not known" in drawing.said("Motor1")
-    assert drawing.said("Serial") == "Serial line: not responding"
+    assert drawing.spoken("RedLed") == "Red LED: unknown"
+    assert "not known" in drawing.spoken("Motor1")
+    assert drawing.spoken("Serial") == "Serial line: not responding"
 
 
-def test_board_in_serial_mode(drawing: Drawing, quick_simulator: SimulatedDevice) -> None:
+def test_reports_are_shown_in_serial_mode(
+    drawing: Drawing, quick_simulator: SimulatedDevice
+) -> None:
     drawing.connect(quick_simulator)
     quick_simulator.do("channel 2 1800us")
-    drawing.wait(lambda: drawing.said("Channel2") == "Channel 2: Motor 2: 1800 µs")
+    drawing.wait(lambda: drawing.spoken("Channel2") == "Channel 2: Motor 2: 1800 µs")
     quick_simulator.do("channel 3 invalid")
-    drawing.wait(lambda: drawing.said("Channel3") == "Channel 3: Auxiliary: no signal")
-    assert drawing.said("ModeJumper") == "Mode jumper: Mode: off, serial mode"
-    assert drawing.said("SoGroundJumper") == "SO–G jumper: SO–G: off, replies arrive"
-    assert drawing.said("RedLed") == "Red LED: on"
+    drawing.wait(lambda: drawing.spoken("Channel3") == "Channel 3: Auxiliary: no signal")
+    assert drawing.spoken("ModeJumper") == "Mode jumper: Mode: off, serial mode"
+    assert drawing.spoken("SoGroundJumper") == "SO–G jumper: SO–G: off, replies arrive"
+    assert drawing.spoken("RedLed") == "Red LED: on"
     assert drawing.find(LedPart, "boardPartGreenLed").moves
 
     motor = drawing.find(MotorPart, "boardPartMotor1")
-    assert drawing.said("Motor1") == "Motor 1: not armed, 0.00 A, no limit"
+    assert drawing.spoken("Motor1") == "Motor 1: not armed, 0.00 A, no limit"
     drawing.device.motors.arm()
     drawing.device.motors.set_speed(1, -20)
-    assert "reverse 20" in drawing.said("Motor1")
+    assert "reverse 20" in drawing.spoken("Motor1")
     assert motor.speed == -20
     quick_simulator.do("fault 1 on")
-    drawing.wait(lambda: "Motor 1 fault" in drawing.said("Motor1"))
+    drawing.wait(lambda: "Motor 1 fault" in drawing.spoken("Motor1"))
     assert motor.alarm == "danger"
     assert motor.speed == 0
 
@@ -83,10 +85,10 @@ def test_channels_drive_in_rc_mode(drawing: Drawing, quick_simulator: SimulatedD
     quick_simulator.do("channel 1 1900us")
     quick_simulator.do("power cycle")
     drawing.connect(quick_simulator)
-    drawing.wait(lambda: "held by safe-start" in drawing.said("Motor1"))
+    drawing.wait(lambda: "held by safe-start" in drawing.spoken("Motor1"))
     quick_simulator.do("channel 1 1500us")
-    drawing.wait(lambda: ": 0, " in drawing.said("Motor1"))
-    assert drawing.said("ModeJumper") == "Mode jumper: Mode: RC, channels drive"
+    drawing.wait(lambda: ": 0, " in drawing.spoken("Motor1"))
+    assert drawing.spoken("ModeJumper") == "Mode jumper: Mode: RC, channels drive"
     assert drawing.find(JumperPart, "boardPartModeJumper").is_on
 
 

@@ -1,4 +1,4 @@
-"""The page of the channels, by itself, on a simulated board."""
+"""Channels page on its own, with a simulated board."""
 
 import math
 from collections.abc import Iterator
@@ -53,7 +53,7 @@ def test_steps_in_one_field_are_undone_together(page: ChannelsDriver) -> None:
         QTest.keyClick(deadband, key)
     assert page.shown().deadband == FACTORY.deadband + 1
     QTest.keyClick(deadband, Qt.Key.Key_PageUp)
-    QTest.keyPress(deadband, Qt.Key.Key_Up)  # and held: what Qt makes of that
+    QTest.keyPress(deadband, Qt.Key.Key_Up)  # held, with the repeat below
     held = QKeyEvent(
         QEvent.Type.KeyPress, Qt.Key.Key_Up, Qt.KeyboardModifier.NoModifier, "", True, 5
     )
@@ -77,7 +77,7 @@ def test_steps_in_one_field_are_undone_together(page: ChannelsDriver) -> None:
     assert page.shown() == FACTORY
     assert not undo.canUndo()
 
-    for field in (deadband, maximum, deadband):  # leaving a field ends its steps
+    for field in (deadband, maximum, deadband):  # a focus change ends the undo step
         field.setFocus()
         QTest.keyClick(field, Qt.Key.Key_Up)
         QTest.keyClick(field, Qt.Key.Key_Up)
@@ -105,7 +105,7 @@ def test_impossible_values_are_rejected_with_a_note(page: ChannelsDriver) -> Non
     assert "problem" in page.input(1)
 
 
-def test_number_that_is_typed_stays_while_the_line_is_judged(
+def test_typed_number_remains_when_the_line_gets_noisy(
     page: ChannelsDriver, quick_simulator: SimulatedDevice
 ) -> None:
     field = page.find(QSpinBox, "minimumEdit")
@@ -146,7 +146,7 @@ def test_live_dot_follows_the_stick(page: ChannelsDriver, quick_simulator: Simul
     assert page.plot.dot == (4500, remapped)
     assert f"output {signed_text(remapped)}" in page.live
     assert page.input(1).startswith(page.live)
-    quick_simulator.do("channel 4 1000us")  # flip: what a motor does with it is no output of it
+    quick_simulator.do("channel 4 1000us")  # flip: has no output of its own
     page.wait(lambda: "1000 µs" in page.input(4))
     assert page.input(1).startswith(page.live)
     page.click("parabolicBox")
@@ -170,7 +170,7 @@ def test_hidden_page_is_not_updated(page: ChannelsDriver, quick_simulator: Simul
     assert "1900 µs" in page.input(1)
 
 
-def test_strips_show_the_last_seconds_with_a_gap_where_the_signal_was_lost(
+def test_strips_have_a_gap_for_a_lost_signal(
     page: ChannelsDriver, quick_simulator: SimulatedDevice
 ) -> None:
     strip = page.strip(2)
@@ -185,7 +185,7 @@ def test_strips_show_the_last_seconds_with_a_gap_where_the_signal_was_lost(
     page.wait(lambda: not strip.lines)
 
 
-def test_strip_keeps_no_more_than_it_shows(qtbot: QtBot) -> None:
+def test_strip_stores_only_visible_samples(qtbot: QtBot) -> None:
     strip = ChannelStrip(1)
     qtbot.addWidget(strip)
     for step in range(3000):
@@ -195,7 +195,7 @@ def test_strip_keeps_no_more_than_it_shows(qtbot: QtBot) -> None:
     assert len(points) == 491
 
 
-def test_arrow_keys_choose_a_strip_and_screen_readers_hear_which(page: ChannelsDriver) -> None:
+def test_arrow_keys_select_a_strip_for_screen_readers(page: ChannelsDriver) -> None:
     page.strip(1).setFocus()
     for key in (Qt.Key.Key_Down, Qt.Key.Key_Down, Qt.Key.Key_Up):
         QTest.keyClick(page.strip(page.widget.channel), key)
@@ -210,7 +210,7 @@ def test_arrow_keys_choose_a_strip_and_screen_readers_hear_which(page: ChannelsD
 # --- What a channel does ----------------------------------------------------------------
 
 
-def test_card_says_what_the_channel_does_in_the_mode_of_the_board(
+def test_card_describes_the_channel_in_the_current_mode(
     page: ChannelsDriver, quick_simulator: SimulatedDevice
 ) -> None:
     assert page.text("pageState").startswith("Inputs are read as RC pulses. In serial mode")
@@ -336,7 +336,7 @@ def test_inactive_source_is_shown_and_can_be_activated(
     assert page.device.draft.pending == 1
 
 
-def test_rc_mode_disables_what_the_board_rejects_and_says_so_once(
+def test_rc_mode_disables_rejected_settings_with_one_note(
     unconnected_page: ChannelsDriver, quick_simulator: SimulatedDevice
 ) -> None:
     page, board = unconnected_page, quick_simulator
@@ -365,7 +365,7 @@ def test_rc_mode_disables_what_the_board_rejects_and_says_so_once(
     assert page.action("resetCalibration").isEnabled()
 
 
-def test_value_that_the_board_rejects_is_explained(page: ChannelsDriver) -> None:
+def test_value_rejected_by_the_board_is_explained(page: ChannelsDriver) -> None:
     page.device.calibrations.edit(2, Calibration(2400, 3700, 5100, 60))
     error = Rejected("Calibration of channel 2", ResultCode.BAD_VALUE)
     page.device.applied.emit((WriteResult(CalibrationKey.RC_CHANNEL_2, error=error),))
@@ -382,7 +382,7 @@ def test_value_that_the_board_rejects_is_explained(page: ChannelsDriver) -> None
 # --- The widgets ------------------------------------------------------------------------
 
 
-def test_buttons_and_fields_are_at_hand(page: ChannelsDriver) -> None:
+def test_buttons_request_learning_and_fields_accept_tab(page: ChannelsDriver) -> None:
     requested: list[object] = []
     page.widget.learn_requested.connect(requested.append)
     page.select_channel(2)
@@ -391,6 +391,6 @@ def test_buttons_and_fields_are_at_hand(page: ChannelsDriver) -> None:
     assert requested == [(2,), CHANNELS]
     with page.qtbot.waitSignal(page.widget.test_requested):
         page.click("testSticksButton")
-    # The handles themselves take the mouse only.
+    # Handles accept only the mouse.
     reached = {each.objectName() for each in tab_order(page.root.window())}
     assert reached >= {f"{name}Edit" for name in ("minimum", "neutral", "maximum", "deadband")}

@@ -1,4 +1,4 @@
-"""The comparison as a person sees and drives it."""
+"""Comparison of settings, with mouse and keys."""
 
 from dataclasses import replace
 from functools import partial
@@ -83,7 +83,7 @@ def test_box_checks_all_rows_or_none(view: ComparisonView, driver: ComparisonDia
     assert not view.table.ticked
 
 
-def test_details_are_wire_values_and_what_matches(
+def test_details_show_wire_values_and_matches(
     view: ComparisonView, driver: ComparisonDialog
 ) -> None:
     assert driver.table.isColumnHidden(ComparisonColumn.WIRE)
@@ -92,7 +92,7 @@ def test_details_are_wire_values_and_what_matches(
     assert len(driver.rows()) == len(view.table.comparison.rows)
 
 
-def test_renewal_keeps_the_current_row_and_its_check_box(
+def test_update_retains_the_current_row_and_its_check_box(
     view: ComparisonView, driver: ComparisonDialog
 ) -> None:
     driver.toggle(key := "Motor 1 Acceleration")
@@ -124,7 +124,7 @@ def _length(spec: ParameterSpec, wire: int) -> int:
 
 
 def worst() -> Comparison:
-    """The longest text that each setting has, a whole calibration and one not known before."""
+    """Return the longest text of each setting, and a calibration without an old value."""
     longest = {
         spec.key: max(spec.valid, key=partial(_length, spec))
         for spec in specs_for(BEFORE.product, BEFORE.firmware).readable
@@ -143,7 +143,7 @@ def worst() -> Comparison:
 
 
 def cut_short(table: QTableView) -> list[str]:
-    """Return the texts that their cells do not hold, measured without the view's own help."""
+    """Return the texts that do not fit into their cells, measured independently of the view."""
     bold = table.font()
     bold.setBold(True)
     model, cut = table.model(), []
@@ -156,9 +156,9 @@ def cut_short(table: QTableView) -> list[str]:
             font = index.data(Qt.ItemDataRole.FontRole)
             is_bold = font is not None and font.bold()
             metrics = QFontMetrics(bold if is_bold else table.font())
-            room = QRect(0, 0, cell.width() - 6 - sign, 10_000)
-            needed = metrics.boundingRect(room, Qt.TextFlag.TextWordWrap, text)
-            if not shown or needed.width() > room.width() or needed.height() > cell.height():
+            space = QRect(0, 0, cell.width() - 6 - sign, 10_000)
+            needed = metrics.boundingRect(space, Qt.TextFlag.TextWordWrap, text)
+            if not shown or needed.width() > space.width() or needed.height() > cell.height():
                 cut.append(text)
     return cut
 
@@ -166,7 +166,7 @@ def cut_short(table: QTableView) -> list[str]:
 def test_longest_rows_and_reasons_are_readable(
     view: ComparisonView, driver: ComparisonDialog
 ) -> None:
-    view.resize(712, 400)  # inside a dialog that is 760 wide
+    view.resize(712, 400)  # in a dialog of width 760
     driver.click("detailsBox")
     view.show_comparison(worst(), "On the board", "Factory default")
     table = driver.table

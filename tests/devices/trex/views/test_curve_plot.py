@@ -1,4 +1,4 @@
-"""The curve with its handles, by itself."""
+"""Curve with its handles, on its own."""
 
 from dataclasses import replace
 
@@ -197,7 +197,7 @@ def test_axis_widens_for_the_calibration(plot: CurvePlot) -> None:
     plot.grab()
 
 
-def test_names_and_least_heights_follow_the_font_size(plot: CurvePlot) -> None:
+def test_names_and_minimum_heights_follow_the_font_size(plot: CurvePlot) -> None:
     before = plot.minimumSizeHint().height(), plot.handles.room_above()
     theme().set_font_size(150)
     plot.grab()
@@ -208,7 +208,7 @@ def test_names_and_least_heights_follow_the_font_size(plot: CurvePlot) -> None:
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-def test_labels_have_room_in_each_language(qapp: QApplication, qtbot: QtBot, language: str) -> None:
+def test_labels_fit_in_each_language(qapp: QApplication, qtbot: QtBot, language: str) -> None:
     with in_language(qapp, QLocale(language)):
         plot = CurvePlot()
         qtbot.addWidget(plot)

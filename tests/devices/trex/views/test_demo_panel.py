@@ -1,4 +1,4 @@
-"""The panel of the Demo TReX: its texts, its LEDs and sliders, and when it is shown."""
+"""Demo panel: texts, LEDs, sliders and visibility."""
 
 import sys
 from collections.abc import Callable
@@ -36,7 +36,7 @@ from trex_gui.ui.widgets.sliders import StickSlider
 
 
 def _at_work() -> DemoSnapshot:
-    """A board whose LEDs have shown what is learned, in serial mode."""
+    """Return a board in serial mode, two seconds after its start."""
     line = SimulatedBoards([Board()])
     line.advance(2)
     return read_snapshot(control(line, "show").removeprefix("ok "))
@@ -171,7 +171,9 @@ def slider(qtbot: QtBot) -> StickSlider:
     return slider
 
 
-def test_slider_moves_for_hands_and_follows_the_board(slider: StickSlider, qtbot: QtBot) -> None:
+def test_slider_moves_with_the_mouse_and_follows_the_board(
+    slider: StickSlider, qtbot: QtBot
+) -> None:
     slider.setValue(2000)
     with qtbot.waitSignal(slider.valueChanged):
         QTest.mouseDClick(slider, Qt.MouseButton.LeftButton)
@@ -185,7 +187,7 @@ def test_slider_moves_for_hands_and_follows_the_board(slider: StickSlider, qtbot
     assert slider.value() == 1800
 
 
-def test_wheel_changes_only_what_has_the_focus(slider: StickSlider, qtbot: QtBot) -> None:
+def test_wheel_changes_only_the_focused_widget(slider: StickSlider, qtbot: QtBot) -> None:
     combo = ComboBox()
     qtbot.addWidget(combo)
     combo.addItems(["a", "b", "c"])
@@ -233,7 +235,7 @@ def panel(window: WindowDriver) -> DemoDock:
 
 @pytest.fixture
 def restart(program: Program, qtbot: QtBot) -> Callable[[Program], WindowDriver]:
-    """End the program and start it again."""
+    """Restart the program."""
 
     def again(before: Program) -> WindowDriver:
         before.window.close()
@@ -303,12 +305,12 @@ def test_panel_is_restored_at_the_next_start(
     trex(third).controller.shut_down()
 
 
-@pytest.mark.qt_log_ignore("This plugin does not support")  # said by offscreen
+@pytest.mark.qt_log_ignore("This plugin does not support")  # offscreen
 def test_panel_closes_with_the_connection_and_the_window(
     window: WindowDriver, panel: DemoDock
 ) -> None:
     connector, demo = trex(window.program).controller, window.program.ports.demo_of("trex")
-    window.window.setGeometry(0, 0, 780, 620)  # of the 800 that the screen has
+    window.window.setGeometry(0, 0, 780, 620)  # on a screen of width 800
     before = window.window.width()
     connector.connect_to(demo)
     window.wait(panel.isVisible)

@@ -1,4 +1,4 @@
-"""Pad and slider: what a hand does in them, and every way in which that ends."""
+"""Pad and slider under mouse, touch and keys."""
 
 from collections.abc import Callable
 
@@ -16,11 +16,11 @@ from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
 
 
 class DriveControlsDriver(WidgetDriver):
-    """A pad, a slider and a button in a window.
+    """Window with a pad, a slider and a button.
 
     Attributes:
-        setpoints: forward and turn, of each signal of the pad.
-        released: "pad" or "slider", for each time that one was let go.
+        setpoints: forward and turn, from the signals of the pad.
+        released: "pad" or "slider", for each release.
     """
 
     def __init__(self, qtbot: QtBot) -> None:
@@ -75,7 +75,7 @@ def cancel_touch(pad: DrivePad) -> None:
     QApplication.sendEvent(pad, cancelled)
 
 
-@pytest.mark.qt_log_ignore("not accepted by receiving widget", extend=True)  # it is disabled
+@pytest.mark.qt_log_ignore("not accepted by receiving widget", extend=True)  # disabled widget
 @pytest.mark.parametrize(
     "end",
     [
@@ -175,11 +175,11 @@ def test_key_holds_the_slider_until_it_is_released(controls: DriveControlsDriver
     controls.slider.setFocus()
     QTest.keyPress(controls.slider, Qt.Key.Key_PageUp)
     assert controls.slider.held
-    QTest.keyRelease(controls.slider, Qt.Key.Key_9)  # its code has changed meanwhile
+    QTest.keyRelease(controls.slider, Qt.Key.Key_9)  # the key code has changed
     assert controls.released == ["slider"]
     value = controls.slider.value()
     key, none = Qt.Key.Key_PageUp, Qt.KeyboardModifier.NoModifier
-    QTest.simulateEvent(controls.slider, True, key, none, "", True)  # repeated
+    QTest.simulateEvent(controls.slider, True, key, none, "", True)  # auto-repeat
     assert controls.slider.value() == value
     assert not controls.slider.held
 

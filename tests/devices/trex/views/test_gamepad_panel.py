@@ -1,4 +1,4 @@
-"""The gamepad's place on the Motors page, and its set-up, with a gamepad in a test's hands."""
+"""Gamepad panel and its set-up, with a simulated gamepad."""
 
 from collections.abc import Iterator
 
@@ -24,7 +24,7 @@ Panel = GamepadPanelPage[HeldPads]
 
 @pytest.fixture
 def panel(qtbot: QtBot) -> Iterator[Panel]:
-    """The panel in a window of its own, with a gamepad and available motors."""
+    """Panel in its own window, with a gamepad and available motors."""
     device, pads, window = Device(), HeldPads(PAD), QWidget()
     qtbot.addWidget(window)
     panel = Panel(GamepadPanel(device, window, source=pads), device, pads, qtbot)
@@ -38,14 +38,14 @@ def panel(qtbot: QtBot) -> Iterator[Panel]:
 
 @pytest.fixture
 def active_panel(panel: Panel) -> Panel:
-    """A panel that reads the gamepad."""
+    """Panel that reads the gamepad."""
     panel.find(QCheckBox, "gamepadBox").setChecked(True)
     return panel
 
 
 @pytest.fixture
 def set_up(active_panel: Panel) -> Panel:
-    """A panel with its set-up open."""
+    """Panel with its set-up open."""
     active_panel.open_set_up()
     return active_panel
 
@@ -59,7 +59,7 @@ def test_inactive_panel_reads_nothing_and_hides_its_controls(panel: Panel) -> No
         assert not panel.find(QWidget, name).isVisible(), name
 
 
-def test_state_says_what_to_hold_and_how_to_stop(active_panel: Panel) -> None:
+def test_state_explains_driving_and_stopping(active_panel: Panel) -> None:
     active_panel.wait_for_state("Arm the motors first.")
     active_panel.drive()
     active_panel.wait_for_state("Release button 5 (left shoulder) to stop")
@@ -81,9 +81,7 @@ def open_another_window(qtbot: QtBot) -> QWidget:
     return other
 
 
-def test_another_window_stops_the_motors_unless_that_is_allowed(
-    active_panel: Panel, qtbot: QtBot
-) -> None:
+def test_another_window_stops_the_motors_unless_allowed(active_panel: Panel, qtbot: QtBot) -> None:
     active_panel.drive()
     other = open_another_window(qtbot)
     qtbot.waitUntil(lambda: not active_panel.motors.armed)
@@ -147,7 +145,7 @@ def test_opening_the_set_up_while_driving_stops_the_motors(active_panel: Panel) 
     active_panel.pads.release(HOLD)
     active_panel.pads.move(Y, 0.0)
     active_panel.click("gamepadCloseButton")
-    active_panel.activate()  # window managers do it; without a screen there is none
+    active_panel.activate()  # as a window manager does
     active_panel.drive()
 
 

@@ -1,4 +1,4 @@
-"""The history without a board: looking back, comparing, deleting."""
+"""History without a board."""
 
 from collections.abc import Iterator
 from datetime import timedelta
@@ -29,10 +29,10 @@ def dialog(qtbot: QtBot) -> Iterator[HistoryDialog]:
     dialog.close()
 
 
-# --- Looking back -----------------------------------------------------------------------
+# --- The list ---------------------------------------------------------------------------
 
 
-def test_empty_history_says_when_snapshots_are_taken(dialog: HistoryDialog) -> None:
+def test_empty_history_explains_snapshots(dialog: HistoryDialog) -> None:
     dialog.open()
     empty = dialog.find(QLabel, "historyEmpty")
     dialog.wait(empty.isVisible)
@@ -49,7 +49,7 @@ def test_newest_snapshot_is_compared_with_the_previous_one(dialog: HistoryDialog
     assert "Apply of 2 settings" in dialog.text("snapshotTitle")
     assert not dialog.is_enabled("restoreButton")
     assert "No board is connected" in dialog.text("restoreNote")
-    dialog.select_snapshot(1)  # what restoring it would change
+    dialog.select_snapshot(1)  # compared with the later snapshot
     dialog.wait(lambda: dialog.values() == {"serial_timeout": ("0.7 s", "0.5 s")})
 
 
@@ -117,13 +117,13 @@ def test_search_filters_the_list(dialog: HistoryDialog) -> None:
     assert dialog.count() == 2
 
 
-def test_what_another_program_did_appears_on_refresh(dialog: HistoryDialog) -> None:
+def test_changes_of_another_program_appear_on_refresh(dialog: HistoryDialog) -> None:
     take(dialog.history, MINUTE, serial_timeout=5)
     dialog.open()
     take(dialog.history)
     dialog.refresh()
     assert dialog.count() == 2
-    assert dialog.selected_row() == 1  # what was looked at stays
+    assert dialog.selected_row() == 1  # the selection remains
 
 
 # --- User actions ---------------------------------------------------------------------
@@ -147,7 +147,7 @@ def test_deletion_needs_confirmation_in_the_dialog(dialog: HistoryDialog) -> Non
     dialog.answer(yes=True)
     assert gone not in dialog.history.snapshots()
     assert len(dialog.history.snapshots()) == 2
-    assert dialog.selected_row() == 1  # what took its place
+    assert dialog.selected_row() == 1  # the next snapshot
 
 
 def test_deleting_the_last_snapshot_empties_the_history(dialog: HistoryDialog) -> None:

@@ -1,4 +1,4 @@
-"""The dialog that learns channels, by itself, on a simulated board."""
+"""Learning dialog on its own, with a simulated board."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -71,7 +71,7 @@ def test_ends_are_marked_when_they_are_reached(learning: LearningDialog) -> None
     learning.wait_for_head("Release every stick")
 
 
-def test_buttons_say_what_they_do_in_each_step(learning: LearningDialog) -> None:
+def test_button_texts_follow_the_step(learning: LearningDialog) -> None:
     learning.use({1: Stick(), 2: Stick(connected=False)})
     again, take = learning.button("learnAgainButton"), learning.button("learnNextButton")
     learning.start_learning(1, 2)
@@ -96,8 +96,8 @@ def test_buttons_say_what_they_do_in_each_step(learning: LearningDialog) -> None
 # --- The review -------------------------------------------------------------------------
 
 
-def test_review_compares_values_with_stored_ones(learning: LearningDialog) -> None:
-    """What is only edited counts as neither."""
+def test_review_compares_learned_with_stored_values(learning: LearningDialog) -> None:
+    """Pending edits are ignored."""
     device = learning.device
     stored = device.calibrations.stored(1)
     assert stored is not None
@@ -155,7 +155,7 @@ def test_review_shows_the_curve_before_and_after(learning: LearningDialog) -> No
     learning.button("learnReversed2").click()
     assert not shown().reversed_
 
-    maximum.setValue(3000)  # which the board would not take
+    maximum.setValue(3000)  # rejected by the board
     learning.wait(lambda: plot.curve is None)
     learning.wait_for_head("would reject the values of channel 2")
     learning.assert_nothing_changed()
@@ -165,7 +165,6 @@ def test_review_shows_the_curve_before_and_after(learning: LearningDialog) -> No
 
 
 def test_every_step_fits_a_low_screen(learning: LearningDialog) -> None:
-    """With a font of twice the size, too."""
     learning.use({channel: Stick() for channel in CHANNELS})
 
     def assert_fits(step: str) -> None:
@@ -240,7 +239,7 @@ def test_learning_can_be_cancelled_in_each_step(learning: LearningDialog) -> Non
 
 
 def test_stick_test_continues_after_a_short_power_cycle(learning: LearningDialog) -> None:
-    """The cycle is too short for the program to miss the board."""
+    """The program does not notice such a short power cycle."""
     sticks = {1: Stick(), 2: Stick(), 3: Stick()}
     learning.use(sticks)
     learning.start_test(*sticks)

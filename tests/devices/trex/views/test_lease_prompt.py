@@ -1,4 +1,4 @@
-"""Who drives a served board: what the pages say, and the questions of driver and owner."""
+"""Driver of a served board: texts on the pages, and prompts."""
 
 from collections.abc import Callable
 from typing import Any
@@ -25,7 +25,7 @@ REFUSED = MotorsStopped(ErrorCode.OTHER_DRIVES, confirmed=True)
 
 
 class ServedWindow:
-    """A window at a board that counts as served, and what it requests about the lease."""
+    """Window of a served board, with its requests for the lease."""
 
     def __init__(self, window: WindowDriver, monkeypatch: pytest.MonkeyPatch) -> None:
         self.window = window
@@ -62,7 +62,7 @@ def texts(served: ServedWindow) -> list[str]:
     return [label.text() for label in page.findChildren(QLabel)]
 
 
-def test_pages_say_who_drives_and_how_long_the_network_takes(served: ServedWindow) -> None:
+def test_pages_show_driver_and_network_delay(served: ServedWindow) -> None:
     served.report(OTHERS)
     served.report(NetworkDelay(0.0123))
     assert any("alice drives this robot" in text for text in texts(served))
@@ -71,7 +71,7 @@ def test_pages_say_who_drives_and_how_long_the_network_takes(served: ServedWindo
     assert not any("drives this robot" in text for text in texts(served))
 
 
-def test_driver_hands_over_to_who_asks(served: ServedWindow) -> None:
+def test_driver_hands_over_on_request(served: ServedWindow) -> None:
     served.report(MINE)
     assert not served.question
     served.report(LeaseChanged("me", "me", is_mine=True, waiting=("bob",)))
@@ -80,7 +80,7 @@ def test_driver_hands_over_to_who_asks(served: ServedWindow) -> None:
     assert served.requested == [HandOver("bob")]
 
 
-def test_question_ends_when_nobody_waits_any_more(served: ServedWindow) -> None:
+def test_prompt_closes_when_no_user_waits(served: ServedWindow) -> None:
     served.report(LeaseChanged("me", "me", is_mine=True, waiting=("bob",)))
     served.report(MINE)
     assert not served.question
@@ -96,7 +96,7 @@ def test_owner_may_take_over(served: ServedWindow, may_take: bool) -> None:
         assert served.requested == [TakeLease()]
 
 
-def test_user_is_told_when_driving_was_handed_over(served: ServedWindow) -> None:
+def test_user_is_notified_of_the_handover(served: ServedWindow) -> None:
     served.report(OTHERS)
     served.report(REFUSED)
     assert "Another user drives" in served.window.device.notifier.shown
@@ -104,7 +104,7 @@ def test_user_is_told_when_driving_was_handed_over(served: ServedWindow) -> None
     assert "You may drive now" in served.window.device.notifier.shown
 
 
-def test_silent_network_is_not_called_a_silent_board(served: ServedWindow) -> None:
+def test_silent_network_is_distinguished_from_a_silent_board(served: ServedWindow) -> None:
     served.report(NotResponding("silent", Counters(), is_network=True))
     assert any("network to the robot is silent" in text for text in texts(served))
     served.report(NotResponding("silent", Counters()))

@@ -1,4 +1,4 @@
-"""Typed lines get the line ends that the file had."""
+"""Typed lines get the line ends of their file."""
 
 from hypothesis import given
 from hypothesis import strategies as st

@@ -1,4 +1,4 @@
-"""The page to drive by hand: how it uses its room, and what it says of the speed ceiling."""
+"""Motors page: layout, and texts about the speed ceiling."""
 
 from collections.abc import Iterator
 
@@ -23,7 +23,7 @@ from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 
 class MotorsPageDriver(WidgetDriver):
-    """The page in a scroll area, as in the window, of a device that is not connected."""
+    """Motors page in a scroll area, of a disconnected device."""
 
     def __init__(self, device: Device, qtbot: QtBot) -> None:
         self.device = device
@@ -55,7 +55,7 @@ def page(qtbot: QtBot, qapp: QApplication) -> Iterator[MotorsPageDriver]:
     qtbot.waitUntil(device.shut_down)
 
 
-def test_page_says_why_the_ceiling_is_low(
+def test_page_explains_a_low_ceiling(
     page: MotorsPageDriver, start_simulator: StartSimulator
 ) -> None:
     entry = page.find(QSpinBox, "ceilingEntry")
@@ -74,11 +74,11 @@ def test_page_says_why_the_ceiling_is_low(
     assert page.find(QSpinBox, "motor1Entry").maximum() == 127
 
 
-def test_controls_hold_still_while_armed(
+def test_controls_do_not_move_while_armed(
     page: MotorsPageDriver, start_simulator: StartSimulator, virtual_time: VirtualRuntime
 ) -> None:
     brake = page.button("motor1Brake")
-    page.resize(760, 900)  # what is beside is below
+    page.resize(760, 900)  # one column
     page.connect(start_simulator("--unpaced").url)
     page.device.motors.arm()
     page.wait(page.pad.isEnabled)
@@ -88,7 +88,7 @@ def test_controls_hold_still_while_armed(
         return [(place.top(), place.bottom()) for place in places]
 
     before = heights()
-    page.resize(760, 800)  # by the user
+    page.resize(760, 800)
     page.wait(lambda: heights() != before)
     virtual_time.advance(0.1)
     before = heights()
@@ -116,14 +116,14 @@ def test_currents_are_shown_with_their_limits(
     page.wait_for_text("motor1Current", "–")
 
 
-def test_currents_are_below_the_motors_where_there_is_no_room(page: MotorsPageDriver) -> None:
+def test_currents_are_below_the_motors_on_a_narrow_page(page: MotorsPageDriver) -> None:
     plot = page.button("openPlot")
     assert page.place_of(plot).left() > page.place_of(page.button("auxZero")).right()
     page.resize(664, 519)
     assert page.place_of(plot).top() > page.place_of(page.button("auxZero")).bottom()
 
 
-def test_channels_that_drive_are_shown_on_the_controls(
+def test_driving_channels_are_shown_on_the_controls(
     page: MotorsPageDriver, start_simulator: StartSimulator
 ) -> None:
     simulator = start_simulator("--unpaced", "--mode", "rc")

@@ -1,4 +1,4 @@
-"""Every parameter of every board, edited through its own editor as a parameters does."""
+"""Every parameter of every board in its editor."""
 
 from collections.abc import Iterator
 
@@ -30,7 +30,7 @@ def parameters(qtbot: QtBot) -> ParametersDriver:
 
 
 def new_in(model_key: str, firmware: str) -> list[ParameterSpec]:
-    """The parameters that are not the same as in an older firmware, where they were tried."""
+    """Return the parameters that differ from all older firmware."""
     older = [version for key, version in BOARDS if key == model_key and version < firmware]
     tried = [spec for version in older for spec in parameters_of(model_key, version).readable]
     present = parameters_of(model_key, firmware).readable
@@ -38,7 +38,7 @@ def new_in(model_key: str, firmware: str) -> list[ParameterSpec]:
 
 
 def is_of_frequency(spec: ParameterSpec) -> bool:
-    """Whether a parameter has no editor of its own: prescaler and maximum of a PWM."""
+    """Return whether a parameter is edited as part of a PWM frequency."""
     return spec.key.startswith(("motor1_pwm", "motor2_pwm"))
 
 
@@ -50,11 +50,11 @@ def test_each_parameter_of_each_board_is_tested() -> None:
 
 
 def values_to_try(spec: ParameterSpec) -> list[int]:
-    """One between, lowest and highest, each another than the one before."""
+    """Return a middle, the lowest and the highest value, without repetitions."""
     valid = sorted(spec.valid)
     others = [wire for wire in valid if wire != spec.default]
-    wanted = [others[len(others) // 2], valid[0], valid[-1]]
-    pairs = zip(wanted, [spec.default, *wanted], strict=False)
+    values = [others[len(others) // 2], valid[0], valid[-1]]
+    pairs = zip(values, [spec.default, *values], strict=False)
     return [wire for wire, before in pairs if wire != before]
 
 
@@ -65,8 +65,8 @@ def type_number(editor: QWidget, text: str) -> None:
     QTest.keyClick(editor, Qt.Key.Key_Return)
 
 
-def choose(combo: QComboBox, index: int) -> None:
-    """Walk to an entry with the arrow keys."""
+def select(combo: QComboBox, index: int) -> None:
+    """Select an entry with the arrow keys."""
     while combo.currentIndex() != index:
         before = combo.currentIndex()
         down = combo.currentIndex() < index
@@ -81,15 +81,15 @@ def check_channels(editor: WidgetDriver, wire: int) -> None:
             editor.click(name)
 
 
-def choose_line_settings(editor: WidgetDriver, wire: int) -> None:
-    wanted = LineSettings.from_wire(wire)
+def select_line_settings(editor: WidgetDriver, wire: int) -> None:
+    settings = LineSettings.from_wire(wire)
     for name, data in (
-        ("baudField", wanted.baud),
-        ("detectionField", wanted.detection),
-        ("stopBitsField", wanted.stop_bits),
+        ("baudField", settings.baud),
+        ("detectionField", settings.detection),
+        ("stopBitsField", settings.stop_bits),
     ):
         field = editor.combo(name)
-        choose(field, field.findData(data))
+        select(field, field.findData(data))
 
 
 def enter(editor: WidgetDriver, spec: ParameterSpec, wire: int) -> None:
@@ -97,11 +97,11 @@ def enter(editor: WidgetDriver, spec: ParameterSpec, wire: int) -> None:
     match spec.kind:
         case ParameterKind.CHOICE:
             assert isinstance(editor.root, QComboBox)
-            choose(editor.root, editor.root.findData(wire))
+            select(editor.root, editor.root.findData(wire))
         case ParameterKind.CHANNELS:
             check_channels(editor, wire)
         case ParameterKind.UART:
-            choose_line_settings(editor, wire)
+            select_line_settings(editor, wire)
         case _:
             type_number(editor.root, spec.text(wire))
 
@@ -113,7 +113,7 @@ on_each_board = pytest.mark.parametrize(
 
 
 @on_each_board
-def test_each_parameter_takes_its_extreme_values(
+def test_each_parameter_accepts_its_extreme_values(
     qtbot: QtBot, model_key: str, firmware: str
 ) -> None:
     parameters = ParametersDriver(qtbot)
@@ -150,7 +150,7 @@ def test_each_number_out_of_range_is_rejected_with_its_limits(
             assert not parameters.model.values.pending
 
 
-def test_rejected_input_is_marked_until_it_is_a_value(parameters: ParametersDriver) -> None:
+def test_rejected_input_is_marked_until_it_is_valid(parameters: ParametersDriver) -> None:
     editor = parameters.open_with_mouse("serial_timeout")
     assert isinstance(editor, UnitSpinBox)
     (icon,) = editor.findChildren(QToolButton)
@@ -189,7 +189,7 @@ def test_keys_change_a_number(parameters: ParametersDriver) -> None:
 
 @pytest.fixture
 def double_click(qapp: QApplication) -> Iterator[int]:
-    """The longest time between two clicks, in milliseconds: short here."""
+    """Double-click interval in milliseconds, shortened."""
     before = qapp.doubleClickInterval()
     qapp.setDoubleClickInterval(10)
     yield 10
@@ -202,7 +202,7 @@ def test_number_typed_after_a_click_keeps_its_first_digit(
     parameters.go_to("serial_timeout")
     parameters.click_cell("serial_timeout")
     QTest.keyClicks(parameters.view, "0")
-    QTest.qWait(3 * double_click)  # what is clicked again could be edited now
+    QTest.qWait(3 * double_click)  # a second click would open the editor
     editor = parameters.editor("serial_timeout")
     QTest.keyClicks(editor, ".8 s")
     QTest.keyClick(editor, Qt.Key.Key_Return)
@@ -210,7 +210,7 @@ def test_number_typed_after_a_click_keeps_its_first_digit(
 
 
 def test_arrows_of_acceleration_step_through_the_times(parameters: ParametersDriver) -> None:
-    """Up to a longer time; beyond the longest there is no step to no ramp at all."""
+    """Up is a longer time. No step leads from the longest time to no ramp."""
     editor = parameters.open_with_keys("motor1_acceleration")
     assert isinstance(editor, AccelerationEditor)
     for start, steps, wire in (
@@ -228,7 +228,7 @@ def test_arrows_of_acceleration_step_through_the_times(parameters: ParametersDri
         assert editor.value() == wire, (start, steps)
 
 
-def test_frequency_takes_what_is_nearest(parameters: ParametersDriver) -> None:
+def test_frequency_is_rounded_to_the_nearest(parameters: ParametersDriver) -> None:
     key = "motor1_pwm_maximum"
     for typed, shown in (
         ("9766", "9766 Hz"),
@@ -283,7 +283,7 @@ def test_editor_stays_within_the_table(parameters: ParametersDriver) -> None:
 
 
 @pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
-def test_parameter_not_given_takes_only_confirmed_values(parameters: ParametersDriver) -> None:
+def test_missing_parameter_accepts_only_confirmed_values(parameters: ParametersDriver) -> None:
     parameters.open_file(SPECS, serial_timeout=5)
     keys = ("device_number", "motor_mode", "required_channels", "uart_settings")
     for key in keys:
@@ -325,7 +325,7 @@ def test_parameter_not_given_takes_only_confirmed_values(parameters: ParametersD
         ("motor1_acceleration", "11 per 100 ms", []),
     ],
 )
-def test_a_value_between_two_says_which_one_is_stored(
+def test_rounded_value_is_reported(
     parameters: ParametersDriver, key: str, typed: str, said: list[str]
 ) -> None:
     sentences: list[str] = []

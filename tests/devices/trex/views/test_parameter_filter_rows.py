@@ -1,4 +1,4 @@
-"""What is shown of the parameter table."""
+"""Filters of the parameter table."""
 
 import pytest
 from pytestqt.qtbot import QtBot

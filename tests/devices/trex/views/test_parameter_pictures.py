@@ -1,4 +1,4 @@
-"""Drawings of what a parameter does."""
+"""Drawings of the effects of parameters."""
 
 import pytest
 
@@ -13,7 +13,7 @@ SPECS = {spec.key: spec for spec in parameters_of("trex", "1.2").readable}
     ("key", "stored", "text", "end"),
     [
         ("motor1_acceleration", [10], "1.3 s to full speed", (1, 0)),
-        ("motor1_brake_duration", [10], "100 ms", (0.2 + 0.8 / 6, 0.4)),  # its ramp is not known
+        ("motor1_brake_duration", [10], "100 ms", (0.2 + 0.8 / 6, 0.4)),  # unknown ramp
         ("motor1_brake_duration motor1_acceleration", [10, 0], "100 ms", (1, 0)),
         ("motor2_current_limit", [127], "38.1 A", (1, 0.34)),
         ("motor2_current_limit", [1], "0.3 A", (1, 0.8 / 127)),

@@ -1,4 +1,4 @@
-"""The parameter table: tasks, search, reset to defaults, both motors, with mouse and keys."""
+"""Parameter table with mouse and keys."""
 
 from collections.abc import Callable
 
@@ -49,11 +49,11 @@ def test_first_value_is_selected_once_a_board_is_read(qtbot: QtBot) -> None:
     parameters.load(SPECS)
     assert [heading.data(ParameterRole.GROUP) for heading in parameters.headings] == TASKS
     assert parameters.current == FIRST
-    assert parameters.view.verticalScrollBar().value() == 0, "the first heading is in sight"
+    assert parameters.view.verticalScrollBar().value() == 0, "the first heading is visible"
 
 
-@pytest.mark.parametrize("width", [706, 1200, 3800])  # that of 1024×600 beside the demo first
-def test_no_value_is_cut(parameters: ParametersDriver, width: int) -> None:
+@pytest.mark.parametrize("width", [706, 1200, 3800])  # first: 1024×600 with the demo panel
+def test_no_value_is_cut_off(parameters: ParametersDriver, width: int) -> None:
     parameters.table.resize(width, 350)
     view = parameters.view
     for key, wire in (
@@ -71,7 +71,7 @@ def test_no_value_is_cut(parameters: ParametersDriver, width: int) -> None:
     assert 20 * character <= view.columnWidth(ParameterColumn.NAME) <= 44 * character
 
 
-def test_search_keeps_what_was_selected(parameters: ParametersDriver) -> None:
+def test_search_retains_the_selection(parameters: ParametersDriver) -> None:
     parameters.go_to("required_channels")
     parameters.search("timeout")
     assert parameters.current == "serial_timeout"
@@ -197,7 +197,7 @@ def test_keys_edit_and_search(parameters: ParametersDriver) -> None:
     parameters.wait_for_value("serial_timeout", 30)
 
 
-def test_name_leads_to_the_value_and_a_heading_to_none(parameters: ParametersDriver) -> None:
+def test_name_opens_its_value_and_a_heading_none(parameters: ParametersDriver) -> None:
     for key in ("serial_timeout", "motor1_current_limit"):
         parameters.open_with_mouse(key, ParameterColumn.NAME)
         assert parameters.current == key
@@ -212,7 +212,7 @@ def test_name_leads_to_the_value_and_a_heading_to_none(parameters: ParametersDri
     assert parameters.current
 
 
-def test_arrow_keys_bring_the_first_heading_into_sight(parameters: ParametersDriver) -> None:
+def test_arrow_keys_scroll_to_the_first_heading(parameters: ParametersDriver) -> None:
     parameters.table.resize(900, 300)
     parameters.go_to("uart_settings")
     assert parameters.view.verticalScrollBar().value() > 0
@@ -225,7 +225,7 @@ def test_arrow_keys_bring_the_first_heading_into_sight(parameters: ParametersDri
 
 
 def request_menu(parameters: ParametersDriver, index: QModelIndex) -> QMenu:
-    """Press the right button of the mouse on a row."""
+    """Right-click a row."""
     place = parameters.place_of(index)
     viewport = parameters.view.viewport()
     mouse = QContextMenuEvent.Reason.Mouse
@@ -235,7 +235,7 @@ def request_menu(parameters: ParametersDriver, index: QModelIndex) -> QMenu:
 
 
 def menu_of(parameters: ParametersDriver, key: str) -> dict[str, QAction]:
-    """Open the menu of a row; return what can be seen in it, by name."""
+    """Open the menu of a row. Return its visible actions by name."""
     menu = request_menu(parameters, parameters.model.index_of(key))
     assert menu.isVisible()
     menu.close()
@@ -307,7 +307,7 @@ def test_both_motors_are_edited_as_one(parameters: ParametersDriver, qtbot: QtBo
 
 
 def test_rows_of_every_kind_are_painted(parameters: ParametersDriver) -> None:
-    """Rows are marked, inferred, disabled and current; a fault in painting is a warning."""
+    """A painting error is a Qt warning, which fails the test."""
     parameters.model.edit("motor1_acceleration", 4)
     parameters.go_to("motor1_acceleration")
     cell = parameters.view.visualRect(parameters.cell(FIRST))

@@ -1,4 +1,4 @@
-"""The window that shows a recording."""
+"""Playback window."""
 
 import csv
 from pathlib import Path
@@ -54,8 +54,6 @@ def _minute() -> list[Record]:
 
 
 class RecordingWindow(WidgetDriver):
-    """The window of a recording."""
-
     def __init__(self, window: PlaybackWindow, qtbot: QtBot) -> None:
         super().__init__(window, qtbot)
         self.window = window
@@ -63,7 +61,6 @@ class RecordingWindow(WidgetDriver):
 
     @classmethod
     def open(cls, playback: Playback, qtbot: QtBot) -> "RecordingWindow":
-        """Show a recording that is being read."""
         window = cls(PlaybackWindow(playback, Device()), qtbot)
         qtbot.addWidget(window.window)
         window.window.show()
@@ -79,7 +76,7 @@ class RecordingWindow(WidgetDriver):
 
 @pytest.fixture(scope="module")
 def minute(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A recording, which no test changes."""
+    """Recording that no test changes."""
     path = tmp_path_factory.mktemp("recording") / "minute.trexrec"
     write(path, _minute())
     return path
@@ -156,11 +153,11 @@ def test_shown_span_is_exported_as_csv_and_pictures(
     assert names == {"exportPngAction", "exportSvgAction", "exportLightAction"}
     proposed: list[str] = []
 
-    def choose(_parent: QWidget, _title: str, name: str, _kinds: str) -> tuple[str, str]:
+    def select(_parent: QWidget, _title: str, name: str, _kinds: str) -> tuple[str, str]:
         proposed.append(Path(name).name)
         return str(tmp_path / Path(name).name), ""
 
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", choose)
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", select)
     for kind in ("Png", "Svg"):
         window.find(QAction, f"export{kind}Action").trigger()
         window.wait_for_files()
@@ -195,9 +192,9 @@ def test_loaded_window_is_complete_and_plays(window: RecordingWindow) -> None:
 
 
 def half_read(path: Path, qtbot: QtBot) -> RecordingWindow:
-    """Open a recording; return its window when some of it was read and not all.
+    """Open a recording. Return its window after some of it was read.
 
-    A busy computer may have read all of it by then; so it tries again.
+    Tries again if a busy computer has already read the whole recording.
     """
     for _ in range(4):
         window = RecordingWindow.open(loading(Playback(open_recording(path))), qtbot)

@@ -1,4 +1,4 @@
-"""Boards in turn, in the window: one press of Enter sets up, checks and records each."""
+"""Dialog that sets up boards in turn."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -21,7 +21,7 @@ HEAD = "product: TReX\nfirmware: 1.2\n"
 
 
 class ShopDriver:
-    """The dialog, the cable with a board, and the record."""
+    """Dialog, cable with a board, and record."""
 
     def __init__(self, window: WindowDriver, board: SimulatedDevice, folder: Path) -> None:
         self.window, self.board = window, board
@@ -88,7 +88,7 @@ def test_boards_are_set_up_with_a_press_each(shop: ShopDriver) -> None:
     assert {(row[-2], row[-1]) for row in shop.rows} == {("ok", "new")}
 
 
-def test_skipped_board_keeps_what_it_stores(shop: ShopDriver) -> None:
+def test_skipped_board_is_unchanged(shop: ShopDriver) -> None:
     before = shop.board.show()["parameters"]
     shop.start()
     shop.wait_for(ProvisionStep.REVIEW)
@@ -98,7 +98,7 @@ def test_skipped_board_keeps_what_it_stores(shop: ShopDriver) -> None:
     assert [(row[2], row[-2]) for row in shop.rows] == [("7", "skipped")]
 
 
-def test_board_lost_before_it_is_written_is_forgotten(shop: ShopDriver) -> None:
+def test_board_lost_before_writing_is_dropped(shop: ShopDriver) -> None:
     shop.start()
     shop.wait_for(ProvisionStep.REVIEW)
     shop.board.do("power off")
@@ -107,7 +107,7 @@ def test_board_lost_before_it_is_written_is_forgotten(shop: ShopDriver) -> None:
     assert shop.rows == []
 
 
-def test_number_of_a_board_lost_while_it_is_written_is_reserved(shop: ShopDriver) -> None:
+def test_number_of_a_board_lost_during_writing_is_reserved(shop: ShopDriver) -> None:
     shop.start()
     shop.wait_for(ProvisionStep.REVIEW)
     shop.press_next()
@@ -128,7 +128,7 @@ def test_profile_of_another_model_is_named_and_not_written(shop: ShopDriver) -> 
     assert shop.rows == []
 
 
-def test_file_that_is_no_record_is_kept(shop: ShopDriver) -> None:
+def test_file_that_is_no_record_is_not_overwritten(shop: ShopDriver) -> None:
     shop.record.write_text("my,table\n", "utf-8")
     shop.start()
     shop.window.wait_for_text("provisionTrouble", "no record")

@@ -1,4 +1,4 @@
-"""The drawing of the robot: which wheels turn, and which one was clicked."""
+"""Drawing of the robot with clickable wheels."""
 
 from PySide6.QtCore import QTimer
 from PySide6.QtTest import QTest

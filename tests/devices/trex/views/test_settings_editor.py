@@ -1,4 +1,4 @@
-"""The window for one settings file, with no board."""
+"""Window for a settings file, without a board."""
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -48,7 +48,7 @@ PARAMETERS, CALIBRATIONS, TEXT_PAGE = range(3)
 
 
 class EditorDriver(SettingsEditorWindow):
-    """The window of a settings file, with its pages."""
+    """Window of a settings file, with its pages."""
 
     def __init__(self, editor: SettingsEditor, qtbot: QtBot) -> None:
         super().__init__(editor, qtbot)
@@ -71,7 +71,7 @@ class EditorDriver(SettingsEditorWindow):
         return self.document.draft.parameters.values.value_of(key)
 
     def trigger(self, name: str) -> None:
-        """Choose a menu entry."""
+        """Trigger a menu entry."""
         action = self.action(name)
         assert action.isEnabled(), name
         action.trigger()
@@ -106,7 +106,7 @@ def device(qapp: QApplication) -> Device:
 
 @pytest.fixture
 def open_text(device: Device, tmp_path: Path, qtbot: QtBot) -> Iterator[Open]:
-    """Open a settings file that contains this."""
+    """Function that opens a settings file with the given content."""
     editors = []
 
     def opened(data: str | bytes) -> EditorDriver:
@@ -125,7 +125,7 @@ def open_text(device: Device, tmp_path: Path, qtbot: QtBot) -> Iterator[Open]:
 
 @pytest.fixture
 def editor(open_text: Open) -> EditorDriver:
-    """The editor of a file without findings."""
+    """Editor of a file without findings."""
     return open_text(TEXT)
 
 
@@ -266,7 +266,7 @@ def test_file_changed_on_disk_is_overwritten_after_a_question(
 def test_file_is_rewritten_after_a_question(
     open_text: Open, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    editor = open_text("product: TReX\nfirmware: |\n  1.2")  # cannot be changed in place
+    editor = open_text("product: TReX\nfirmware: |\n  1.2")  # has to be rewritten
     editor.edit("motor_mode", 1)
     requested = answer_questions(monkeypatch, QMessageBox.StandardButton.Cancel)
     editor.save()
@@ -277,7 +277,7 @@ def test_file_is_rewritten_after_a_question(
     assert "motor_mode: 1" in editor.path.read_text(encoding="utf-8")
 
 
-def test_edits_are_kept_until_saved_or_dropped(
+def test_edits_remain_until_saved_or_discarded(
     editor: EditorDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     editor.edit("motor_mode", 1)
@@ -300,7 +300,7 @@ def test_edits_are_kept_until_saved_or_dropped(
 # --- Comparing --------------------------------------------------------------------------
 
 
-def test_files_are_compared_and_values_taken(editor: EditorDriver, tmp_path: Path) -> None:
+def test_files_are_compared_and_values_copied(editor: EditorDriver, tmp_path: Path) -> None:
     editor.editor.compare_with_file(tmp_path / "nowhere.txt")
     editor.wait_for_files()
     assert "no such file" in editor.banner
@@ -321,7 +321,7 @@ def test_files_are_compared_and_values_taken(editor: EditorDriver, tmp_path: Pat
     dialog.root.close()
 
 
-def test_other_models_give_no_values(open_text: Open, tmp_path: Path) -> None:
+def test_values_of_other_models_are_not_copied(open_text: Open, tmp_path: Path) -> None:
     editor = open_text(TEXT)
     other = tmp_path / "junior.txt"
     other.write_text("product: TReX Jr\nmotor_mode: 1\n", encoding="utf-8")
@@ -357,7 +357,7 @@ def test_pdf_names_every_row(device: Device) -> None:
     assert "a&lt;b&gt;.txt" in html
     assert "1040 µs (2600)" in html
     assert "odd &amp; strange" in html
-    assert "<b>" not in html  # everything given is the factory default
+    assert "<b>" not in html  # only factory defaults
 
     changed = settings_in("product: TReX\nserial_timeout: 5\n")
     assert "<b>0.5 s</b>" in settings_html(changed, "rover.txt")

@@ -1,4 +1,4 @@
-"""The assistant in its window: no motor moves but by a held button, and every way out stops."""
+"""Set-up assistant in its window."""
 
 from collections.abc import Callable, Iterator
 
@@ -43,10 +43,10 @@ def go_to(driver: WidgetDriver, dialog: QWidget, step: SetupStep) -> None:
 
 
 class Assistant(WidgetDriver):
-    """The dialog of a robot.
+    """Set-up dialog of a robot.
 
     Attributes:
-        requests: every setpoint that was requested.
+        requests: all requested setpoints.
     """
 
     def __init__(self, robot: Robot, dialog: Steps, flow: SetupFlow, qtbot: QtBot) -> None:
@@ -94,12 +94,12 @@ def assistant(
 @pytest.mark.parametrize("driver", Driver)
 def test_walk_through_all_steps_moves_no_motor(assistant: Assistant, driver: Driver) -> None:
     assistant.click(DRIVERS[driver])
-    assert not assistant.has("setupWiringPage")  # a page is made when it is first shown
+    assert not assistant.has("setupWiringPage")  # not created yet
     go_to(assistant, assistant.root, SetupStep.MOTORS)
     assert not assistant.is_enabled("setupRunButton")
     assistant.arm()
     for button in ("rightWheelBackward", "leftWheelForward"):
-        assistant.click(button)  # the second answers for motor 2
+        assistant.click(button)  # the second click is for motor 2
     assert "✓" in assistant.button("setupAnswer2").text()
     seen = []
     while assistant.setup.step is not SetupStep.REVIEW:
@@ -111,7 +111,7 @@ def test_walk_through_all_steps_moves_no_motor(assistant: Assistant, driver: Dri
     check_keyboard(assistant.root)
     assert (SetupStep.TIMEOUT in seen) is (driver is Driver.COMPUTER)
     _, undone = assistant.find_only(StepStrip).accessibleName().split("Not done: ")
-    assert "Motors" in undone  # its wires or the sticks are left to do
+    assert "Motors" in undone  # its wires or the sticks are open
     assert "Limits" not in undone
     assert ("wires of the right motor" in assistant.text("setupOpenMotors")) is (
         driver is not Driver.TWO_STICKS
@@ -130,7 +130,7 @@ def test_walk_through_all_steps_moves_no_motor(assistant: Assistant, driver: Dri
     assert assistant.robot.simulator.show()["parameters"]["motor1_acceleration"] == 0
 
 
-def test_stick_that_is_not_seen_is_named_beside_its_input(assistant: Assistant) -> None:
+def test_unclear_stick_is_explained_beside_its_input(assistant: Assistant) -> None:
     robot = assistant.robot
     go_to(assistant, assistant.root, SetupStep.STICKS)
     robot.push(1)
@@ -160,7 +160,7 @@ def test_buttons_are_on_amber_while_armed(assistant: Assistant) -> None:
     assert bar.grab().toImage().pixelColor(middle) == theme().color("armed")
 
 
-def test_enter_after_learning_has_begun_does_not_skip_it(assistant: Assistant) -> None:
+def test_enter_at_the_start_of_learning_does_not_skip_it(assistant: Assistant) -> None:
     go_to(assistant, assistant.root, SetupStep.STICKS)
     assistant.click("setupLearnButton")
     assert assistant.root.focusWidget() is not assistant.button("setupSkipButton")
@@ -168,7 +168,7 @@ def test_enter_after_learning_has_begun_does_not_skip_it(assistant: Assistant) -
     assistant.wait(lambda: assistant.root.focusWidget() is assistant.button("setupNextButton"))
 
 
-def test_motors_need_no_scrolling_sideways_with_large_fonts(assistant: Assistant) -> None:
+def test_motors_need_no_horizontal_scrolling_with_large_fonts(assistant: Assistant) -> None:
     theme().set_font_size(150)
     try:
         go_to(assistant, assistant.root, SetupStep.MOTORS)
@@ -196,7 +196,7 @@ def test_held_button_moves_its_motor_only(assistant: Assistant) -> None:
 
 
 def open_menu(assistant: Assistant) -> None:
-    """As another program or a tool tip may: no event says so, and the release is lost."""
+    """Open a menu, which swallows the release of the button without an event."""
     menu = QMenu(assistant.root)
     menu.addAction("Anything")
     menu.popup(QPoint())
@@ -205,29 +205,29 @@ def open_menu(assistant: Assistant) -> None:
 
 
 ENDS: dict[str, Callable[[Assistant], object]] = {
-    "the button is released": lambda one: QTest.mouseRelease(one.button("setupHold1"), LEFT),
+    "the button is released": lambda dialog: QTest.mouseRelease(dialog.button("setupHold1"), LEFT),
     "a menu opens": open_menu,
-    "the dialog is closed": lambda one: one.root.close(),
-    "the next step is shown": lambda one: one.click("setupNextButton"),
-    "the step before is shown": lambda one: one.click("setupBackButton"),
-    "the step is skipped": lambda one: one.click("setupSkipButton"),
-    "the wheels are set down": lambda one: one.click("setupWheelsFree"),
-    "Stop is pressed": lambda one: QTest.mousePress(stop_button(one.root), LEFT),
-    "the line is closed": lambda one: one.robot.device.disconnect_line(),
-    "the line is cut": lambda one: one.robot.simulator.do("line unplug"),
+    "the dialog is closed": lambda dialog: dialog.root.close(),
+    "the next step is shown": lambda dialog: dialog.click("setupNextButton"),
+    "the step before is shown": lambda dialog: dialog.click("setupBackButton"),
+    "the step is skipped": lambda dialog: dialog.click("setupSkipButton"),
+    "the wheels are set down": lambda dialog: dialog.click("setupWheelsFree"),
+    "Stop is pressed": lambda dialog: QTest.mousePress(stop_button(dialog.root), LEFT),
+    "the line is closed": lambda dialog: dialog.robot.device.disconnect_line(),
+    "the line is cut": lambda dialog: dialog.robot.simulator.do("line unplug"),
 }
 STAYS_ARMED = {"the button is released", "a menu opens"}
-"""The motor brakes, as with every control that is held."""
+"""The motor brakes, as with every held control."""
 
 LAST = ("the dialog is closed", "the line is closed", "the line is cut")
-"""After these the assistant is over."""
+"""End of the assistant."""
 
 
 @pytest.mark.parametrize(
     "ends", [[end for end in ENDS if end not in LAST], *([end] for end in LAST)], ids=str
 )
 @pytest.mark.qt_log_ignore("This plugin does not support", extend=True)  # popups offscreen
-def test_every_way_out_stops(assistant: Assistant, ends: list[str]) -> None:
+def test_every_interruption_stops_the_motor(assistant: Assistant, ends: list[str]) -> None:
     robot = assistant.robot
     for end in ends:
         if not robot.device.motors.armed:
@@ -237,7 +237,7 @@ def test_every_way_out_stops(assistant: Assistant, ends: list[str]) -> None:
         assistant.wait(lambda: assistant.setup.pulses.motor == 0)
         assert robot.device.motors.armed is (end in STAYS_ARMED), end
         if end == "the line is cut":
-            return  # the board itself has to stop the motor now
+            return  # the board itself stops the motor
         assistant.wait(lambda: robot.speeds() == (0, 0))
         robot.pass_time(2)
         assert robot.speeds() == (0, 0), end
@@ -273,7 +273,7 @@ def test_board_in_rc_mode_is_explained_and_followed(assistant: Assistant) -> Non
     assistant.wait(lambda: "Next adds 6 changes" in assistant.text("setupNote"))
 
 
-def test_assistant_is_made_when_opened_and_joins_the_other_dialogs(
+def test_assistant_is_created_when_opened(
     connected_window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     window = connected_window

@@ -1,4 +1,4 @@
-"""What is shown first, physical values or those of the board, and what a bare number means."""
+"""Units of displayed values and of bare numbers."""
 
 import pytest
 from PySide6.QtCore import QEvent, QObject, QSignalBlocker
@@ -25,7 +25,7 @@ pytestmark = pytest.mark.usefixtures("qapp")
 
 
 class Painted(QObject):
-    """Notes whether a widget was painted since `is_idle` was read last."""
+    """Records whether a widget was painted since `is_idle` was last read."""
 
     def __init__(self, widget: QWidget) -> None:
         super().__init__(widget)
@@ -44,7 +44,7 @@ class Painted(QObject):
 
 
 def parsed(editor: UnitSpinBox, text: str) -> int | None:
-    """Return the value of an input; `None`: it is none."""
+    """Return the value of an input, or `None` if it is invalid."""
     try:
         return editor.parse(text)
     except BadRequest:
@@ -53,9 +53,7 @@ def parsed(editor: UnitSpinBox, text: str) -> int | None:
 
 @pytest.mark.parametrize("own_first", [False, True])
 @pytest.mark.parametrize("source", InputSource)
-def test_each_count_that_is_shown_is_read_as_that_count(
-    source: InputSource, own_first: bool
-) -> None:
+def test_displayed_count_is_parsed_as_that_count(source: InputSource, own_first: bool) -> None:
     units().set_order(own_first=own_first)
     editor = CountEditor(source)
     for count in (0, 1, 2, 511, 1023, 3092, 3750, HIGHEST_CODED):
@@ -85,7 +83,7 @@ def test_each_count_that_is_shown_is_read_as_that_count(
         *((False, typed, None) for typed in ("2.5 V", "fast", "99999", "-1", "")),
     ],
 )
-def test_count_without_unit_is_in_the_unit_shown(
+def test_count_without_unit_is_in_the_displayed_unit(
     own_first: bool, typed: str, count: int | None
 ) -> None:
     units().set_order(own_first=own_first)
@@ -117,7 +115,7 @@ def test_acceleration_is_never_misread(typed: str, physical: int | None, own: in
 
 
 @pytest.mark.parametrize("own_first", [False, True])
-def test_each_number_that_is_shown_is_read_as_that_value(own_first: bool) -> None:
+def test_displayed_number_is_parsed_as_that_value(own_first: bool) -> None:
     units().set_order(own_first=own_first)
     tested = 0
     for spec in SPECS.readable:
