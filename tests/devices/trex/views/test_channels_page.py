@@ -202,9 +202,9 @@ def test_arrow_keys_select_a_strip_for_screen_readers(page: ChannelsDriver) -> N
     assert page.widget.channel == 2
     assert page.text("channelTitle").startswith("2")
     for channel in CHANNELS:
-        said = QAccessible.queryAccessibleInterface(page.strip(channel))
-        assert said.text(QAccessible.Text.Name).startswith(f"Channel {channel}: ")
-        assert bool(said.state().checked) is (channel == 2)
+        interface = QAccessible.queryAccessibleInterface(page.strip(channel))
+        assert interface.text(QAccessible.Text.Name).startswith(f"Channel {channel}: ")
+        assert bool(interface.state().checked) is (channel == 2)
 
 
 # --- What a channel does ----------------------------------------------------------------

@@ -148,9 +148,9 @@ def test_second_finger_changes_nothing(controls: DriveControlsDriver) -> None:
     both.press(1, centre + QPoint(0, 60), controls.pad).commit()
     assert controls.setpoints[-1] == first
     assert controls.pad.held
-    one = QTest.touchEvent(controls.pad, finger)
-    one.release(0, centre, controls.pad)
-    one.stationary(1).commit()
+    event = QTest.touchEvent(controls.pad, finger)
+    event.release(0, centre, controls.pad)
+    event.stationary(1).commit()
     assert controls.released == ["pad"]
     QTest.touchEvent(controls.pad, finger).release(1, centre, controls.pad).commit()
 

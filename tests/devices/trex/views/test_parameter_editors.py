@@ -315,7 +315,7 @@ def test_missing_parameter_accepts_only_confirmed_values(parameters: ParametersD
 
 
 @pytest.mark.parametrize(
-    ("key", "typed", "said"),
+    ("key", "typed", "rounded"),
     [
         ("serial_timeout", "1.24", ["1.2 s"]),
         ("serial_timeout", "1240 ms", ["1.2 s"]),
@@ -326,10 +326,10 @@ def test_missing_parameter_accepts_only_confirmed_values(parameters: ParametersD
     ],
 )
 def test_rounded_value_is_reported(
-    parameters: ParametersDriver, key: str, typed: str, said: list[str]
+    parameters: ParametersDriver, key: str, typed: str, rounded: list[str]
 ) -> None:
     sentences: list[str] = []
     parameters.model.rounded.connect(sentences.append)
     type_number(parameters.open_with_keys(key), typed)
     parameters.wait_for_no_editor(key)
-    assert sentences == [f"The nearest that the board can store is {each}." for each in said]
+    assert sentences == [f"The nearest that the board can store is {each}." for each in rounded]

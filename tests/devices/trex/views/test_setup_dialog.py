@@ -101,15 +101,15 @@ def test_walk_through_all_steps_moves_no_motor(assistant: Assistant, driver: Dri
     for button in ("rightWheelBackward", "leftWheelForward"):
         assistant.click(button)  # the second click is for motor 2
     assert "✓" in assistant.button("setupAnswer2").text()
-    seen = []
+    visited = []
     while assistant.setup.step is not SetupStep.REVIEW:
-        seen.append(assistant.setup.step)
+        visited.append(assistant.setup.step)
         check_keyboard(assistant.root)
         if assistant.setup.step is SetupStep.LIMITS:
             assistant.click("setupPresetTank")
         assistant.click("setupNextButton")
     check_keyboard(assistant.root)
-    assert (SetupStep.TIMEOUT in seen) is (driver is Driver.COMPUTER)
+    assert (SetupStep.TIMEOUT in visited) is (driver is Driver.COMPUTER)
     _, undone = assistant.find_only(StepStrip).accessibleName().split("Not done: ")
     assert "Motors" in undone  # its wires or the sticks are open
     assert "Limits" not in undone

@@ -22,7 +22,6 @@ _LABEL_STEPS = {  # µs and V
 def input_axis(
     source: InputSource, calibration: Calibration | None, count: int | None = None
 ) -> tuple[int, int]:
-    """Return an axis that includes the calibration and the count."""
     counts = [] if count is None else [count]
     if calibration is not None:
         counts += [calibration.minimum, calibration.maximum]

@@ -27,7 +27,7 @@ _STATES = {
     Presence.RESPONDING: tr_noop("responding"),
     Presence.SILENT: tr_noop("not responding"),
     Presence.UNREADABLE: tr_noop("reply unreadable"),
-    Presence.UNKNOWN: tr_noop("not found yet"),
+    Presence.UNKNOWN: tr_noop("not scanned yet"),
 }
 
 
@@ -64,18 +64,27 @@ class BoardPanel(QWidget):
         tip = tr("Give the selected board another device number")
         self._change = button("changeNumberButton", tr("Change number…"), icon="edited", tip=tip)
         tip = tr("Drive several boards as one robot, with one pad and one Stop")
-        self._together = button("groupButton", tr("Drive together…"), icon="motor", tip=tip)
-        self._alone = button("partButton", tr("Drive alone"), icon="motor", on_click=group.part)
+        self._drive_together = button("groupButton", tr("Drive together…"), icon="motor", tip=tip)
+        self._drive_alone = button(
+            "partButton", tr("Drive alone"), icon="motor", on_click=group.part
+        )
 
         title = ui.label(self, "boardsTitle", tr("Boards on this line"), bold=True, wrap=True)
         search = self._progress, self._scan, self._cancel
-        items = title, (self._list, 1), *search, self._change, self._together, self._alone
+        items = (
+            title,
+            (self._list, 1),
+            *search,
+            self._change,
+            self._drive_together,
+            self._drive_alone,
+        )
         ui.column(*items, into=self, margins=(8, 8, 0, 8))
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
         follow_theme(self, "width", self._update_width)
 
         self._change.clicked.connect(self.change_number)
-        self._together.clicked.connect(self.join_boards)
+        self._drive_together.clicked.connect(self.join_boards)
         arming_changed = device.motors.arming_changed
         for changed in (group.changed, boards.changed, device.link_changed, arming_changed):
             changed.connect(self._update)
@@ -89,7 +98,6 @@ class BoardPanel(QWidget):
 
     @property
     def can_join(self) -> bool:
-        """True if the boards can be joined into a group."""
         boards, group = self._boards, self._group
         is_idle = boards.can_change_number and boards.scanned is None
         return is_idle and boards.has_several and group.can_change and not group.devices
@@ -101,7 +109,7 @@ class BoardPanel(QWidget):
         self._group_dialog.prompt()
 
     def _update_width(self) -> None:
-        buttons = self._scan, self._change, self._together
+        buttons = self._scan, self._change, self._drive_together
         texts = _WIDEST_NAME, *(button.text() for button in buttons)
         width = max(map(self.fontMetrics().horizontalAdvance, texts))
         self.setFixedWidth(width + 5 * self.fontMetrics().height())
@@ -127,11 +135,11 @@ class BoardPanel(QWidget):
         self._change.setEnabled(can_change and not is_scanning)
         self._list.setEnabled(boards.can_select)
         is_group = bool(self._group.devices)
-        self._together.setVisible(not is_group and self._group.can_change)
-        self._together.setEnabled(self.can_join)
-        self._alone.setVisible(is_group and self._group.can_change)
+        self._drive_together.setVisible(not is_group and self._group.can_change)
+        self._drive_together.setEnabled(self.can_join)
+        self._drive_alone.setVisible(is_group and self._group.can_change)
         is_stopped = not device.motors.armed and not device.may_move
-        self._alone.setEnabled(device.is_writable and is_stopped)
+        self._drive_alone.setEnabled(device.is_writable and is_stopped)
 
     def _show_boards(self) -> None:
         """Update the items in place, so that the list keeps focus and scroll position."""

@@ -79,8 +79,6 @@ _LED_STATES = (
 
 
 class LedsPage(Page):
-    """LED patterns of a board, and its wiring."""
-
     def __init__(self) -> None:
         super().__init__("checkLedsPage", tr("What the LEDs show"))
         rows = ui.grid(self, margins=0, spacing=(16, 8), stretch=[(1, 1)])
@@ -188,8 +186,6 @@ class HandShakePage(Page):
 
 
 class CheckBoardFlow(Flow):
-    """LED patterns, then the steps that restore the serial settings."""
-
     connect_requested = Signal(object)  # a `ConnectWith`
     find_requested = Signal()
 

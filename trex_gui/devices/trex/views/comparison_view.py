@@ -32,8 +32,6 @@ _WITH_SIGN = {ComparisonColumn.SETTING, ComparisonColumn.AFTER, ComparisonColumn
 
 
 class _Delegate(QStyledItemDelegate):
-    """Adds space around a row, and draws a line below it."""
-
     def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
         size = super().sizeHint(option, index)
         return QSize(size.width(), size.height() + _ROW_MARGIN)

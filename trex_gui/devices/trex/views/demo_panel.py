@@ -66,7 +66,6 @@ def led_patterns(snapshot: DemoSnapshot) -> tuple[str, str]:
 
 
 def led_words(pattern: str) -> str:
-    """Return a short description of an LED pattern."""
     if pattern == PACKETS:
         return tr("flickers")
     kind, _, rate = pattern.rpartition(" ")
@@ -99,7 +98,6 @@ def _safe_start_text(snapshot: DemoSnapshot) -> str:
 
 
 def motor_text(motor: DemoMotor) -> str:
-    """Return the state of a motor, such as `forward 64`."""
     if motor.direction == "brake":
         return f"{tr('brake')} {motor.speed}" if motor.speed else tr("coast")
     return direction_text(motor.speed if motor.direction == "forward" else -motor.speed)
@@ -122,7 +120,6 @@ class DemoBoardView(DemoPanelBody[DemoSnapshot]):
 
 
 def _other_rows(board: DemoBoard, parent: QWidget) -> BoardRows:
-    """Create the controls of supply, sticks and cable faults."""
     rows = BoardRows("", Columns(value="30.0\u00a0V"), parent)
     text, tip = tr("Power on", "state"), tr("The board's power switch")
     power = rows.check_box("demoPower", text, tip, board.set_power, lambda state: state.power)
@@ -176,8 +173,6 @@ def _other_rows(board: DemoBoard, parent: QWidget) -> BoardRows:
 
 
 class Drawing(BoardRows):
-    """Drawing of the simulated board. Its parts are the controls."""
-
     def __init__(self, board: DemoBoard, parent: QWidget) -> None:
         super().__init__("", Columns(), parent)
         never_mirror(self)

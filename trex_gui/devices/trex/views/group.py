@@ -24,8 +24,6 @@ _MIN_GAP = 40  # pixels between two boards
 
 
 class GroupDialog(ReusedDialog):
-    """Sets side and direction of each motor on the line."""
-
     def __init__(
         self, device: Device, boards: BoardList, group: BoardGroup, parent: QWidget
     ) -> None:
@@ -106,8 +104,6 @@ class GroupDialog(ReusedDialog):
 
 
 class SideBySide(QWidget):
-    """One widget for each board, side by side or in a column."""
-
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self._widgets: list[QWidget] = []

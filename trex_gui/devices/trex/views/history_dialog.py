@@ -44,9 +44,9 @@ class HistoryDialog(ReusedDialog):
         self._table = SnapshotTable(device.writer.history, self)
         self._place: tuple[int, Path | None] = 0, None  # row, path of the newest selected snapshot
         self._is_fitted = False
-        self._later = new_timer(self, 0, self._refresh_selection, single_shot=True)
+        self._refresh_timer = new_timer(self, 0, self._refresh_selection, single_shot=True)
         # Starts after the window is drawn, since the reading thread slows drawing.
-        self._reading = new_timer(self, 0, self.refresh, single_shot=True)
+        self._read_timer = new_timer(self, 0, self.refresh, single_shot=True)
 
         notifier = Notifier(self)
         device.notifier.log_also(notifier)
@@ -55,8 +55,8 @@ class HistoryDialog(ReusedDialog):
         hint = tr("Search times, boards, adapters (Ctrl+F)")
         self._search = ui.search_field(self, "snapshotSearch", tr("Search snapshots"), hint)
         self._view = self._list_view()
-        self._none = ui.label(self, "snapshotNoMatch", tr("No snapshot matches the search."))
-        self._none.hide()
+        self._no_match = ui.label(self, "snapshotNoMatch", tr("No snapshot matches the search."))
+        self._no_match.hide()
         button = partial(ui.button, self, default=False)  # Enter has another use
         tip = tr("Name the snapshot (or double-click it): it is then never deleted automatically")
         self._name = button("nameSnapshotButton", tr("&Name…"), icon="edited", tip=tip)
@@ -76,7 +76,7 @@ class HistoryDialog(ReusedDialog):
         empty.setMaximumWidth(72 * self.fontMetrics().averageCharWidth())
 
         left, below = QWidget(self), ui.row(self._name, self._save, self._delete, 1)
-        listed = self._search, (self._view, 1), self._none
+        listed = self._search, (self._view, 1), self._no_match
         ui.column(*listed, below, into=left, margins=(0, 0, 6, 0))
         halves = ui.splitter(self, "", Qt.Orientation.Horizontal, (left, 2), (self._pane, 3))
         nothing = QWidget(self)
@@ -97,7 +97,7 @@ class HistoryDialog(ReusedDialog):
         self._delete.clicked.connect(self._on_delete_clicked)
         self._search.textChanged.connect(self._table.set_words)
         self._table.listed.connect(self._on_listed)
-        self._table.loaded.connect(self._later.start)
+        self._table.loaded.connect(self._refresh_timer.start)
         self._table.failed.connect(self._banner.show_problem)
         self._pane.restore_requested.connect(self.restore_requested)
         draft = device.draft
@@ -125,7 +125,7 @@ class HistoryDialog(ReusedDialog):
 
     def show_in_front(self) -> None:
         super().show_in_front()
-        self._reading.start()
+        self._read_timer.start()
 
     @Slot()
     def refresh(self) -> None:
@@ -151,7 +151,7 @@ class HistoryDialog(ReusedDialog):
     def _on_selection_changed(self) -> None:
         if selected := self._selected:
             self._place = self._table.snapshots.index(selected[0]), selected[0].path
-        self._later.start()
+        self._refresh_timer.start()
 
     @Slot()
     def _on_listed(self) -> None:
@@ -159,7 +159,7 @@ class HistoryDialog(ReusedDialog):
         if count and not self._selected:
             row, path = self._place
             self._select(path, row)
-        self._none.setVisible(bool(self._table.listing) and count == 0)
+        self._no_match.setVisible(bool(self._table.listing) and count == 0)
         self._fit_columns()
         self._refresh_selection()
 
@@ -181,13 +181,13 @@ class HistoryDialog(ReusedDialog):
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.WindowActivate:
-            self._reading.start()
+            self._read_timer.start()
         return super().event(event)
 
     @Slot()
     def _on_board_changed(self) -> None:
         if self.isVisible():
-            self._later.start()
+            self._refresh_timer.start()
 
     @Slot()
     def _on_written(self) -> None:
@@ -196,7 +196,7 @@ class HistoryDialog(ReusedDialog):
 
     @Slot()
     def _refresh_selection(self) -> None:
-        self._later.stop()
+        self._refresh_timer.stop()
         selected = self._selected
         self._pages.setCurrentIndex(int(self._table.listing == ()))
         if self.focusWidget() is self._pages.currentWidget():  # the hidden list had the focus
@@ -256,8 +256,8 @@ class HistoryDialog(ReusedDialog):
         in_background(self, remove_all, lambda _: self.refresh(), on_failed)
 
     def reject(self) -> None:  # Esc, the Close button and the window's cross call this
-        self._later.stop()
-        self._reading.stop()
+        self._refresh_timer.stop()
+        self._read_timer.stop()
         save_geometry(self, "history")
         self._question.withdraw()
         super().reject()

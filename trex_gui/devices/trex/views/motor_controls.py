@@ -40,8 +40,6 @@ def arm(device: Device, window: QWidget) -> None:
 
 
 class ArmDialog(QDialog):
-    """Arms the motors, with or without writing a serial timeout first."""
-
     def __init__(self, device: Device, text: str, seconds: float, parent: QWidget) -> None:
         """Propose a timeout of `seconds`. `text` is the warning."""
         super().__init__(parent)
@@ -102,8 +100,6 @@ class ArmDialog(QDialog):
 
 
 class TimeoutNotice(QWidget):
-    """Warns about a broken cable, and proposes a serial timeout."""
-
     def __init__(self, device: Device, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("timeoutNotice")
@@ -269,8 +265,6 @@ def apply_text(pending: int) -> str:
 
 
 class ControlBar(MotorBar):
-    """Bar below the pages: stop, arm, motor state, and pending changes."""
-
     apply_requested = Signal()
 
     _page_shows_state = True  # the first page is the board page

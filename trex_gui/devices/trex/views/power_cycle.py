@@ -44,8 +44,6 @@ _RESULTS = {  # (stage, takes long) → text
 
 
 class PowerCyclePage(Page):
-    """Next step, detected state, and settings that are not active yet."""
-
     def __init__(self, cycle: PowerCycle) -> None:
         super().__init__("powerCyclePage")
         self._cycle = cycle
@@ -100,8 +98,6 @@ def _steps(cycle: PowerCycle) -> tuple[Sequence[str], int]:
 
 
 class PowerCyclePanel(QFrame):
-    """Steps of a power cycle inside another dialog."""
-
     def __init__(self, cycle: PowerCycle, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("powerCyclePanel")

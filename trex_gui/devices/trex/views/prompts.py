@@ -21,8 +21,6 @@ from trex_gui.ui.widgets.messages import InlinePrompt
 
 
 class ClosePrompt(QObject):
-    """Prompts about unapplied edits before the window closes."""
-
     def __init__(
         self, device: Device, files: SettingsFiles, review: Callable[[], object], frame: MainWindow
     ) -> None:
@@ -156,8 +154,6 @@ class RestorePrompt(QObject):
 
 
 class LeasePrompt(QObject):
-    """Prompts the driver to hand over, and an owner to take over."""
-
     def __init__(self, device: Device, question: InlinePrompt, parent: QObject) -> None:
         super().__init__(parent)
         self._device, self._question = device, question

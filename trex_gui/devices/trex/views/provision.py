@@ -121,8 +121,6 @@ class ProfilePage(Page):
 
 
 class BoardStep(Page):
-    """Settings for the next board, beside the list of finished boards."""
-
     def __init__(self, work: Provision, device: Device) -> None:
         super().__init__("provisionBoardPage")
         self._work, self._device = work, device

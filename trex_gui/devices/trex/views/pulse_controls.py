@@ -39,11 +39,11 @@ class PulseControls(QWidget):
         self._device, self._pulses = device, pulses
         text = tr("The wheels are &off the ground")
         self._free = ui.check_box(self, f"{name}WheelsFree", text, on_click=pulses.confirm_wheels)
-        self._run_place = QWidget(self)  # disables the button, which enables itself
-        run = ArmButton(device, f"{name}RunButton", self._run_place)
+        self._run_frame = QWidget(self)  # disables the button, which enables itself
+        run = ArmButton(device, f"{name}RunButton", self._run_frame)
         run.setAutoDefault(False)
-        self._run_place.setEnabled(False)
-        ui.row(run, into=self._run_place, margins=0)
+        self._run_frame.setEnabled(False)
+        ui.row(run, into=self._run_frame, margins=0)
         self._note = ui.named(Note(2, self), f"{name}PulseNote")
         self._holds = {motor: self._create_hold(f"{name}Hold{motor}", motor) for motor in (1, 2)}
         motors: list[QWidget] = []
@@ -51,7 +51,7 @@ class PulseControls(QWidget):
             motors += [hold, below[motor]] if motor in below else [hold]
         for each in motors:  # sets the Tab order
             each.setParent(self)
-        first = self._free, self._run_place, self._note
+        first = self._free, self._run_frame, self._note
         ui.column(*first, *motors, into=self, margins=0, spacing=6)
         for changed in (pulses.changed, device.telemetry.text_due):
             changed.connect(self.refresh)
@@ -75,7 +75,7 @@ class PulseControls(QWidget):
         self._free.setEnabled(can_confirm)
         self._free.setChecked(pulses.wheels_are_free)
         may_run = can_confirm and pulses.wheels_are_free
-        self._run_place.setEnabled(may_run or self._device.motors.armed)
+        self._run_frame.setEnabled(may_run or self._device.motors.armed)
         for motor, hold in self._holds.items():
             hold.setEnabled(pulses.motor in {0, motor} and not blocker)
         text = blocker or tr("Armed. The motor turns in short, weak pulses while you hold.")

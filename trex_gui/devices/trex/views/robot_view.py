@@ -102,7 +102,6 @@ class RobotView(Painted):
         return self.sizeHint() / 2
 
     def robot_place(self) -> QRectF:
-        """Return the rectangle of the robot."""
         scale = min(self.width() / _SIZE[0], self.height() / _SIZE[1])
         place = QRectF(0, 0, _SIZE[0] * scale, _SIZE[1] * scale).adjusted(2, 2, -2, -2)
         place.moveCenter(QRectF(self.rect()).center())

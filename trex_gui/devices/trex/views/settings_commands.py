@@ -67,7 +67,6 @@ class SettingsCommands(QObject):
 
     @Slot()
     def guide(self) -> None:
-        """Guide the user through a power cycle."""
         self._power.guide()
 
     @Slot(object)

@@ -49,14 +49,13 @@ class SettingsFiles(QObject):
         self._device = device
         self._notifier = device.notifier
         self._window = window
-        self._loading: ChangesDialog | None = None
+        self._load_dialog: ChangesDialog | None = None
         self.editors: list[SettingsEditor] = []  # one window per open file
         self.shown = ShownSettings(device, window)
         self.shown.saved.connect(self._record_used)
         self._discarded: dict[SettingsEditor, str] = {}  # discarded texts
 
     def prompt_and_open(self) -> None:
-        """Prompt for a file and show the changes that it would make."""
         self._prompt_and(self.open_file)
 
     def prompt_for_document(self, use: Callable[[SettingsDocument], object]) -> None:
@@ -69,7 +68,6 @@ class SettingsFiles(QObject):
             use(path)
 
     def prompt_and_create(self) -> None:
-        """Prompt for the initial content of a new file and open its window."""
         factories = dict(self._initial_contents())
         dialog = QInputDialog(self._window)
         dialog.setObjectName("newSettingsDialog")
@@ -121,7 +119,6 @@ class SettingsFiles(QObject):
             self._offer(document, edit=partial(self.edit_file, document.path))
 
     def edit_file(self, path: Path) -> None:
-        """Open a file in its own window, or raise its window."""
         if not self._raise_editor_of(path):
             self._open(path, self._edit)
 
@@ -183,7 +180,6 @@ class SettingsFiles(QObject):
             self._offer(editor.document)
 
     def offer_settings(self, settings: Settings, applied: str) -> None:
-        """Offer settings that were applied to the board earlier."""
         title = tr("Settings applied {0}").format(applied)
         document = SettingsDocument.of_settings(settings, title, "Settings applied.")
         self._offer(document, tr("Applied"))
@@ -192,9 +188,9 @@ class SettingsFiles(QObject):
         self, document: SettingsDocument, side: str = "", edit: Callable[[], object] | None = None
     ) -> None:
         """Show the changes that a document would make. `side` replaces the title *File*."""
-        if self._loading is not None:
-            self._loading.close()
-        self._loading = dialog = load_dialog(
+        if self._load_dialog is not None:
+            self._load_dialog.close()
+        self._load_dialog = dialog = load_dialog(
             self._device,
             document,
             self._window,
@@ -207,8 +203,8 @@ class SettingsFiles(QObject):
         dialog.open_anew()
 
     def _on_offer_finished(self, dialog: ChangesDialog, _result: int) -> None:
-        if dialog is self._loading:
-            self._loading = None
+        if dialog is self._load_dialog:
+            self._load_dialog = None
 
     @Slot(str)
     def _on_staged(self, text: str) -> None:

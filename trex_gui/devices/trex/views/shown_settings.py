@@ -48,7 +48,6 @@ class ShownSettings(QObject):
             self.save_file(path, then)
 
     def prompt_and_export(self) -> None:
-        """Prompt for a file and a language, and export the settings as code."""
         settings = self._device.draft.shown
         if settings is None:
             return

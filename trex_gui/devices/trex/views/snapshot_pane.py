@@ -24,8 +24,6 @@ from trex_gui.ui.widgets.labels import Note
 
 
 class SnapshotPane(QWidget):
-    """Comparison of a snapshot, and a button that restores it."""
-
     restore_requested = Signal()  # the edits are ready for review
 
     def __init__(
@@ -99,7 +97,6 @@ class SnapshotPane(QWidget):
         return ""
 
     def _unread(self, snapshot: Snapshot) -> str:
-        """Return the reason that a snapshot has no settings to show."""
         problem = self._table.content_of(snapshot)
         text = tr("This snapshot is damaged and cannot be restored. {0}")
         return text.format(problem) if problem else tr("Reading…")
@@ -141,7 +138,6 @@ class SnapshotPane(QWidget):
         return "" if snapshot.product == board else text.format(snapshot.product, board)
 
     def _other_number(self) -> str:
-        """Return a note if the device numbers differ, or nothing."""
         current = self._device.parameters.values.stored.get(ParameterKey.DEVICE_NUMBER)
         number = self._snapshots[0].device_number
         if number is None or current is None or number == current:

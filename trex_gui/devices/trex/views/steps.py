@@ -56,8 +56,6 @@ class Shown:
 
 
 class Flow(QObject):
-    """Steps of a task, and the actions of its buttons."""
-
     changed = Signal()
     opened = Signal(bool)  # True: activate the dialog
     closed = Signal()  # the task has ended
@@ -87,8 +85,6 @@ class Flow(QObject):
 
 
 class _Body(QWidget):
-    """Cards of drawing and instructions, side by side if they fit."""
-
     def __init__(self, name: str, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName(f"{name}Body")
@@ -136,8 +132,6 @@ class _Body(QWidget):
 
 
 class Steps(ReusedDialog):
-    """Shows the current step of a task."""
-
     stays_on_stop = True  # a stop loses no answers and measurements
 
     def __init__(self, device: Device, flow: Flow, parent: QWidget | None = None) -> None:
@@ -150,27 +144,27 @@ class Steps(ReusedDialog):
         self._title = ui.label(self, size="title")
         self._strip = StepStrip(self)
         self._body = _Body(name, self)
-        self._scrolls = ScrollBox(self._body, self)
+        self._scroll_box = ScrollBox(self._body, self)
         bar = self._bar = MotorBar(device, f"{name}StopButton", self)
         extras = flow.add_buttons(bar)
         self._close = ui.button(
             bar, f"{name}CloseButton", tr("Close"), default=False, on_click=self.close
         )
-        self._moves = QWidget(bar)
-        button = partial(ui.button, self._moves, default=False)
+        self._step_buttons = QWidget(bar)
+        button = partial(ui.button, self._step_buttons, default=False)
         self._back = button(f"{name}BackButton", tr("&Back"), on_click=flow.back)
         skip_tip = tr("Go on without the changes of this step")
         self._skip = button(f"{name}SkipButton", tr("S&kip"), tip=skip_tip, on_click=flow.skip)
         self._next = ui.button(
-            self._moves, f"{name}NextButton", default=True, confirms=True, on_click=flow.next
+            self._step_buttons, f"{name}NextButton", default=True, confirms=True, on_click=flow.next
         )
         # Buttons do not move, so that a second click hits no other button.
         for each in (self._back, self._skip, self._next):
             reserve_space(each)
-        ui.row(self._back, self._skip, self._next, into=self._moves, margins=0)
-        bar.fill(*extras, bar.armed, 1, self._close, self._moves)
+        ui.row(self._back, self._skip, self._next, into=self._step_buttons, margins=0)
+        bar.fill(*extras, bar.armed, 1, self._close, self._step_buttons)
         margins = (_GAP, _GAP, _GAP, 8)
-        items = self._title, self._strip, (self._scrolls, 1), bar
+        items = self._title, self._strip, (self._scroll_box, 1), bar
         ui.column(*items, into=self, margins=margins, spacing=12)
 
         flow.changed.connect(self._on_changed)
@@ -217,7 +211,7 @@ class Steps(ReusedDialog):
         self._skip.setVisible(shown.may_skip)
         self._close.setText(shown.close or tr("Close"))
         self._show_next(shown)
-        self._moves.setVisible(bool(shown.next) or shown.may_go_back or shown.may_skip)
+        self._step_buttons.setVisible(bool(shown.next) or shown.may_go_back or shown.may_skip)
         self._close.setDefault(shown.closes)
         set_look(self._close, "primary" if shown.closes else "")
         is_free = focused in {None, self, *bar} and not (

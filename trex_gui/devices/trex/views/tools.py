@@ -26,8 +26,6 @@ FlowT = TypeVar("FlowT", bound=Flow)
 
 @dataclass
 class Tools:
-    """Windows that are created on first use and then reused."""
-
     device: Device
     boards: BoardList
     learning: Learning

@@ -13,7 +13,6 @@ _HOLD_S = 1.2  # an end counts as reached after one second
 
 
 def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
-    """Drive the motors, visit the pages, and learn channels without applying them."""
     motors, sticks = controller.device.motors, controller.demo_board
 
     def drive() -> bool:

@@ -64,8 +64,8 @@ class BenchDialog(ReusedDialog):
         self.bench = bench
         self._message = ""
         self._plot: BenchPlot | None = None
-        self._timer = new_timer(self, FRAME_MS, self._draw, single_shot=True)
-        self._adding = new_timer(self, FRAME_MS, self._add_plot, single_shot=True)
+        self._frame_timer = new_timer(self, FRAME_MS, self._draw, single_shot=True)
+        self._plot_timer = new_timer(self, FRAME_MS, self._add_plot, single_shot=True)
 
         self._note = ui.named(Note(2, self), "benchNote")
         tip = tr("Runs the test while it is held, with the mouse or the space bar")
@@ -123,7 +123,7 @@ class BenchDialog(ReusedDialog):
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         if self._plot is None:
-            self._adding.start()
+            self._plot_timer.start()
         self._stop.setFocus()
         self._on_changed()
 
@@ -157,8 +157,6 @@ class BenchDialog(ReusedDialog):
         self._start(work, path, lambda _: self._report(text), tr("{0} was not saved: {1}."))
 
     def open_run(self, path: Path) -> None:
-        """Read a test and add it to this window."""
-
         def add(run: Run) -> None:
             self.bench.add_run(run)
             self._report(tr("{0}: {1}.").format(path.name, run.title))
@@ -206,7 +204,6 @@ class BenchDialog(ReusedDialog):
         self._note.show_note(self._status_text(blocker), alarming=alarming)
 
     def _status_text(self, blocker: str) -> str:
-        """Return the result of the last test and the next step."""
         bench = self.bench
         if bench.is_driving and (run := bench.current) is not None:
             text = tr("Motor {0} is running: {1:.1f} of {2:g} s.")
@@ -267,8 +264,8 @@ class BenchDialog(ReusedDialog):
 
     def _schedule_frame(self) -> None:
         """Draw at most once per frame, so that drawing does not delay the line."""
-        if self.isVisible() and not self._timer.isActive():
-            self._timer.start()
+        if self.isVisible() and not self._frame_timer.isActive():
+            self._frame_timer.start()
 
     @Slot()
     def _draw(self) -> None:
@@ -309,8 +306,6 @@ def _rows() -> tuple[tuple[str, str, str, str], ...]:
 
 
 class FiguresTable(QTableWidget):
-    """Figures of a test, of the compared test, and their difference."""
-
     def __init__(self, parent: QWidget | None = None) -> None:
         rows = _rows()
         super().__init__(len(rows), 3, parent)

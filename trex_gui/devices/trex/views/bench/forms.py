@@ -42,8 +42,6 @@ def _align(form: QFormLayout) -> None:
 
 
 class PlanForm(ui.Card):
-    """Edits the plan of a bench test. Disabled during a test."""
-
     def __init__(self, device: Device, bench: Bench, parent: QWidget) -> None:
         super().__init__(tr("Test"), parent)
         self._bench = bench

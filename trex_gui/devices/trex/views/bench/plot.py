@@ -26,8 +26,6 @@ _MAX_CURRENT_LABELS = 4
 
 
 class BenchPlot(Painted):
-    """Plots of a test, the compared test, and the next profile."""
-
     spoken_role = QAccessible.Role.Chart
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -133,7 +131,6 @@ def _arrays(points: object) -> tuple[Floats, Floats]:
 
 
 def _steps(run: Run | None) -> tuple[Floats, Floats]:
-    """Return the setpoints as a stepped line."""
     if run is None or not run.setpoints:
         return _arrays(())
     times, speeds = _arrays(run.setpoints)

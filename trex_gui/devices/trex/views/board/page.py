@@ -143,7 +143,6 @@ class BoardPage(QWidget):
         self._on_text_due()
 
     def _facts_of(self, state: DeviceState, settings: ConnectionSettings) -> list[str]:
-        """Return model, firmware and connection of the board."""
         model, number = state.signature.model, settings.device_number
         facts = [
             f"{model.name} ({model.part})",
@@ -198,7 +197,6 @@ class BoardPage(QWidget):
 
 
 def _open_text(done: SetUp) -> str:
-    """Return the set-up steps, with ticks before stored steps."""
     steps = {
         tr("sticks learned"): done.sticks,
         tr("current limits"): done.limits,

@@ -94,8 +94,6 @@ class BoardPart(QAbstractButton, Spoken):
 
 
 class ChannelPart(BoardPart):
-    """Value of an input, on a bar with its calibration."""
-
     spoken_from = 2
     ground = "base"
     _axis = (0, 1)
@@ -129,8 +127,6 @@ class ChannelPart(BoardPart):
 
 
 class LedPart(BoardPart):
-    """LED with the pattern of the board, also in words."""
-
     spoken_from = 1
     ground = "board"
     pattern = ""  # for `leds.is_lit`; empty while unknown
@@ -171,8 +167,6 @@ class JumperPart(BoardPart):
 
 
 class MotorPart(BoardPart):
-    """Wheel that turns at the speed of its motor."""
-
     spoken_from = 1
     speed = 0  # -127 to 127
     _angle = 0.0
@@ -231,8 +225,6 @@ class MotorPart(BoardPart):
 
 
 class SerialPart(BoardPart):
-    """Serial header at the lower edge of the board, and line quality."""
-
     PINS = ("SI", "SO", "GND")
     body_width = 0  # width of the board, in pixels
 

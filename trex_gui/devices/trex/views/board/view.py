@@ -48,8 +48,6 @@ _MANY_LINES = 30
 
 
 class BoardView(QWidget):
-    """Drawing of the connected board. Each part opens its page."""
-
     page_wanted = Signal(str)  # page key
 
     def __init__(self, device: Device, parent: QWidget) -> None:
@@ -190,7 +188,6 @@ class BoardView(QWidget):
     # --- Reports ------------------------------------------------------------------------
 
     def show_board(self, inputs: DriveInputs) -> None:
-        """Show the newest values."""
         device = self._device
         board = inputs.board if inputs.link is None else None
         self._show_channels()

@@ -38,7 +38,7 @@ class LearnFlow(Flow):
         self.name = name
         self.learning = learning
         self._page: Page | None = None
-        self._shown_for: tuple[LearningStep, object] | None = None
+        self._shown_subject: tuple[LearningStep, object] | None = None
         self._offers_test = False
         self._index = 0
         learning.changed.connect(self._on_changed)
@@ -107,7 +107,7 @@ class LearnFlow(Flow):
     @Slot()
     def _on_changed(self) -> None:
         if self.learning.step is LearningStep.ENDED:
-            self._shown_for = None
+            self._shown_subject = None
             self.closed.emit()
         else:
             self.changed.emit()
@@ -153,14 +153,14 @@ class LearnFlow(Flow):
         # New channels and new tests also require a new page.
         learning = self.learning
         subject = learning.tests if step is LearningStep.TEST else learning.channels
-        if self._page is not None and self._shown_for == (step, subject):
+        if self._page is not None and self._shown_subject == (step, subject):
             return self._page
         if self._page is not None:
             for widget in (self._page, self._page.side):
                 widget.hide()
                 widget.setParent(None)
                 widget.deleteLater()
-        self._shown_for = step, subject
+        self._shown_subject = step, subject
         self._page = page = self._create_page(step)
         return page
 
@@ -191,9 +191,9 @@ class LearnFlow(Flow):
             LearningStep.TEST: tr("Test &again"),
         }
         self._again.setText(texts.get(step, tr("Try &again")))
-        never = step in {LearningStep.STOPPING, LearningStep.ENDED}
-        waits = step is LearningStep.NEUTRAL and not (learning.has_sampled or learning.sampling)
-        self._again.setVisible(not (hidden or never or waits))
+        is_unavailable = step in {LearningStep.STOPPING, LearningStep.ENDED}
+        is_first = step is LearningStep.NEUTRAL and not (learning.has_sampled or learning.sampling)
+        self._again.setVisible(not (hidden or is_unavailable or is_first))
         self._again.setEnabled(not learning.sampling)
 
 

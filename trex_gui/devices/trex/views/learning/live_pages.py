@@ -68,8 +68,6 @@ class InputStrip(ChannelStrip):
 
 
 class ChannelRow(Generic[ChannelT]):
-    """Row of a channel: live strip, signs and text."""
-
     text_name = ""
 
     def __init__(
@@ -120,8 +118,6 @@ class ChannelRows(Page):
 
 
 class RestRow(ChannelRow[LearnedChannel]):
-    """Rest position and noise of a channel."""
-
     text_name = "learnNeutral"
 
     def refresh(self) -> None:
@@ -141,8 +137,6 @@ class RestRow(ChannelRow[LearnedChannel]):
 
 
 class EndState(Enum):
-    """State of an end: sign, colour, text."""
-
     OPEN = "○", "muted", tr_noop("{0} end: not reached yet")
     HOLD = "▸", "window_text", tr_noop("{0} end: hold it there")
     DONE = "✓", "good", tr_noop("{0} end: reached")
@@ -150,8 +144,6 @@ class EndState(Enum):
 
 
 class EndSign(QLabel):
-    """Name and sign of an end, with a fixed width."""
-
     def __init__(self, name: str, object_name: str, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName(object_name)
@@ -174,8 +166,6 @@ class EndSign(QLabel):
 
 
 class TravelRow(ChannelRow[LearnedChannel]):
-    """Ends of a channel, as marks on its strip and as signs."""
-
     text_name = "learnTravel"
 
     def create_signs(self, page: QWidget) -> Sequence[QWidget]:
@@ -223,8 +213,6 @@ class TravelRow(ChannelRow[LearnedChannel]):
 
 
 class TestRow(ChannelRow[StickTest]):
-    """Output of a channel, and progress of its test."""
-
     __test__ = False
     text_name = "learnTest"
 
@@ -236,8 +224,6 @@ class TestRow(ChannelRow[StickTest]):
 
 
 class TestPage(ChannelRows):
-    """Rows of the tested channels, and a note on safe-start."""
-
     __test__ = False
 
     def __init__(self, learning: Learning, tests: StickTests) -> None:
@@ -256,7 +242,6 @@ class TestPage(ChannelRows):
 
 
 def _sign_of(test: StickTest) -> tuple[str, str]:
-    """Return icon and colour of a test."""
     if test.ignored:
         return "info", "muted"
     if test.output is None:

@@ -31,8 +31,6 @@ _CURVE_CHARACTERS, _CURVE_LINES = 40, 13
 
 
 class ChannelForm(QWidget):
-    """Form with the new and old values of a channel."""
-
     def __init__(self, learning: Learning, channel: LearnedChannel, parent: QWidget) -> None:
         super().__init__(parent)
         self._learning = learning
@@ -146,8 +144,6 @@ class ChannelForm(QWidget):
 
 
 class ReviewPage(Page):
-    """Curve and values of one channel at a time. Both can be edited."""
-
     def __init__(self, learning: Learning) -> None:
         super().__init__("learnReviewPage")
         self._learning = learning
@@ -232,7 +228,6 @@ class ReviewPage(Page):
         self._tabs.setMinimumWidth(self._tabs.sizeHint().width())
 
     def _sign_of(self, channel: LearnedChannel) -> tuple[str, str, str]:
-        """Return icon, colour and meaning."""
         if channel.choice is None:
             return "warning", "warning", tr("Nothing was learned.")
         if not channel.choice.included:

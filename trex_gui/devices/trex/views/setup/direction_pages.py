@@ -25,8 +25,6 @@ from trex_gui.ui.widgets.labels import Muted, Note
 
 
 class SticksPage(Page):
-    """Starts learning, or records the directions of learned sticks."""
-
     def __init__(self, device: Device, setup: RobotSetup, learning: Learning) -> None:
         super().__init__("setupSticksPage", tr("The board learns your sticks"))
         self._device = device
@@ -45,16 +43,17 @@ class SticksPage(Page):
         self._blocker = ui.named(Note(1, side), "setupLearnBlocker")
         pushed = ui.label(side, text=tr("Already learned? Push, hold and click:"), wrap=True)
         self._forward = button(
-            "setupForwardButton", on_click=lambda: self._record((2,) if self._is_one else (1, 2))
+            "setupForwardButton",
+            on_click=lambda: self._record((2,) if self._has_one_stick else (1, 2)),
         )
         text_right = tr("The stick is fully &right now")
         self._right = button("setupRightButton", text_right, on_click=lambda: self._record((1,)))
         self._wiring = Muted(tr("Each is connected to an output of your receiver."), self)
         self._strips = {channel: InputStrip("setup", channel, self) for channel in (1, 2)}
-        self._known: dict[int, Note] = {}
+        self._notes: dict[int, Note] = {}
         channels = ui.column(spacing=8)
         for channel, strip in self._strips.items():
-            note = self._known[channel] = ui.named(Note(2, self), f"setupStick{channel}Note")
+            note = self._notes[channel] = ui.named(Note(2, self), f"setupStick{channel}Note")
             channels.addWidget(strip, 1)
             channels.addWidget(note)
         ui.column((channels, 1), self._wiring, into=self, margins=0)
@@ -63,7 +62,7 @@ class SticksPage(Page):
         device.telemetry.frame_due.connect(self._show_inputs)
 
     @property
-    def _is_one(self) -> bool:
+    def _has_one_stick(self) -> bool:
         return self._setup.driver is Driver.ONE_STICK
 
     def _record(self, channels: tuple[int, ...]) -> None:
@@ -74,15 +73,15 @@ class SticksPage(Page):
         blocker = self._learning.preconditions.blocker
         self._learn.setEnabled(not blocker)
         self._blocker.show_note(blocker, alarming=True)
-        self._right.setVisible(self._is_one)
+        self._right.setVisible(self._has_one_stick)
         one = tr("The stick is fully &forward now")
         two = tr("Both sticks are fully &forward now")
-        self._forward.setText(one if self._is_one else two)
+        self._forward.setText(one if self._has_one_stick else two)
         can_push = self._device.is_connected and not self._device.writer.is_rejected
         for button in (self._forward, self._right):
             button.setEnabled(can_push)
         self._wiring.setVisible(self._device.calibrations.source is InputSource.RC)
-        for channel, note in self._known.items():
+        for channel, note in self._notes.items():
             is_unclear = channel in self._unclear and channel not in self._setup.rises
             text = self._stick_text(channel, is_unclear=is_unclear)
             note.show_note(text, alarming=is_unclear)
@@ -100,9 +99,8 @@ class SticksPage(Page):
             strip.show_input(telemetry.latest, calibrations.source, marks, raw)
 
     def _stick_text(self, channel: int, *, is_unclear: bool) -> str:
-        """Return the direction of a stick, or the reason that it is unclear."""
         names = {1: tr("Channel 1 (motor 1)"), 2: tr("Channel 2 (motor 2)")}
-        if self._is_one:
+        if self._has_one_stick:
             names = {1: tr("Channel 1 (turns)"), 2: tr("Channel 2 (drives)")}
         texts = {
             None: tr("{0}: its direction is not known yet."),
@@ -248,7 +246,6 @@ class WiringPage(Page):
 
 
 def rewiring_text(driver: Driver, rewiring: Rewiring) -> str:
-    """Return the instructions for rewiring, as sentences."""
     texts = [tr("Switch the motors' power off.")]
     swap = tr("Swap the pair of wires of motor 1 with that of motor 2 (keep their order).")
     if rewiring.exchange_motors:

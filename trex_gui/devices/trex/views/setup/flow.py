@@ -25,8 +25,6 @@ from trex_gui.devices.trex.views.steps import Flow, Page, Shown
 
 
 class SetupFlow(Flow):
-    """Steps of the set-up. The sticks step includes channel learning."""
-
     apply_requested = Signal()
 
     name = "setup"

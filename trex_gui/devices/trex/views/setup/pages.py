@@ -53,8 +53,6 @@ class DriverPage(Page):
 
 
 class JumperPage(Page):
-    """Drawing of the required jumper positions, with the reports of the board."""
-
     def __init__(self, device: Device, setup: RobotSetup) -> None:
         super().__init__("setupJumpersPage", tr("Move the jumpers as drawn"))
         self._device = device
@@ -231,8 +229,6 @@ class TimeoutPage(Page):
 
 
 class SummaryPage(Page):
-    """Open steps, changes to apply, and tasks for the user."""
-
     def __init__(self, device: Device, setup: RobotSetup, titles: Mapping[SetupStep, str]) -> None:
         super().__init__("setupReviewPage", tr("What is left to do"))
         self._device = device
@@ -284,7 +280,6 @@ class SummaryPage(Page):
         self._tasks.setText("\n\n".join(f"{number}. {task}" for number, task in tasks))
 
     def _reason(self, step: SetupStep) -> str:
-        """Return the reason that a step is open."""
         setup = self._setup
         wiring = setup.wiring
         if step is SetupStep.JUMPERS:

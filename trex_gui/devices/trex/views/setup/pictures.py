@@ -22,8 +22,6 @@ _SPAN_S, _REVERSAL_S = 4.0, 2.0  # length of a curve, start of its reversal
 
 
 class _Choice(QToolButton):
-    """Button with a picture above its name, as large as the layout allows."""
-
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self._paint: Paint | None = None
@@ -57,8 +55,6 @@ class _Choice(QToolButton):
 
 
 class Choices(QWidget):
-    """Exclusive picture buttons, in rows of `columns`."""
-
     chosen = Signal(object)  # key of the button
 
     def __init__(
@@ -93,7 +89,6 @@ class Choices(QWidget):
 
 
 def paint_driver(driver: Driver, painter: QPainter, box: QRectF) -> None:
-    """Paint a transmitter with its sticks, or a computer."""
     color = theme().color
     unit = min(box.width() / 16, box.height() / 10)
     painter.save()
