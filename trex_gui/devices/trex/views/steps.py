@@ -132,7 +132,7 @@ class _Body(QWidget):
 
 
 class Steps(ReusedDialog):
-    stays_on_stop = True  # a stop loses no answers and measurements
+    stays_on_stop = True  # a stop must not lose answers or measurements
 
     def __init__(self, device: Device, flow: Flow, parent: QWidget | None = None) -> None:
         super().__init__(parent)
