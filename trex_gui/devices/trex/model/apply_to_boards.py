@@ -1,4 +1,4 @@
-"""Review and write of the same settings for several boards on a line."""
+"""Write of the same settings to several boards, after a review."""
 
 from collections.abc import Collection
 from dataclasses import dataclass, replace
@@ -28,16 +28,16 @@ class BoardStep(Enum):
     WRITING = auto()
     WRITTEN = auto()
     FAILED = auto()  # not read, not written, or not verified; see `BoardPlan.problem`
-    SKIPPED = auto()  # its turn had not come when an error or the user ended the work
+    SKIPPED = auto()  # the work ended before this board
 
 
 @dataclass(frozen=True, slots=True)
 class BoardPlan:
-    number: int  # device number of the board, which does not change
+    number: int  # device number
     step: BoardStep = BoardStep.WAITING
-    changes: Comparison | None = None  # changes to the stored settings; `None` before reading
-    problem: str = ""  # why the board was not read or written, for the user
-    # Findings about the settings of the board with these changes
+    changes: Comparison | None = None  # to the stored settings; `None` before reading
+    problem: str = ""  # reason for the user
+    # About the settings after these changes
     findings: tuple[LintFinding, ...] = ()
     # Changes beyond inferred limits, which the board may reject
     doubts: tuple[str, ...] = ()
@@ -48,12 +48,11 @@ class BoardPlan:
 
 
 class ApplyToBoards(QObject):
-    """Reads several boards, then writes the same settings to one after the other.
+    """Reads several boards, then writes the same settings to each.
 
-    Each board keeps its device number and serial settings, by which the line reaches it. A board
-    that does not respond, or is of another model, is left out. The first error while writing ends
-    the work, as does *Stop* once the present board is complete. A board whose settings differ from
-    the review is not written. At the end the first board is selected again.
+    Device numbers and serial settings stay. Silent boards and other models are skipped. The first
+    write error ends the work. *Stop* ends it after the present board. A board whose settings have
+    changed since the review is not written. At the end the first board is selected again.
     """
 
     changed = Signal()  # `plans` or `is_running`
@@ -63,14 +62,14 @@ class ApplyToBoards(QObject):
         super().__init__(parent)
         self._boards = boards
         self._device = device
-        self.plans: tuple[BoardPlan, ...] = ()  # a plan for each board
-        self.is_running = False  # whether boards are being read or written
-        self.is_writing = False  # whether the present or last work writes boards, not only reads
-        self.was_stopped = False  # whether *Stop* has ended the work
+        self.plans: tuple[BoardPlan, ...] = ()
+        self.is_running = False
+        self.is_writing = False  # false for a review
+        self.was_stopped = False  # *Stop* has ended the work
         self._wanted: Settings | None = None
-        self._home: int | None = None  # the board that was selected at first
+        self._home: int | None = None  # selected board at the start
         self._is_cancelled = False
-        self._current: int | None = None  # the board that is being written
+        self._current: int | None = None  # board being written
         device.applied.connect(self._on_applied)
         device.request_failed.connect(self._on_request_failed)
         device.connection.line_closed.connect(self._on_line_closed)
@@ -95,7 +94,7 @@ class ApplyToBoards(QObject):
             self._start(plans, is_writing=True)
 
     def cancel(self) -> None:
-        """End the work after the board that is being read or written."""
+        """End the work after the present board."""
         self._is_cancelled = True
         if self._device.writer.is_saving_snapshot and self._current is not None:
             self._device.writer.cancel()
@@ -117,7 +116,7 @@ class ApplyToBoards(QObject):
         self.changed.emit()
 
     def _finish_board(self, number: int, step: BoardStep, problem: str = "") -> None:
-        """Set the outcome of a board, and continue with the next board."""
+        """Set the outcome of a board, then continue."""
         self._set(number, step, problem)
         self._go_on()
 
@@ -202,7 +201,7 @@ class ApplyToBoards(QObject):
         failed = [result for result in results if result.error is not None]
         if failed:
             names = ", ".join(self._device.draft.name_of(result.key) for result in failed)
-            reasons = dict.fromkeys(error_text(one.error) for one in failed if one.error)
+            reasons = dict.fromkeys(error_text(each.error) for each in failed if each.error)
             text = tr("Not verified: {0}. {1}").format(names, " ".join(reasons))
             self._set(number, BoardStep.FAILED, text)
             self._is_cancelled = True
@@ -236,7 +235,7 @@ class ApplyToBoards(QObject):
         self._end()
 
     def _end(self) -> None:
-        """Select the board that was selected at first, and report the end."""
+        """Select the first board again, and report the end."""
         for plan in self.plans:
             if plan.step is BoardStep.WAITING:
                 self._set(plan.number, BoardStep.SKIPPED)

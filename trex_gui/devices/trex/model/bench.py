@@ -1,4 +1,4 @@
-"""Bench tests, which drive a motor along a profile while a button is held."""
+"""Bench tests of a motor while a button is held."""
 
 from dataclasses import replace
 from datetime import UTC, datetime
@@ -17,21 +17,23 @@ from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import new_timer, now
 
-_HOLDER = "bench"  # the name by which the bench acquires the motors
-_MAX_RUNS = 10  # most tests in memory for comparison
+_HOLDER = "bench"  # name that acquires the motors
+_MAX_RUNS = 10  # tests in memory for comparison
 _HIGHEST_COUNT = 255  # the current measurement is one byte (0x8D)
-_TUNED = ("acceleration", "brake_duration", "current_limit", "current_limit_p")  # ends of keys
+_TUNED = ("acceleration", "brake_duration", "current_limit", "current_limit_p")  # key suffixes
 
 _ABORT_COUNTS = 100
-"""Default abort current in counts: 15 A, or 4 A on a Jr, near the continuous rating of the drivers
-(13 A and 2.5 A)."""
+"""Default abort current in counts: 15 A, or 4 A on a Jr.
+
+Near the continuous ratings of the drivers (13 A and 2.5 A).
+"""
 
 _STEP_MS = 20  # the board renews its outputs every 10 ms
-_TAIL = 0.6  # seconds for which currents are recorded after braking starts
+_TAIL = 0.6  # s; currents are recorded while the motor brakes
 
 
 class Phase(Enum):
-    """Phase of a test. While braking, the current is still recorded."""
+    """Phase of a test. Recording continues while braking."""
 
     IDLE = auto()
     DRIVING = auto()
@@ -39,19 +41,19 @@ class Phase(Enum):
 
 
 class Bench(QObject):
-    """Runs one test at a time while its button is held, and retains the last tests.
+    """Runs one test at a time while its button is held.
 
-    Releasing the button brakes the motor. Too high a current, a fault, missing readings or loss of
-    serial control aborts a test, which stops, disarms and locks out all motors.
+    Releasing the button brakes the motor. A test aborts on excessive current, a fault, missing
+    readings or loss of serial control, which stops, disarms and locks out all motors.
     """
 
-    changed = Signal()  # plan, `phase` or `blocker`; not emitted for new readings of `current`
-    started = Signal()  # a test has started
-    finished = Signal(object)  # the `Run` of a test that is over, including braking; last of `runs`
+    changed = Signal()  # `plan`, `phase` or `blocker`, but not new readings
+    started = Signal()
+    finished = Signal(object)  # the finished `Run`, now the last of `runs`
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.plan = Plan()  # the next test
+        self.plan = Plan()
         self.phase = Phase.IDLE
         self.runs: tuple[Run, ...] = ()  # the last tests, oldest first
         self._device = device
@@ -98,7 +100,7 @@ class Bench(QObject):
 
     @property
     def highest_current(self) -> float:
-        """Highest current in A that the board can measure. For a TReX if there is no board."""
+        """Highest measurable current in A. Without a board, that of a TReX."""
         return self._device.telemetry.ampere * _HIGHEST_COUNT
 
     def tuned_keys(self) -> tuple[str, ...]:
@@ -106,7 +108,7 @@ class Bench(QObject):
 
     @property
     def blocker(self) -> str:
-        """Reason why no test can start now, and the remedy. Empty if a test can start."""
+        """Reason why no test can start. Empty if a test can start."""
         device = self._device
         if device.is_connected and device.board.is_joint:
             return tr(
@@ -178,22 +180,22 @@ class Bench(QObject):
 
     @Slot()
     def _on_step(self) -> None:
-        past, run = now() - self._start, self._run
+        elapsed, run = now() - self._start, self._run
         if run is None:
             return
         if self.phase is Phase.BRAKING:
-            if past >= run.ended + _TAIL:
+            if elapsed >= run.ended + _TAIL:
                 self._finish()
-        elif past >= run.profile.duration:
+        elif elapsed >= run.profile.duration:
             self._end(End.COMPLETE)
         elif now() - self._last_reading > (gap := self._device.timeouts.current_gap):
             self.abort(tr("No current was read for {0:g} s.").format(Number(gap)))
         else:
-            speed = run.profile.speed_at(past)
+            speed = run.profile.speed_at(elapsed)
             if not self._setpoints or self._setpoints[-1][1] != speed:
                 self._motors.set_speed(run.motor, speed, _HOLDER)
                 if self.is_driving:  # setting the speed may have caused a stop
-                    self._setpoints.append((past, speed))
+                    self._setpoints.append((elapsed, speed))
 
     @Slot(object)
     def _on_sampled(self, batch: Batch) -> None:
@@ -226,7 +228,7 @@ class Bench(QObject):
         if not self.is_driving:
             self.changed.emit()
         elif self._motors.holder != _HOLDER:
-            # Without a board, motors cannot be armed. The report of the link has the reason.
+            # If the connection is lost, `_finish` adds the reason.
             known = self._motors.is_available or self._motors.stop_reason
             self._end(End.ABORTED, self._external_reason() if known else "")
 
@@ -239,7 +241,7 @@ class Bench(QObject):
 
     @Slot()
     def _on_state_changed(self) -> None:
-        """Set the default abort current of the board."""
+        """Set the default abort current for another unit of current."""
         if (ampere := self._device.telemetry.ampere) != self._ampere:
             self._ampere = ampere
             self.plan = replace(self.plan, abort_current=round(_ABORT_COUNTS * ampere, 2))
@@ -257,7 +259,7 @@ class Bench(QObject):
     # --- The end ------------------------------------------------------------------------
 
     def _end(self, how: End, reason: str = "") -> None:
-        """Brake or stop the motor, and continue recording its current for a moment."""
+        """Brake or stop the motor. Recording continues."""
         self.phase = Phase.BRAKING
         if how is not End.ABORTED:
             self._motors.release(_HOLDER)
@@ -274,7 +276,7 @@ class Bench(QObject):
         self._run = None
         if run is not None:
             if run.end is End.ABORTED and not run.reason:
-                # The motors are disarmed before the link says why.
+                # The motors are disarmed before the link changes.
                 run = replace(run, reason=self._external_reason())
             self.add_run(run)
 

@@ -21,19 +21,14 @@ from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.translations import error_text
 
-_PRESENCE_MS = 2000
-"""Milliseconds between two presence queries to boards that are not selected.
-
-The queries take at most 4 % of the line, and are sent only while nothing is driven.
-"""
+_PRESENCE_MS = 2000  # interval of presence queries, which take at most 4 % of the line
 
 
 class Presence(Enum):
     SELECTED = auto()
     RESPONDING = auto()
     SILENT = auto()
-    UNREADABLE = auto()
-    """The reply cannot be read: several boards may have this number."""
+    UNREADABLE = auto()  # unreadable reply: several boards may share the number
     UNKNOWN = auto()  # not queried since the line was opened
 
 
@@ -51,15 +46,15 @@ class LineBoard:
         return f"{self.number} · {self.signature}" if self.signature else str(self.number)
 
 
-Done = Callable[[StudioError | None], None]  # gets `None`, or why another board was not selected
+Done = Callable[[StudioError | None], None]  # called with `None` or an error
 
 
 class BoardList(QObject):
     """Boards found on the line of a device.
 
-    Boards are told apart by device number. A scan probes every number, which moves no motor and
-    clears nothing on a board. Once several boards are known, commands carry the number of the
-    selected board: without a number they would reach every board.
+    Device numbers distinguish the boards. A scan probes every number, which moves no motor and
+    clears no error. Once several boards are known, commands carry the number of the selected
+    board. Without a number they would reach every board.
     """
 
     changed = Signal()  # any attribute or property
@@ -67,13 +62,13 @@ class BoardList(QObject):
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._device = device
-        # Sorted by number; from the last open line, or from an earlier scan of the same port
+        # Sorted by number; also from an earlier scan of this port
         self.boards: tuple[LineBoard, ...] = ()
-        self.scanned: int | None = None  # how many numbers were probed; `None` while no scan runs
-        self.is_selecting = False  # whether another board is being selected
+        self.scanned: int | None = None  # count of probed numbers; `None` while no scan runs
+        self.is_selecting = False
         self._url = ""
-        self.is_asking = False  # whether the reply to a probe is awaited
-        self._next = 0  # index of the last presence query in the unselected boards
+        self.is_asking = False  # a reply to a probe is due
+        self._next = 0  # index into the boards that are not selected
         self._presence = new_timer(self, _PRESENCE_MS, self._on_presence_due)
         device.link_changed.connect(self._on_link_changed)
         device.connection.line_closed.connect(self._on_line_closed)
@@ -94,8 +89,8 @@ class BoardList(QObject):
 
     @property
     def others(self) -> set[int]:
-        """Numbers of the boards that are not selected, whether they respond or not."""
-        return {one.number for one in self.boards} - {self.selected}
+        """Numbers of the boards that are not selected, responding or not."""
+        return {board.number for board in self.boards} - {self.selected}
 
     @property
     def can_scan(self) -> bool:
@@ -113,12 +108,11 @@ class BoardList(QObject):
 
     @property
     def can_change_number(self) -> bool:
-        """True if the selected board can get another number. This needs a probe and a write."""
         return self._may_ask and not self._device.writer.is_rejected
 
     @property
     def _may_ask(self) -> bool:
-        """True if other boards may be probed: not while motors are driven."""
+        """True if no motor is driven, so that other boards may be probed."""
         device = self._device
         is_driven = device.motors.armed or device.may_move or device.driving.is_group
         return device.is_writable and not (is_driven or self.is_selecting)
@@ -157,16 +151,16 @@ class BoardList(QObject):
             self._prompt(number)
 
     def _go_on_after(self, number: int) -> None:
-        """Continue the scan, if any. A reply to another number's earlier probe does not count."""
+        """Continue the scan after a reply. Presence replies do not count."""
         if number == self.scanned:
             self.scanned += 1
             self.changed.emit()
         self._probe_next()
 
     def _finish_scan(self) -> None:
-        """Save and report the found boards. If there are several, address one from now on."""
+        """Save and report the found boards, and select one of several."""
         missing = {Presence.SILENT, Presence.UNKNOWN}
-        found = [one for one in self.boards if one.presence not in missing]
+        found = [board for board in self.boards if board.presence not in missing]
         self.boards = tuple(found)
         self._remember()
         text = tr(
@@ -178,13 +172,13 @@ class BoardList(QObject):
         self._device.notifier.info.emit(text)
         self._on_state_changed()
         settings = self._device.settings
-        readable = [one.number for one in found if one.presence is not Presence.UNREADABLE]
+        readable = [board.number for board in found if board.presence is not Presence.UNREADABLE]
         if len(found) > 1 and readable and settings is not None and settings.device_number is None:
             selected = self.selected
             self._select(selected if selected in readable else readable[0])
 
     def _prompt(self, number: int) -> None:
-        def take(outcome: Outcome) -> None:
+        def on_probed(outcome: Outcome) -> None:
             self.is_asking = False
             match outcome.value, outcome.error:
                 case Signature() as signature, _:
@@ -196,11 +190,11 @@ class BoardList(QObject):
             self._go_on_after(number)
 
         self.is_asking = self._device.connection.request(
-            lambda request: ProbeNumber(request, number), take
+            lambda request: ProbeNumber(request, number), on_probed
         )
 
     def _board(self, number: int) -> LineBoard | None:
-        return next((one for one in self.boards if one.number == number), None)
+        return next((board for board in self.boards if board.number == number), None)
 
     def _record(self, number: int, signature: Signature | None, presence: Presence) -> None:
         before = self._board(number)
@@ -210,8 +204,8 @@ class BoardList(QObject):
             signature = before.signature
         board = LineBoard(number, signature, presence)
         if board != before:
-            others = [one for one in self.boards if one.number != number]
-            self.boards = tuple(sorted([*others, board], key=lambda one: one.number))
+            others = [board for board in self.boards if board.number != number]
+            self.boards = tuple(sorted([*others, board], key=lambda board: board.number))
             self._follow_addressing()
             self.changed.emit()
 
@@ -228,7 +222,7 @@ class BoardList(QObject):
     # --- Selecting ----------------------------------------------------------------------
 
     def select(self, number: int, then: Done = lambda _error: None) -> None:
-        """Select another board, once the motors of the present board are stopped.
+        """Select another board after the present board is stopped.
 
         The present board stays selected if its stop is not confirmed, or if the other board does
         not respond.
@@ -259,7 +253,7 @@ class BoardList(QObject):
             elif error is not None or device.may_move:
                 finish(TrexError(ErrorCode.NOT_SELECTED_MOVING, number))
             else:
-                sharing = tuple(one.number for one in self.boards)
+                sharing = tuple(board.number for board in self.boards)
                 device.connection.select(number, sharing, lambda outcome: finish(outcome.error))
 
         if device.motors.armed or device.may_move:
@@ -267,7 +261,7 @@ class BoardList(QObject):
         else:
             on_stopped(None)
 
-    # --- What has changed ---------------------------------------------------------------
+    # --- Reports of the device ----------------------------------------------------------
 
     @Slot()
     def _on_link_changed(self) -> None:
@@ -280,34 +274,34 @@ class BoardList(QObject):
         self.scanned = None
         self.is_selecting = self.is_asking = False
         self._presence.stop()
-        self.boards = tuple(replace(one, presence=Presence.UNKNOWN) for one in self.boards)
+        self.boards = tuple(replace(board, presence=Presence.UNKNOWN) for board in self.boards)
         self.changed.emit()
 
     @Slot()
     def _on_state_changed(self) -> None:
-        """Update the list: another board may be selected, or its number may have changed."""
+        """Update the list after a selection or a changed number."""
         device = self._device
         if device.state is None or device.settings is None:
             return
         if device.settings.url != self._url:
             self._url = device.settings.url
             self.boards = self._known_boards()
-        known = [one for one in self.boards if one.presence is not Presence.UNKNOWN]
+        known = [board for board in self.boards if board.presence is not Presence.UNKNOWN]
         if not self.is_addressed and not known:
             self.boards = ()  # a single board is expected
-        numbers = {one.number for one in self.boards}
-        joined = [one for one in device.settings.group if one not in numbers]
-        self.boards += tuple(LineBoard(one, None, Presence.UNKNOWN) for one in joined)
+        numbers = {board.number for board in self.boards}
+        joined = [number for number in device.settings.group if number not in numbers]
+        self.boards += tuple(LineBoard(number, None, Presence.UNKNOWN) for number in joined)
         selected, before = self.selected, self.boards
         if before and selected is not None and self.is_addressed:
-            others = [one for one in before if one.number != selected]
-            boards = [one for one in others if one.presence is not Presence.SELECTED]
-            if self.is_selecting:  # otherwise the selected board has got another number
-                left = (one for one in others if one.presence is Presence.SELECTED)
-                boards += (replace(one, presence=Presence.RESPONDING) for one in left)
+            others = [board for board in before if board.number != selected]
+            boards = [board for board in others if board.presence is not Presence.SELECTED]
+            if self.is_selecting:  # else the number of the board was changed
+                left = (board for board in others if board.presence is Presence.SELECTED)
+                boards += (replace(board, presence=Presence.RESPONDING) for board in left)
             boards.append(LineBoard(selected, self._device.signature, Presence.SELECTED))
-            self.boards = tuple(sorted(boards, key=lambda one: one.number))
-            if {one.number for one in self.boards} != {one.number for one in before}:
+            self.boards = tuple(sorted(boards, key=lambda board: board.number))
+            if {board.number for board in self.boards} != {board.number for board in before}:
                 self._remember()
         if self.has_several and not self._presence.isActive():
             self._presence.start()
@@ -319,7 +313,7 @@ class BoardList(QObject):
         return f"boards/{quote(self._url, safe='')}"
 
     def _remember(self) -> None:
-        numbers = ",".join(str(one.number) for one in self.boards)
+        numbers = ",".join(str(board.number) for board in self.boards)
         Preferences().set(self._known_key, numbers)
 
     def _known_boards(self) -> tuple[LineBoard, ...]:
@@ -332,7 +326,7 @@ class BoardList(QObject):
     @Slot()
     def _on_presence_due(self) -> None:
         """Probe the next board that is not selected."""
-        others = [one for one in self.boards if one.presence is not Presence.SELECTED]
+        others = [board for board in self.boards if board.presence is not Presence.SELECTED]
         if others and self._may_ask and self.scanned is None and not self.is_asking:
             self._next = (self._next + 1) % len(others)
             self._prompt(others[self._next].number)

@@ -31,7 +31,7 @@ class Handle(Enum):
 
 
 def moved(c: Calibration, handle: Handle, count: int) -> tuple[Calibration, str]:
-    """Move a handle to a raw count, as far as the board accepts it. Also return what stopped it."""
+    """Move a handle within the board's limits. Also return the limit as a sentence."""
     value, field = count, handle.value
     match handle:
         case Handle.MINIMUM:
@@ -57,14 +57,17 @@ def moved(c: Calibration, handle: Handle, count: int) -> tuple[Calibration, str]
             why = tr("The deadband cannot be wider than the travel.")
             if value < 0:
                 why = tr("The deadband ends at neutral.")
-    kept = max(limits[0], min(limits[1], value))
-    return replace(c, **{field: kept}), "" if kept == value else why
+    limited = max(limits[0], min(limits[1], value))
+    return replace(c, **{field: limited}), "" if limited == value else why
 
 
 def within_input(
     calibration: Calibration, handle: Handle, count: int, source: InputSource
 ) -> tuple[int, str]:
-    """Limit a count to the range of the input, unless it is beyond already. Also return why."""
+    """Limit a count to the input range, or to a handle beyond it.
+
+    Also return the range as a sentence, empty if the count fits.
+    """
     now = handle.count(calibration)
     lowest, highest = min(source.lowest_count, now), max(source.highest_count, now)
     if lowest <= count <= highest:

@@ -11,14 +11,13 @@ from trex_gui.devices.trex.settings.board_records import Known
 from trex_gui.ui.translations import error_sentence, local_time
 from trex_gui.ui.units import units
 
-CHANNEL_NAMES = {
+CHANNEL_NAMES = {  # functions of channels in RC and analog mode
     1: tr_noop("Motor 1"),
     2: tr_noop("Motor 2"),
     3: tr_noop("Auxiliary"),
     4: tr_noop("Flip"),
     5: tr_noop("Override"),
 }
-"""Short names of the functions of channels in RC and analog mode."""
 
 SOURCE_NAMES = {
     InputSource.RC: tr_noop("RC pulses"),
@@ -103,7 +102,7 @@ def function_text(
 
 
 def source_instructions(source: InputSource, mode: Mode) -> str:
-    """Return instructions to make a board in this mode read its inputs as `source`."""
+    """Return instructions to switch a board in this mode to `source`."""
     if mode.is_serial:
         text = tr(
             "The board reads {0} now, and only shows and accepts calibrations for them. To see "
@@ -119,7 +118,7 @@ def source_instructions(source: InputSource, mode: Mode) -> str:
 
 
 def known_text(known: Known) -> str:
-    """Return when calibrations were read or applied: `read 2026-03-14 15:09`."""
+    """Return the time of calibrations: `read 2026-03-14 15:09`."""
     text = tr("applied {0}") if known.is_applied else tr("read {0}")
     return text.format(local_time(known.time))
 
@@ -137,7 +136,7 @@ def write_failure(error: StudioError) -> str:
 
 
 def wrong_order(calibration: Calibration, source: InputSource) -> str:
-    """Return why the board would reject a calibration. Empty if it would accept it."""
+    """Return why the board would reject a calibration. Empty if valid."""
     problem = calibration.problem(source.text)
     return tr("The board would reject this: {0}.").format(problem) if problem else ""
 
@@ -177,14 +176,14 @@ def _exactly(count: int, source: InputSource) -> str:
 
 
 def concern(calibration: Calibration, source: InputSource) -> str:
-    """Warn of a calibration that the board rejects or that makes no sense. May be empty."""
+    """Warn of an invalid or useless calibration. May be empty."""
     if text := wrong_order(calibration, source) or beyond_input(calibration, source):
         return text
     return deadband_problem(calibration, source, "minimum", "maximum")
 
 
 def deadband_problem(calibration: Calibration, source: InputSource, *ends: str) -> str:
-    """Warn of a deadband that reaches one of these ends, `minimum` or `maximum`. May be empty."""
+    """Warn if the deadband reaches one of these ends. May be empty."""
     travel = {end: abs(getattr(calibration, end) - calibration.neutral) for end in ends}
     reached = [tr(end) for end in ends if travel[end] <= calibration.deadband]
     if not reached:

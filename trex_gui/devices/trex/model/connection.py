@@ -53,12 +53,12 @@ log = logging.getLogger(__name__)
 
 
 class Connection(DeviceConnection[ConnectionSettings]):
-    device_read = Signal(object)  # the `Connected` of a board that was read, or read again
-    ready = Signal()  # `device_read` was handled, and `link` is `CONNECTED`
-    leaving = Signal()  # on request, the line will be closed or another board selected
+    device_read = Signal(object)  # the `Connected` of a board that was read
+    ready = Signal()  # after `device_read`; `link` is `CONNECTED`
+    leaving = Signal()  # before the line is closed or another board selected
     not_responding = Signal(object)  # the `NotResponding`
     guardian_changed = Signal()  # `is_guarded`
-    stop_sent = Signal()  # a stop has left; its confirmation follows
+    stop_sent = Signal()  # a stop was sent but is not confirmed yet
     motors_stopped = Signal(object)  # a `MotorsStopped`: the session stopped motors by itself
     commands_repeated = Signal(object)  # a `CommandsRepeated`
     sampled = Signal(object)  # a `Batch`
@@ -71,9 +71,9 @@ class Connection(DeviceConnection[ConnectionSettings]):
         super().__init__(self._decoder, parent)
         self.port_rates: frozenset[int] | None = None  # supported by the port; `None` if unknown
         self.selection = 0  # see `Connected.selection`
-        self.is_guarded = False  # whether another process stops the motors if this process fails
+        self.is_guarded = False  # the guardian process is ready
         self._watchers = {"window"}
-        self._relayed = {  # signals of reports that need no more than a relay
+        self._relayed = {  # reports that are only relayed
             Batch: self.sampled,
             MotorsStopped: self.motors_stopped,
             CommandsRepeated: self.commands_repeated,
@@ -82,7 +82,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
         self.started.connect(self._submit_watched)
 
     def watch(self, watcher: str, watching: bool) -> None:
-        """Poll at full rate while something watches, such as a window or a recording."""
+        """Poll at full rate while there is a watcher, such as a window."""
         before = bool(self._watchers)
         (self._watchers.add if watching else self._watchers.discard)(watcher)
         if bool(self._watchers) != before:
@@ -93,7 +93,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
         self.submit(SetWatched(bool(self._watchers), traffic=bool(self._watchers)))
 
     def expect(self, settings: tuple[ConnectionSettings, ...]) -> None:
-        """Set the settings at which to search for a board that stops responding."""
+        """Set the line settings of reconnect attempts."""
         self.submit(SetReconnectCandidates(settings))
 
     def moves(self, request: object) -> bool:
@@ -122,10 +122,10 @@ class Connection(DeviceConnection[ConnectionSettings]):
     def select(
         self, number: int, sharing: tuple[int, ...], then: Callable[[Outcome], None]
     ) -> None:
-        """Address another board on the open line. `link` is `CONNECTING` until it is read.
+        """Address another board on the open line.
 
-        `sharing` are the numbers of all known boards on the line. If the board cannot be selected,
-        the present board stays connected, or silent.
+        `link` is `CONNECTING` until the board is read. `sharing` has the numbers of all known
+        boards. If the selection fails, the present board stays connected or silent.
         """
         before = self.link, self.status
 
@@ -141,7 +141,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
         self.request(lambda request: SelectBoard(request, number, sharing), report)
 
     def stop_now(self, *, ending: bool = False) -> None:
-        """Stop every motor, and close the port if the program is `ending`. Thread-safe.
+        """Stop every motor. With `ending`, also close the port. Thread-safe.
 
         Does not wait and reports nothing. `Motors.stop` has to follow in the window's thread.
         Setpoints queued after the stop are dropped until motors are armed again.
@@ -161,7 +161,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
             case GuardianChanged(is_ready=is_ready):
                 self.is_guarded = is_ready
                 self.guardian_changed.emit()
-            case Traffic(events=events):  # of the server of a board
+            case Traffic(events=events):  # from the server of a board
                 for event in events:
                     self.log.record(event)
             case StopSent():
@@ -198,7 +198,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
 
 
 class MemberConnection(Connection):
-    """Connection to another board of the group, over the line that `main` has opened."""
+    """Connection to another board of the group, over the line of `main`."""
 
     def __init__(self, main: Connection, number: int, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -211,7 +211,7 @@ class MemberConnection(Connection):
         return self._main.is_open
 
     def submit(self, request: object) -> bool:
-        """Queue a `Job` for this board. Requests to motors are made for the whole group."""
+        """Queue a `Job`. The connection of `main` handles requests to motors."""
         if isinstance(request, Job):
             return self._main.submit(ToBoard(self._number, request))
         return False
@@ -237,7 +237,7 @@ class MemberConnection(Connection):
 
 
 def remedies_for(error: StudioError) -> Remedies:
-    """Return the buttons for an error that closed the line or prevented its opening."""
+    """Return the buttons for a connection error."""
     if isinstance(error, BoardElsewhere):
         return (ConnectWith(error.settings),)
     if isinstance(error, TrexError) and error.code is ErrorCode.BOOT_LOADER:

@@ -1,4 +1,4 @@
-"""Controller of a TReX: its line settings, and stops that events caused."""
+"""Controller of a TReX: line settings and automatic stops."""
 
 from contextlib import suppress
 from dataclasses import replace
@@ -35,7 +35,7 @@ _RESERVED = "line/reserved"
 
 
 class TrexController(DeviceController[ConnectionSettings]):
-    """Saves the line settings of boards, and reports the outcome of automatic stops."""
+    """Saves line settings, and reports the outcome of automatic stops."""
 
     has_line_settings = True
 
@@ -59,10 +59,10 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.settings = self._read_settings()
         scanner.line = plugin.key, self.settings.packed
         self.demo_board = DemoBoard(self.simulator, self)
-        self._last: Port | None = None  # the port that was last connected or tried
+        self._last: Port | None = None  # port of the last connection attempt
         LossWhileDriven(device, self)
-        self._stops = 0  # number of stops that events have caused
-        self._unconfirmed = ""  # the reason of the newest stop, if it may still be confirmed
+        self._stops = 0  # automatic stops so far
+        self._unconfirmed = ""  # reason of an unconfirmed stop; else empty
 
         self.simulator.ended.connect(self._reset_demo_settings)
         self.demo_board.factory_reset.connect(self._reset_demo_settings)
@@ -82,7 +82,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         return settings.short if number is None else f"{settings.short} #{number}"
 
     def set_settings(self, settings: ConnectionSettings) -> None:
-        """Save these line settings, and use them from the next connection on."""
+        """Save these line settings for the next connection."""
         self.settings = replace(settings, url="", name="")
         self._store.set(_LINE, settings.line.to_wire())
         number = settings.device_number
@@ -94,7 +94,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.changed.emit()
 
     def connect_to(self, port: Port) -> None:
-        if not self.may_move:  # otherwise the moving motors are at `_last`
+        if not self.may_move:  # else motors may still turn at `_last`
             self._last = port
         self.device.motors.adapter = "" if port.adapter is None else port.adapter.key
         super().connect_to(port)
@@ -105,13 +105,12 @@ class TrexController(DeviceController[ConnectionSettings]):
         super().select(port)
 
     def _clear_group(self) -> None:
-        """Connect to one board from now on."""
         self.settings = replace(self.settings, group=())
 
     @Slot(object)
     def _on_failed(self, error: StudioError) -> None:
         if isinstance(error, NoReply | BadReply) and not self.may_move:
-            self._clear_group()  # otherwise no connection succeeds without the missing board
+            self._clear_group()  # a missing board prevents every connection
 
     def connect_with(self, port: Port, settings: PortSettings) -> None:
         self.select(port)
@@ -123,12 +122,12 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.connect_to(port)
 
     def set_packed(self, settings: str) -> None:
-        with suppress(BadRequest):  # invalid, such as from an edited file: present settings stay
+        with suppress(BadRequest):  # an edited file may have invalid settings
             self.set_settings(self.settings.unpacked(settings))
 
     @Slot()
     def _record_settings(self) -> None:
-        """Save the settings at which the board responds, which may have changed."""
+        """Save the settings at which the board responds."""
         used, port = self.device.settings, self.port
         if self.link is not ConnectionState.CONNECTED or used is None or port is None:
             return
@@ -141,7 +140,7 @@ class TrexController(DeviceController[ConnectionSettings]):
 
     @Slot()
     def _reset_demo_settings(self) -> None:
-        """Reset line settings: a new or reset board starts with factory settings."""
+        """Expect factory settings from a new or reset board."""
         self._demo_settings = self._default
         if self.demo_in_use:
             self.device.connection.expect((ConnectionSettings(""),))
@@ -157,7 +156,7 @@ class TrexController(DeviceController[ConnectionSettings]):
                 line=LineSettings.from_wire(wire),
                 device_number=None if number < 0 else number,
                 polynomial=check_polynomial(polynomial),
-                reserved=numbers_in(store.text(_RESERVED)),  # the board's number prevents opening
+                reserved=numbers_in(store.text(_RESERVED)),
             )
         except ValueError:
             return self._default
@@ -208,7 +207,7 @@ class TrexController(DeviceController[ConnectionSettings]):
             self.link is not ConnectionState.CONNECTED
             or self.is_armed
             or self.may_move
-            # Driven by another program, or by sticks
+            # Another program or a stick may drive.
             or any(amps > noise for amps in device.telemetry.motor_currents or ())
         )
 
@@ -217,7 +216,7 @@ class TrexController(DeviceController[ConnectionSettings]):
 
     @Slot()
     def _on_stop_wanted(self) -> None:
-        """Connect again to stop motors that may still turn. A new session first sends a stop."""
+        """Reconnect to motors that may still turn. A new session first sends a stop."""
         device = self.device
         if not self.may_move or self._last is None:
             # The known serial timeout may belong to another board.
@@ -230,7 +229,7 @@ class TrexController(DeviceController[ConnectionSettings]):
     def stop_now(self, *, ending: bool = False) -> None:
         self.device.connection.stop_now(ending=ending)
 
-    # --- Stops that events cause: only the newest is reported -----------------------------
+    # --- Automatic stops: only the newest is reported -------------------------------------
 
     def stop_because(self, reason: str) -> str:
         self._unconfirmed = ""
@@ -249,19 +248,20 @@ class TrexController(DeviceController[ConnectionSettings]):
         if error is None:
             text = self._confirmed(reason)
         elif isinstance(error, TrexError) and error.code is ErrorCode.CLOSED:
-            is_closed = tr("{0}. The line is closed.").format(reason)
-            text = self._out_of_reach(reason) if self.may_move else is_closed
+            text = tr("{0}. The line is closed.").format(reason)
+            if self.may_move:
+                text = self._out_of_reach(reason)
         else:
             self._unconfirmed = reason if self.may_move else ""
             text = tr("{0}. The stop is not confirmed: {1} If a motor still turns, cut its power.")
-            if isinstance(error, NoReply):  # its text tells what was sent, and what to do
+            if isinstance(error, NoReply):  # the error has the cause and the remedy
                 text = "{0}. {1}"
             text = text.format(reason, error_sentence(error))
         self.stop_reported.emit(text)
 
     @Slot()
     def _report_late_stop(self) -> None:
-        """Report a late confirmation, unless it may belong to another stop."""
+        """Report a late confirmation of the newest stop."""
         if self.is_armed or self.link is ConnectionState.DISCONNECTED:
             self._unconfirmed = ""
         elif self._unconfirmed and self.device.is_connected and not self.may_move:
@@ -269,7 +269,6 @@ class TrexController(DeviceController[ConnectionSettings]):
             self.stop_reported.emit(self._confirmed(reason))
 
     def _confirmed(self, reason: str) -> str:
-        """Return a sentence on a confirmed stop. It does not always mean standstill."""
         by_serial = self.device.board.serial_controls
         if by_serial is None:  # not read yet, or not responding
             return tr("{0}. The board has confirmed the stop.").format(reason)

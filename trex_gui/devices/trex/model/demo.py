@@ -12,14 +12,13 @@ from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
 from trex_gui.ui.devices.simulator import DemoDevice, DemoLine, Simulator, switch
 from trex_gui.ui.runtime import new_timer
 
-STICK_ENDS = {InputSource.RC: (900.0, 2100.0), InputSource.ANALOG: (0.0, 5.0)}
-"""Ends of the sticks' travel in µs or V."""
+STICK_ENDS = {InputSource.RC: (900.0, 2100.0), InputSource.ANALOG: (0.0, 5.0)}  # µs, V
 
 _SIGNAL = re.compile(r"([\d.]+) ?(us|V)", re.IGNORECASE)  # noise may follow
 _SIGNAL_UNITS = {InputSource.RC: "US", InputSource.ANALOG: "V"}
 
 
-BOOT_TEXTS = {
+BOOT_TEXTS = {  # by step of a boot mode, as reported by `show`
     "learning: ready": tr_noop("Learning: remove the Mix jumper to begin."),
     "learning: waiting for a signal": tr_noop("Learning: waits for a signal on any input."),
     "learning: neutrals": tr_noop("Learning: leave the sticks centred for two seconds."),
@@ -29,14 +28,13 @@ BOOT_TEXTS = {
     "boot loader: requested": tr_noop("Boot loader: remove Mix, then SO–G."),
     "boot loader: ready": tr_noop("Boot loader: waits for firmware. Power cycle to leave."),
 }
-"""Texts for the steps of the boot modes that `show` reports."""
 
 
 @dataclass(frozen=True, slots=True)
 class DemoChannel:
-    """Input with its signal, as in the control line `channel`, and its measurement."""
+    """Input with its signal and measurement."""
 
-    signal: str
+    signal: str  # as in the control line `channel`
     raw: int | None
 
     @property
@@ -119,13 +117,13 @@ def read_snapshot(text: str) -> DemoSnapshot:
     )
 
 
-_OFF_MS = 1000  # duration of power cycles, for the program to notice that the board was off
+_OFF_MS = 1000  # power off, long enough for the program to notice
 
 
 class DemoBoard(DemoDevice[DemoSnapshot]):
     """Simulated TReX with its sticks. `changed` reports `snapshot` or `automatic`."""
 
-    factory_reset = Signal()  # the board is about to be reset to its initial state
+    factory_reset = Signal()  # before the board is reset to its initial state
 
     def __init__(self, simulator: Simulator, parent: QObject | None = None) -> None:
         super().__init__(simulator, read_snapshot, parent)
@@ -180,14 +178,14 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
             self.changed.emit()
 
     def set_silent(self, channel: int, silent: bool) -> None:
-        """Disconnect the stick from an input, or connect it again."""
+        """Disconnect or reconnect the stick of an input."""
         if silent:
             self._send_newest(f"channel {channel}", f"channel {channel} silent")
         else:
             self._send_stick(channel)
 
     def set_automatic(self, automatic: bool) -> None:
-        """Let all connected sticks move by themselves, or hold them where they are."""
+        """Let connected sticks move by themselves, or hold them in place."""
         if (snapshot := self.snapshot) is None:
             return
         low, high = STICK_ENDS[snapshot.source]

@@ -1,4 +1,4 @@
-"""The board as the window sees it: the connection to it, and the models that mirror it."""
+"""Board with its connection and its models."""
 
 from pathlib import Path
 
@@ -53,20 +53,20 @@ from trex_gui.ui.runtime import now
 from trex_gui.ui.translations import error_text
 
 _TIMEOUT = ParameterKey.SERIAL_TIMEOUT
-_NAMED = 3  # written settings that an event names; the rest are counted
+_NAMED = 3  # written settings that an event names
 
 
 class Device(QObject):
     # `link`, `status`, `settings`, `may_move`, or the state of `writer`
     link_changed = Signal()
-    line_judged = Signal()  # line quality, every 2 s: not `link_changed`, as the user may be typing
-    state_changed = Signal()  # `state` was read again, or forgotten
-    request_failed = Signal(str)  # why a request or a connection failed; also sent to the notifier
-    errors_changed = Signal()  # a bit was reported, or the errors were cleared or reset
-    lease_changed = Signal()  # who drives a served board, or waits to drive
-    applied = Signal(object)  # the `WriteResult` of everything that Apply tried
+    line_judged = Signal()  # line quality, every 2 s
+    state_changed = Signal()  # `state` was read or cleared
+    request_failed = Signal(str)  # reason for the user; also sent to the notifier
+    errors_changed = Signal()  # errors were reported, cleared or reset
+    lease_changed = Signal()  # driver or queue of a served board
+    applied = Signal(object)  # a `WriteResult` for each value
     sampled = Signal(object)  # a `Batch`, after the models are updated
-    stop_wanted = Signal()  # Stop was pressed while motors may turn behind a closed line
+    stop_wanted = Signal()  # stop pressed without a connection, while motors may turn
 
     def __init__(
         self,
@@ -76,17 +76,16 @@ class Device(QObject):
         main: "Device | None" = None,
         number: int = 0,
     ) -> None:
-        """`main`: device of the line, if this is another board of its group, with `number`."""
+        """`main` and `number` are for another board of the group of `main`."""
         super().__init__(parent)
         self.notifier = notifier or Notifier(self)
         self.motors = Motors(self)
-        self.main = main or self  # whose motors the user arms, drives and stops
-        self.others: list[Device] = []  # for other boards that are driven with this board
-        self.wheels: dict[int, Wheel] = {}  # by motor, while it is driven with other boards
-        self.draft = SettingsDraft(self)  # what the board stores, and its edits
+        self.main = main or self  # owner of the motors that the user drives
+        self.others: list[Device] = []  # other boards of the group
+        self.wheels: dict[int, Wheel] = {}  # by motor, in a group
+        self.draft = SettingsDraft(self)  # stored settings and edits
         self.parameters = self.draft.parameters
         self.calibrations = self.draft.calibrations
-        # Saved on this computer: edits until applied or discarded; last applied settings, and notes
         self.edit_backup = EditBackup(self.draft, self)
         self.kept = KeptFiles(self.draft, self)
         self.board = BoardMirror(self.kept.memory, self.errors_changed.emit)
@@ -100,7 +99,7 @@ class Device(QObject):
         )
         self.writer = SettingsWriter(self.draft, self.board, self.connection, self.driving, self)
         self.events = EventLog(self)  # since the line was opened
-        self._replaced: list[Path] = []  # files of other boards, renamed since the last reading
+        self._replaced: list[Path] = []  # renamed files of other boards since the last read
 
         self.connection.changed.connect(self.link_changed)
         self.connection.device_read.connect(self._handle)
@@ -126,7 +125,7 @@ class Device(QObject):
         self.writer.failed.connect(self.link_changed)
         self.writer.failed.connect(self._on_request_failed)
 
-    # --- What is known ------------------------------------------------------------------
+    # --- State --------------------------------------------------------------------------
 
     @property
     def state(self) -> DeviceState | None:
@@ -162,7 +161,7 @@ class Device(QObject):
         return name_of_board(self.state.signature, number)
 
     def named(self, text: str) -> str:
-        """Return a text with the number of this board, where several are driven together."""
+        """Return a text, in a group with the number of this board."""
         settings = self.connection.settings
         if settings is None or not self.wheels:
             return text
@@ -189,7 +188,7 @@ class Device(QObject):
         return None if wheel is None else wheel.turned(self.main.motors.drive(wheel.side))
 
     def current_limit(self, motor: int) -> float | None:
-        """Return the limit in A that the board stores. `None` when off or not known."""
+        """Return the stored limit in A. `None` if off or unknown."""
         key = MotorParameter.CURRENT_LIMIT.of(motor)
         wire = self.parameters.values.stored.get(key)
         return wire * self.parameters.values.specs[key].scale if wire else None
@@ -206,7 +205,7 @@ class Device(QObject):
 
     @property
     def serial_timeout_s(self) -> float | None:
-        """Seconds of silence after which the board stops its motors. 0: never; `None`: unknown."""
+        """Serial timeout in seconds. 0: off; `None`: unknown."""
         if self.state is None or _TIMEOUT not in self.state.parameters or not self.is_connected:
             return None
         return self.state.serial_timeout
@@ -214,12 +213,12 @@ class Device(QObject):
     # --- User actions -------------------------------------------------------------------
 
     def connect_to(self, settings: ConnectionSettings) -> None:
-        """Open a line, after closing another one, and read everything from the board."""
+        """Open a line and read the board. Closes another line first."""
         may_move = self.may_move or bool(self.driving.lost_board)
         self.connection.open(settings, may_move=may_move)
 
     def set_seen(self, seen: bool) -> None:
-        """Set whether a window is seen. Otherwise views are not updated and polling is slow."""
+        """Set whether a window is visible. Otherwise polling is slow."""
         self.connection.watch("window", seen)
         self.telemetry.set_seen(seen)
 
@@ -228,7 +227,7 @@ class Device(QObject):
         self.connection.close()
 
     def press_stop(self) -> None:
-        """Stop at the user's request. Without a connection, arming needs no lock."""
+        """Stop everything, with a lockout only if connected."""
         if self.link is not ConnectionState.DISCONNECTED:
             self.motors.press_stop()
         elif self.may_stop_matter:
@@ -236,7 +235,7 @@ class Device(QObject):
 
     @property
     def may_stop_matter(self) -> bool:
-        """True if a motor may turn that this program has driven, connected or not."""
+        """True if a motor that this program drove may still turn."""
         return self.may_move or bool(self.main.driving.lost_board)
 
     def shut_down(self) -> bool:
@@ -355,13 +354,13 @@ class Device(QObject):
         self._handle_files(read.report, opened=opened)
 
     def _handle_files(self, report: Connected, *, opened: bool) -> None:
-        """Select the saved files of the board. `opened`: it may be another board."""
+        """Read the saved files of the board. `opened`: it may be another board."""
         state, is_simulated = report.state, bool(report.settings.name)
         self.edit_backup.take_board(ask=opened, is_simulated=is_simulated)
         self.kept.set_kind(state.signature, opened=opened, is_simulated=is_simulated)
 
     def _on_selected(self, report: Connected) -> None:
-        """Show another board on the line, with its edits. Retain edits of the previous board."""
+        """Show another board on the line. Edits of the former board are retained."""
         self.writer.give_up(tr("Nothing was written: another board was selected."))
         if pending := self.draft.pending:
             text = tr(
@@ -377,7 +376,7 @@ class Device(QObject):
 
     @Slot(object)
     def _on_replaced(self, path: Path) -> None:
-        """Report every file so far, because each message replaces the previous message."""
+        """Report every file so far, because messages replace each other."""
         self._replaced.append(path)
         text = tr(
             "Edits, notes or settings were kept here for another board with this device number. "

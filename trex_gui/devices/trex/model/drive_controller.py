@@ -1,4 +1,4 @@
-"""Setpoints and stops on their way to the board, and their confirmation."""
+"""Setpoints and stops, from the motors to the board."""
 
 import time
 from collections.abc import Callable, Collection, Sequence
@@ -42,25 +42,21 @@ from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier, never
 from trex_gui.ui.runtime import new_timer, now
 
-Routed = Sequence[tuple[int | None, SetpointRequest]]
-"""Setpoints with the number of their board in a group. `None`: the only board."""
+Routed = Sequence[tuple[int | None, SetpointRequest]]  # by number of the board in a group
 
-AfterStop = Callable[[StudioError | None], None]
-"""Called with `None` if a stop is confirmed, otherwise with the reason."""
-
+AfterStop = Callable[[StudioError | None], None]  # called with `None` for a confirmed stop
 
 _REFUSALS = {ErrorCode.OTHER_DRIVES, ErrorCode.MAY_NOT_DRIVE}  # a server refused to arm
 
 
 class DriveController(QObject):
-    """Connects the motors' setpoints to the connection with the board.
+    """Sends setpoints and stops of the motors to the board.
 
-    A board that was not read since the line was opened or silent may be a different board. Its
-    confirmations do not count.
+    Once the line was opened or silent, a different board may respond. Its confirmations do not
+    count before it is read.
     """
 
-    # `reaches_several`, or a stop was confirmed (`may_move` stays if a setpoint followed it)
-    changed = Signal()
+    changed = Signal()  # `reaches_several`, or a confirmed stop, which may leave `may_move`
 
     def __init__(
         self,
@@ -71,27 +67,27 @@ class DriveController(QObject):
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
-        self.may_move = False  # whether motors were driven without a confirmed stop afterwards
-        # Motors (3 is the auxiliary) that got a speed since the last confirmed stop, if known here
+        self.may_move = False  # no stop was confirmed since motors were driven
+        # Motors (3: the auxiliary) that were driven since the last confirmed stop
         self.driven: set[int] = set()
         self._notifier = notifier
         self._motors = motors
         self._mirror = board
         self._connection = connection
-        self._lost_with: ConnectionSettings | None = None  # the line behind which motors may turn
+        self._lost_with: ConnectionSettings | None = None  # line on which motors may turn
         self._lost_place = ""  # `place` of the line in `_lost_with`
-        self._board: Connected | None = None  # the board on the line, as far as known
-        # In a group: setpoints for each board; the number of a board that cannot be driven
+        self._board: Connected | None = None  # as last read
+        # Set by a group: setpoints for each board; number of a board that cannot be driven
         self.routed: Callable[[SetpointRequest], Routed] = lambda request: ((None, request),)
         self.lacking: Callable[[], int | None] = lambda: None
         self.named: Callable[[str], str] = str  # adds the number of the board in a group
-        self.reaches_several = False  # whether commands without a number reach several boards
-        self._was_read = False  # whether a board was read since the line was opened
-        self._is_identified = False  # read since the line was opened or silent: it is `_board`
+        self.reaches_several = False  # commands without a number reach several boards
+        self._was_read = False  # a board was read since the line was opened
+        self._is_identified = False  # `_board` was read since the last silence
         self._lost: list[Connected] = []  # boards that were driven before another board replied
         self._is_loss_reported = True
-        self._after_stop: list[AfterStop] = []  # for the next stop
-        self._unanswered: list[AfterStop] = []  # for stops without an outcome yet
+        self._after_stop: list[AfterStop] = []  # callbacks of the next stop
+        self._unanswered: list[AfterStop] = []  # callbacks of stops without an outcome
         self._heartbeat = new_timer(self, round(HEARTBEAT_INTERVAL * 1000), self._on_heartbeat_due)
         self._unreported = 0  # heartbeats since the last report of the session
         self._armed_at = ""  # local time, as in the guardian's log
@@ -112,10 +108,10 @@ class DriveController(QObject):
         connection.line_closed.connect(self._unsent.stop)
 
     def follow_control(self) -> None:
-        """Allow arming only while this program's commands reach the motors.
+        """Allow arming only while commands reach the motors.
 
-        While channels are in control, the board stores a command until channel 5 hands over. A
-        motor would start later than the user meant.
+        While channels are in control, the board stores a command until channel 5 hands over
+        control. A motor would start unexpectedly.
         """
         reaches_one = self._is_connected and not self.reaches_several
         allowed = reaches_one and bool(self._mirror.serial_controls) and self.lacking() is None
@@ -155,7 +151,8 @@ class DriveController(QObject):
     @Slot(object)
     def _on_drive_requested(self, request: SetpointRequest) -> None:
         routed = (
-            one if number is None else ToBoard(number, one) for number, one in self.routed(request)
+            part if number is None else ToBoard(number, part)
+            for number, part in self.routed(request)
         )
         if all(map(self._connection.submit, routed)):
             self.may_move = True
@@ -179,7 +176,7 @@ class DriveController(QObject):
 
     @Slot()
     def _on_heartbeat_due(self) -> None:
-        """Send a heartbeat. Disarm if the session, which polls the board, reports nothing."""
+        """Send a heartbeat. Disarm if the session reports nothing."""
         self._connection.submit(Heartbeat(now()))
         self._unreported += 1
         seconds, settings = self._unreported * HEARTBEAT_INTERVAL, self._connection.settings
@@ -217,7 +214,7 @@ class DriveController(QObject):
 
     @Slot()
     def _on_stop_not_sent(self) -> None:
-        """Warn that the session does not respond. The guardian gets no heartbeat, so it stops."""
+        """Warn of a hung session. Without heartbeats, the guardian stops the motors."""
         text = tr("The connection is not responding, so the stop could not be sent.")
         parts = [turning_text(self.driven), tr("Cut the power."), text]
         if self._connection.is_guarded:
@@ -262,12 +259,12 @@ class DriveController(QObject):
 
     @property
     def is_group(self) -> bool:
-        """True for a group. If one of its boards confirms a stop, other boards may still move."""
+        """True for a group, whose boards confirm stops one by one."""
         settings = self._connection.settings
         return settings is not None and bool(settings.group)
 
     def confirm(self) -> None:
-        """Stop all boards of a group again, since one stop is unconfirmed."""
+        """Stop a group again if a stop is unconfirmed."""
         if self.may_move and not self._motors.armed:
             self._connection.request(Stop, self._on_stopped)
 
@@ -283,7 +280,7 @@ class DriveController(QObject):
 
     @property
     def lost_board(self) -> str:
-        """Warning about a board that may still be moving, with another board on the line."""
+        """Warning about a lost board that may still be moving."""
         if not self._lost:
             return ""
         text = tr(
@@ -294,7 +291,7 @@ class DriveController(QObject):
         return text.format(_name_of(lost), lost.settings.label)
 
     def record_unconfirmed(self) -> None:
-        """Record that a motor may be moving, after an unconfirmed stop from elsewhere."""
+        """Record that a motor may be moving after an unconfirmed stop."""
         self.may_move = True
         self.changed.emit()
 
@@ -313,7 +310,7 @@ class DriveController(QObject):
                 self._motors.take_board(str(_identity_of(self._board)), is_renamed=True)
 
     def _identify(self, report: Connected) -> bool:
-        """Compare the board with driven and lost boards. Return whether a lost board is back."""
+        """Compare the board with lost boards. Return whether a lost board is back."""
         before, self._board = self._board, report
         self._was_read = self._is_identified = True
         if report.occasion is ReadReason.SELECTED:  # only after the former board has stopped
@@ -393,10 +390,10 @@ class DriveController(QObject):
             self._notifier.error.emit(text.format(lost.label))
 
 
-def _may_be_same(one: Connected, other: Connected) -> bool:
-    """Return whether both may be one board. Simulated boards differ from real ones by a name."""
-    is_named_alike = one.settings.name == other.settings.name
-    return is_named_alike and may_be_same_board(one.state, other.state)
+def _may_be_same(first: Connected, second: Connected) -> bool:
+    """Return whether both may be one board. Only simulated boards have a name."""
+    has_same_name = first.settings.name == second.settings.name
+    return has_same_name and may_be_same_board(first.state, second.state)
 
 
 def _identity_of(board: Connected) -> BoardIdentity:
@@ -408,5 +405,5 @@ def _name_of(board: Connected) -> str:
 
 
 def name_of_board(signature: Signature, number: int | None) -> str:
-    """Return model and firmware, with the device number if there is one."""
+    """Return model and firmware, with the device number if given."""
     return str(signature) if number is None else tr("{0}, device {1}").format(signature, number)

@@ -1,4 +1,4 @@
-"""Drive status of a device, and conditions for driving a motor while a button is held."""
+"""Drive status of a device, and blockers of held controls."""
 
 from collections.abc import Iterable
 
@@ -55,12 +55,12 @@ def setpoint_of(device: Device, motor: int, inputs: DriveInputs) -> MotorSetpoin
 
 
 def fault_text(statuses: Iterable[DriveStatus]) -> str:
-    """Return a sentence for each motor driver that shut down recently. Empty if none did."""
-    return " ".join(one.text for one in statuses if one.blocker is DriveBlocker.FAULT)
+    """Return sentences on motor drivers that shut down recently."""
+    return " ".join(each.text for each in statuses if each.blocker is DriveBlocker.FAULT)
 
 
 def held_drive_blocker(device: Device, holder: str) -> str:
-    """Return why `holder` can acquire no motor, and the remedy. Empty if it can."""
+    """Return why `holder` cannot acquire the motors. Empty if it can."""
     motors = device.motors
     drives = [motors.drive(motor) for motor in (1, 2)]
     is_moving = any(drive and not drive.is_brake and drive.speed for drive in drives)

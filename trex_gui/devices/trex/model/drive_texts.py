@@ -66,21 +66,17 @@ def limit_text(device: Device, motor: int) -> str:
 
 # --- The serial timeout -----------------------------------------------------------------
 
-_OFFERED_S = (0.5, 1.0, 2.0, 5.0)
-"""Timeouts in seconds, of which the first that this line can sustain is offered. In 0.5 s a robot
-at 2 m/s goes a metre, and no working line is silent for so long."""
+_OFFERED_S = (0.5, 1.0, 2.0, 5.0)  # in 0.5 s a robot at 2 m/s goes a metre
 
 
 @dataclass(frozen=True, slots=True)
 class TimeoutWarning:
-    """Problem of the serial timeout, in sentences."""
-
     text: str
-    seconds: float | None  # a better timeout; `None` if no other timeout would help
+    seconds: float | None  # a better timeout, if any
 
 
 def timeout_warning(device: Device) -> TimeoutWarning | None:
-    """Return the problem of a serial timeout in the group. `None` if there is none."""
+    """Return the first problem of a serial timeout in the group."""
     if (own := _own_warning(device)) is not None:
         return TimeoutWarning(device.named(own.text), own.seconds)
     for other in device.others:
@@ -101,13 +97,13 @@ def _own_warning(device: Device) -> TimeoutWarning | None:
 def timeout_warning_on(
     settings: ConnectionSettings, timeout: float, stop: TimeoutStop, *, is_guarded: bool
 ) -> TimeoutWarning | None:
-    """Return the problem of a timeout in seconds (0: off) that has the effect `stop`."""
+    """Return the problem of a timeout in seconds (0: off) with the effect `stop`."""
     latency = latency_of(settings.url) + settings.timeouts.extra
 
-    def can_keep(seconds: float) -> bool:
+    def sustains(seconds: float) -> bool:
         return survives_a_loss(settings.line, seconds, latency)
 
-    better = next(filter(can_keep, _OFFERED_S), _OFFERED_S[-1])
+    better = next(filter(sustains, _OFFERED_S), _OFFERED_S[-1])
     if timeout == 0 and is_guarded:
         text = tr("Serial timeout is off: motors keep turning if the cable or this computer fails.")
     elif timeout == 0:
@@ -133,7 +129,7 @@ def timeout_warning_on(
             "board when it was tried: they keep turning if the cable or this computer fails."
         )
         better = max(better, timeout)
-    elif timeout >= better or can_keep(timeout):
+    elif timeout >= better or sustains(timeout):
         if is_guarded:
             return None
         text = tr(

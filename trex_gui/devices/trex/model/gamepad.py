@@ -17,8 +17,8 @@ from trex_gui.gamepad.profile import (
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer
 
-HOLDER = "gamepad"  # the name under which a gamepad holds the motors
-STEP_MS = 17  # some 59 reads a second, about the frame rate of a screen
+HOLDER = "gamepad"  # name that acquires the motors
+STEP_MS = 17  # about the frame rate of a screen
 
 _NOTHING = PilotRequest(0.0, 0.0, Waits.REST, stop=False)
 
@@ -26,12 +26,12 @@ _NOTHING = PilotRequest(0.0, 0.0, Waits.REST, stop=False)
 class Gamepad(QObject):
     """Reads a gamepad while switched on, and sets speeds from its sticks.
 
-    Drives only while the reason of `attend` is empty. The gamepad's stop button works whenever
-    reading is on. One gamepad is read at a time. Each kind of gamepad has its own saved profile.
+    `attend` may prevent driving, but not the stop button of the gamepad. One gamepad is read at a
+    time. Each kind of gamepad has its own saved profile.
     """
 
     changed = Signal()  # any attribute but `state` and `request`
-    moved = Signal()  # `state` and `request`; many times a second while the gamepad is touched
+    moved = Signal()  # `state` and `request`, many times a second
 
     def __init__(self, device: Device, source: SdlPads, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -40,17 +40,17 @@ class Gamepad(QObject):
         self._drive_with = MomentaryDrive(device.motors, HOLDER)
         self._source = source
         self._store = Preferences()
-        self.on = False  # whether gamepads are read
-        self.failure = ""  # why gamepads cannot be read, and what helps; empty if they can
-        self.pads: tuple[Pad, ...] = ()  # the gamepads that are connected
-        self.pad: Pad | None = None  # the gamepad that is read
-        self.gone = ""  # the name of the gamepad that was disconnected, until another is read
+        self.on = False
+        self.failure = ""  # reason and remedy if gamepads cannot be read
+        self.pads: tuple[Pad, ...] = ()  # connected gamepads
+        self.pad: Pad | None = None  # gamepad being read
+        self.gone = ""  # name of a disconnected gamepad
         self.profile = GamepadProfile()
         self.state: PadState | None = None  # state of `pad`; `None` while no gamepad is read
-        self.request = _NOTHING  # setpoints of `pad`, whether the motors follow or not
-        self.text = ""  # what `pad` does or waits for, as a sentence; empty while switched off
+        self.request = _NOTHING  # setpoints of `pad`, even if not sent
+        self.text = ""  # state as a sentence; empty while switched off
         self._pilot = Pilot(self.profile)
-        self._has_read = False  # whether the gamepad was read since the pilot started
+        self._has_read = False  # the gamepad was read since the pilot started
         self._unattended = ""
         self._timer = new_timer(self, STEP_MS, self._on_step)
         self._motors.arming_changed.connect(self._on_arming_changed)
@@ -63,13 +63,13 @@ class Gamepad(QObject):
 
     @property
     def stops_unfocused(self) -> bool:
-        """True if motors that the gamepad drives stop when the window loses focus."""
+        """True if the gamepad stops driving when the window loses focus."""
         return self._store.flag("gamepad/stops_unfocused", default=True)
 
     # --- User actions -------------------------------------------------------------------
 
     def switch_on(self) -> None:
-        """Start reading gamepads. If that fails, `failure` says why."""
+        """Start reading gamepads. An error sets `failure`."""
         if self.on:
             return
         try:
@@ -106,7 +106,7 @@ class Gamepad(QObject):
             self._refresh()
 
     def set_profile(self, profile: GamepadProfile) -> None:
-        """Set and save the profile of this kind of gamepad. Stop motors that the gamepad drives."""
+        """Set and save the profile. Stop motors that the gamepad drives."""
         if self.pad is not None and profile != self.profile:
             self._drive_with.abort(tr("The gamepad settings were changed."))
             self._store.set(f"gamepad/profiles/{self.pad.guid}", profile.to_text())
@@ -118,7 +118,7 @@ class Gamepad(QObject):
         self.changed.emit()
 
     def attend(self, reason: str) -> None:
-        """Set why the user cannot see what it drives. A reason stops and prevents driving."""
+        """Prevent driving for this reason. An empty reason allows driving."""
         if reason != self._unattended:
             self._unattended = reason
             if reason:
@@ -165,7 +165,7 @@ class Gamepad(QObject):
         self.changed.emit()
 
     def _on_pad_lost(self, pad: Pad) -> None:
-        """Stop motors that a lost gamepad drives. The next scan may find another gamepad."""
+        """Stop motors that a lost gamepad drives."""
         self.gone = pad.name
         self._update(None)
         self._drive_with.abort(tr("The gamepad “{0}” was disconnected.").format(pad.name))
@@ -177,7 +177,7 @@ class Gamepad(QObject):
         if not self.request.drives:
             self._drive_with.release()
         elif not self._drive_with.steer(self.request.forward, self.request.turn):
-            self._start()  # another control drives; after that, the button must be pressed again
+            self._start()  # another control drives: the button must be pressed again
 
     @Slot()
     def _on_arming_changed(self) -> None:
@@ -185,7 +185,7 @@ class Gamepad(QObject):
         self._report()
 
     def _start(self) -> None:
-        """Require again that the sticks are at rest and the button is released."""
+        """Require released sticks and a released button."""
         self._pilot.reset()
         self._has_read = False
 
@@ -258,7 +258,7 @@ def axis_text(pad: Pad, number: int) -> str:
 
 
 def _with_part(text: str, part: str) -> str:
-    """Append the name of a part in words. Falls back to SDL's own name."""
+    """Append the name of a part. Falls back to SDL's own name."""
     words = {
         "leftx": tr("left stick, sideways"),
         "lefty": tr("left stick, up and down"),

@@ -1,4 +1,4 @@
-"""Boards on one line that are driven together: their devices and wheels."""
+"""Group of boards that are driven together on one line."""
 
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
@@ -47,16 +47,16 @@ class BoardGroup(QObject):
         return {settings.group[0]: self._device, **self._others}
 
     def proposed(self, numbers: Iterable[int]) -> tuple[Wheel, ...]:
-        """Return the wheels last chosen for these boards on this line, or a default."""
+        """Return the saved wheels of these boards, or a default."""
         boards = sorted(numbers)
         with suppress(ValueError):
-            kept = unpacked(Preferences().text(self._key(boards)))
-            if {wheel.board for wheel in kept} == set(boards):
-                return kept
+            saved = unpacked(Preferences().text(self._key(boards)))
+            if {wheel.board for wheel in saved} == set(boards):
+                return saved
         return front_and_back(boards)
 
     def join(self, wheels: Sequence[Wheel]) -> None:
-        """Drive the boards of these wheels together from now on. Opens the line again."""
+        """Drive the boards of these wheels together. Opens the line again."""
         settings, numbers = self._device.settings, sorted({wheel.board for wheel in wheels})
         if settings is not None:
             Preferences().set(self._key(numbers), packed(wheels))
@@ -64,7 +64,7 @@ class BoardGroup(QObject):
 
     @property
     def can_change(self) -> bool:
-        """True if boards can be joined or parted here. A server has a fixed set of boards."""
+        """True if boards can be joined or parted. A server has a fixed group."""
         settings = self._device.settings
         return settings is not None and not is_served(settings.url)
 
@@ -111,7 +111,7 @@ class BoardGroup(QObject):
         self._device.others = list(self._others.values())
         self._device.motors.are_sides = bool(numbers)
         for number, device in (self.devices or {0: self._device}).items():
-            device.wheels = {one.motor: one for one in self.wheels if one.board == number}
+            device.wheels = {wheel.motor: wheel for wheel in self.wheels if wheel.board == number}
         self.changed.emit()
 
     def _new_device(self, number: int) -> Device:

@@ -25,20 +25,20 @@ class SettingsLinter(QObject):
         self._on_changed()
 
     def set_context(self, context: Context | None) -> None:
-        """Set facts that the rules need besides settings. `None` switches the check off."""
+        """Set facts about the board. `None` switches the check off."""
         if context != self._context:
             self._context = context
             self._on_changed()
 
     def accept(self, finding: LintFinding) -> None:
-        """Edit the settings as the finding proposes, in one undo step."""
+        """Apply the proposed change in one undo step."""
         if finding.change:
             with self._draft.one_edit(finding.proposal):
                 for key, wire in finding.change.items():
                     self._draft.parameters.edit(key, wire)
 
     def check(self, settings: Settings | None) -> tuple[LintFinding, ...]:
-        """Return the findings about any settings, in the present context."""
+        """Return the findings about these settings."""
         if settings is None or self._context is None:
             return ()
         return lint(settings, self._context)
@@ -52,7 +52,7 @@ class SettingsLinter(QObject):
 
 
 class BoardLinter(SettingsLinter):
-    """Uses the line and the motors as context. Reports nothing while no board is connected."""
+    """Checks a connected board in the context of its line and motors."""
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(device.draft, parent)
@@ -72,5 +72,5 @@ class BoardLinter(SettingsLinter):
             self.set_context(None)
             return
         stored = self._device.parameters.values.stored.get(ParameterKey.SERIAL_TIMEOUT)
-        self._drove |= self._device.motors.armed or bool(stored)  # a timeout is set for a computer
+        self._drove |= self._device.motors.armed or bool(stored)  # a computer drives
         self.set_context(Context(self._drove, self._device.connection.port_rates, settings.line))

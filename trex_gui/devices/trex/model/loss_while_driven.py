@@ -1,4 +1,4 @@
-"""Messages about a board that was lost while driven, after its confirmed stop."""
+"""Messages about a board that was lost while driven."""
 
 from functools import partial
 
@@ -14,15 +14,15 @@ from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.notifier import Answer
 from trex_gui.ui.runtime import now
 
-_MARGIN_S = 1.0  # between the timeout and the moment when the user sees that a motor has stopped
+_MARGIN_S = 1.0  # for the motor to come to rest
 
 
 class LossWhileDriven(QObject):
-    """Reports the confirmed stop, and asks whether the serial timeout stopped the motor.
+    """Reports the confirmed stop of a board that was lost while driven.
 
-    Asks only if the board has latched the timeout, so that neither was its power cut nor did a
-    stop arrive before. Only the user knows the answer, since a board that is back is sent a stop
-    first. The answer replaces the board's earlier answer. Never asks about a simulated board.
+    If the board has latched its serial timeout, asks the user whether the timeout stopped the
+    motor. The program cannot know, because it sends a stop first. The answer replaces an earlier
+    answer. Simulated boards are skipped.
     """
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
@@ -30,14 +30,14 @@ class LossWhileDriven(QObject):
         self._device = device
         self._lost_at: float | None = None
         self._lost_place = ""
-        self._has_shutdown = False  # whether UART-Error Shutdown was on when the board was lost
-        self._silent_for: float | None = None  # seconds, if this silence may have stopped motors
+        self._has_shutdown = False  # UART-Error Shutdown was on
+        self._silent_for: float | None = None  # s, if that may have stopped motors
         self._has_timed_out = False
 
         device.connection.not_responding.connect(self._on_lost)
         device.connection.line_closed.connect(self._on_lost)
         device.driving.changed.connect(self._on_confirmed)
-        device.connection.ready.connect(self._on_confirmed)  # a stop may be confirmed before
+        device.connection.ready.connect(self._on_confirmed)  # the stop may be confirmed already
         device.sampled.connect(self._on_sampled)
 
     @Slot()
@@ -66,8 +66,8 @@ class LossWhileDriven(QObject):
 
     @Slot(object)
     def _on_sampled(self, batch: Batch) -> None:
-        statuses = (one for one in batch.samples if isinstance(one, LatchedStatus))
-        if any(one.uart & UartError.TIMEOUT for one in statuses):
+        statuses = (each for each in batch.samples if isinstance(each, LatchedStatus))
+        if any(status.uart & UartError.TIMEOUT for status in statuses):
             self._has_timed_out = True
             self._prompt()
 

@@ -1,4 +1,4 @@
-"""Controls that drive while held, with slowly growing speeds."""
+"""Controls that drive motors while held."""
 
 import math
 from collections.abc import Iterable
@@ -10,22 +10,21 @@ from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.ui.runtime import new_timer, now
 
-GROWTH = 127.0  # largest change of speed within a second: full speed after a second (inferred)
+GROWTH = 127.0  # speed steps per second: full speed after a second (inferred)
 _GROWTH_MS = 20
 
 
 class MomentaryDrive(QObject):
-    """Drives with forward and turn, as the holder `name`. `joint`: both drivers power one motor.
+    """Drives with forward and turn, as holder `name`.
 
-    Speeds grow by `GROWTH` a second, so that a tapped key or an edge of the pad causes no jump.
-    They fall at once.
+    Speeds grow by `GROWTH` a second, so that a tapped key causes no jump. They fall at once.
     """
 
     def __init__(self, motors: Motors, name: str) -> None:
         super().__init__(motors)
         self._motors = motors
         self.name = name
-        self.joint = False
+        self.joint = False  # both drivers power one motor
         self._direction = 0.0, 0.0  # forward and turn
         self._speeds = 0.0, 0.0
         self._grown_at = -math.inf
@@ -38,11 +37,11 @@ class MomentaryDrive(QObject):
 
     @property
     def can_turn(self) -> bool:
-        """True if the motors may have different speeds: they are neither linked nor joint."""
+        """True if the motors may have different speeds."""
         return not (self.joint or self._motors.linked)
 
     def steer(self, forward: float, turn: float) -> bool:
-        """Drive at -1 to 1 of the speed ceiling. Return whether the motors were acquired."""
+        """Drive forward and turn, each -1 to 1. Return whether the motors were acquired."""
         if not self._motors.acquire(self.name):
             return False
         self._direction = forward, turn
@@ -52,7 +51,7 @@ class MomentaryDrive(QObject):
 
     @Slot()
     def _grow(self) -> None:
-        """Approach the wanted speeds. Neither a late timer nor a first step causes a jump."""
+        """Approach the requested speeds. A late timer causes no jump."""
         forward, turn = self._direction
         ceiling = self._motors.ceiling_in_force
         goal: tuple[float, float] = mix(forward, turn if self.can_turn else 0.0, ceiling)
@@ -74,47 +73,46 @@ class MomentaryDrive(QObject):
             self._speeds = 0.0, 0.0
 
     def release(self) -> None:
-        """Brake the motors that this control drives. The motors stay armed."""
+        """Brake the motors, which stay armed."""
         self._motors.release(self.name)
 
     def abort(self, reason: str) -> None:
-        """Stop and disarm if it is unknown whether the control is still held."""
+        """Stop and disarm if the control may no longer be held."""
         self._motors.abort(self.name, reason)
 
 
 def grown(
-    speeds: tuple[float, float], goal: tuple[float, float], most: float
+    speeds: tuple[float, float], goal: tuple[float, float], limit: float
 ) -> tuple[float, float]:
-    """Return the next speeds on the way to the goal. None grows by more than `most`.
+    """Return the next speeds towards the goal.
 
-    Both speeds grow in proportion, which retains the curve. A speed falls at once, and to zero if
-    the direction changes.
+    Speeds grow by `limit` at most, in proportion, so that the curve stays. They fall at once, and
+    to zero if the direction changes.
     """
     left, right = (
         math.copysign(min(abs(speed), abs(aim)), aim) if speed * aim > 0 else 0.0
         for speed, aim in zip(speeds, goal, strict=True)
     )
     growth = max(abs(goal[0] - left), abs(goal[1] - right))
-    if growth <= most:
+    if growth <= limit:
         return goal
-    share = most / growth
+    share = limit / growth
     return left + share * (goal[0] - left), right + share * (goal[1] - right)
 
 
 def mix(forward: float, turn: float, ceiling: int = FULL_SCALE) -> tuple[int, int]:
     """Return speeds of motors 1 and 2. `forward` and `turn` are -1 to 1.
 
-    Motor 1 is on the left. The board mixes channels alike (inferred, reference section 3), so a
-    robot turns the same way by pad and by stick. A sum beyond full speed reduces both in
-    proportion, to keep the curve. `ceiling` (1 to 127) is the speed of full deflection.
+    Motor 1 is on the left. The board mixes channels in the same way (inferred, reference section
+    3). A sum beyond full speed reduces both speeds in proportion. `ceiling` (1 to 127) is the speed
+    at full deflection.
     """
     left, right = forward + turn, forward - turn
     scale = ceiling / max(1.0, abs(left), abs(right))
     return round(left * scale), round(right * scale)
 
 
-TURN_WHILE_GOING = 0.5
-"""Turn of a key while a key for forward or back is held. With a full turn one side would stop."""
+TURN_WHILE_GOING = 0.5  # turn with forward or back: at 1, one side would stop
 
 
 class Heading(Enum):

@@ -1,4 +1,4 @@
-"""Setpoints of the motors, arming, the lock after a stop, and who holds the motors."""
+"""Setpoints, arming and lockout of the motors."""
 
 import math
 from collections.abc import Mapping
@@ -18,62 +18,59 @@ _STEP_MS = 100
 _KEY = "motors/lockout"
 
 FIRST_CEILING = round(0.3 * FULL_SCALE)
-"""Speed ceiling of a board until the user sets another (inferred). A robot whose motors are swapped
-can still be caught."""
+"""Default speed ceiling (inferred). A robot with swapped motors can still be caught."""
 
 LOCKOUT = 3.0
-"""Default lock after a pressed stop, in seconds (inferred). Without a lock, a slider that is still
-being dragged starts its motor again."""
+"""Default lockout after a pressed stop, in seconds (inferred).
 
-LONGEST = 10.0
-_AUXILIARY = 0  # the number of the auxiliary motor beside motors 1 and 2
+Without a lockout, a slider that is still being dragged starts its motor again.
+"""
+
+LONGEST = 10.0  # s of lockout
+_AUXILIARY = 0  # number of the auxiliary motor
 
 
 class Motors(QObject):
-    """The setpoints of both motors and the auxiliary. They are ignored before `arm`.
+    """Setpoints of both motors and the auxiliary, ignored before `arm`.
 
     A momentary control (pad, keys, gamepad, bench test) acquires the motors and passes its name as
-    `holder` with each setpoint. Setpoints without that name are ignored until `release`, and
-    setpoints with it are ignored afterwards. Setpoints outside their range raise `BadRequest`.
+    `holder` with each setpoint. Until `release`, only its setpoints count. Setpoints outside their
+    range raise `BadRequest`.
 
     Set attributes through methods, except `accelerate`, `lockout` and `adapter`.
     """
 
-    # `armed`, `is_available` or `stop_reason`; start, each second and end of `locked_for`
-    arming_changed = Signal()
-    setpoints_changed = Signal()  # what `drive`, `auxiliary` and `text` return
+    arming_changed = Signal()  # also each second of `locked_for`
+    setpoints_changed = Signal()  # `drive`, `auxiliary` or `text`
     holder_changed = Signal()
     options_changed = Signal()  # `board`, `ceiling`, `linked` or `release_brake`
-    # Another board is connected: the user has to switch the gamepad on again
-    board_changed = Signal()
-    # A `SetMotor`, a `SetAuxiliary`, or a `SetMotors` if both motors start at once
-    requested = Signal(object)
-    stop_requested = Signal()  # stop everything now; emitted before any other signal of a stop
+    board_changed = Signal()  # another board is connected
+    requested = Signal(object)  # a `SetMotor`, `SetMotors` or `SetAuxiliary`
+    stop_requested = Signal()  # before any other signal of a stop
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        # Whether speeds follow the board's ramp (accelerate) or apply at once (set)
-        self.accelerate = True
+        self.accelerate = True  # speeds follow the board's ramp
         self._store = Preferences()
-        # Seconds without arming after `press_stop`, 0 to 10
+        # Seconds after `press_stop`, 0 to 10
         self.lockout = self._store.real(_KEY, LOCKOUT, 0.0, LONGEST)
         self.armed = False
-        self.is_available = False  # whether serial commands can drive; see also `locked_for`
-        self.stop_reason = ""  # why the motors were stopped last; empty if the user pressed stop
-        self.holder = ""  # the name of the control that has acquired the motors; empty if none has
-        self.auxiliary = 0  # the setpoint of the auxiliary motor, 0-127
-        self.board = ""  # name under which its ceiling is saved; empty before a board is read
-        self.adapter = ""  # key of the adapter, to tell identical boards apart; empty if unknown
-        self.is_first_drive = True  # whether no ceiling was ever chosen for this board
-        self.ceiling = FIRST_CEILING  # greatest speed that is sent, 1-127
-        # Not raised with `ceiling` while a control is held: a still stick must not speed motors up
+        self.is_available = False  # serial commands can drive
+        self.stop_reason = ""  # of the last stop; empty if the user pressed stop
+        self.holder = ""  # name of the control that has acquired the motors
+        self.auxiliary = 0  # setpoint of the auxiliary motor, 0-127
+        self.board = ""  # key of the saved ceiling; empty before a board is read
+        self.adapter = ""  # distinguishes identical boards; empty if unknown
+        self.is_first_drive = True  # no ceiling was ever set for this board
+        self.ceiling = FIRST_CEILING  # highest speed that is sent, 1-127
+        # Not raised while a control is held: a resting stick must not speed up motors
         self.ceiling_in_force = FIRST_CEILING
-        self.are_sides = False  # whether motors 1 and 2 are the left and the right of a group
-        self.linked = False  # whether a setpoint of one motor applies to both
+        self.are_sides = False  # motors 1 and 2 are the sides of a group
+        self.linked = False  # a setpoint of one motor applies to both
         self.release_brake = FULL_SCALE  # duty when a momentary control ends, 0 (coast) to 127
         self._drives: dict[int, Drive] = {}
         self._held: set[int] = set()
-        self._options: tuple[bool, bool] | None = None  # before a control has changed them
+        self._options: tuple[bool, bool] | None = None  # saved while a control overrides them
         self._locked_until = -math.inf
         self._announced = 0
         self._lockout_timer = new_timer(self, _STEP_MS, self._on_lockout_step)
@@ -83,12 +80,12 @@ class Motors(QObject):
         return self.is_available and not self.armed and not self.locked_for
 
     def drive(self, motor: int) -> Drive | None:
-        """The setpoint of motor 1 or 2. `None` if there was none since arming."""
+        """Return the setpoint of motor 1 or 2. `None` before the first setpoint."""
         return self._drives.get(motor)
 
     @property
     def text(self) -> str:
-        """The setpoints in short: `motor 1 +90, motor 2 brake, auxiliary 40`."""
+        """Setpoints in short: `motor 1 +90, motor 2 brake, auxiliary 40`."""
         parts = []
         for motor, drive in sorted(self._drives.items()):
             value = tr("brake") if drive.is_brake else signed_text(drive.signed)
@@ -103,9 +100,9 @@ class Motors(QObject):
     # --- Options ------------------------------------------------------------------------
 
     def take_board(self, board: str, *, is_renamed: bool = False) -> None:
-        """Use the ceiling that was chosen for a board, else `FIRST_CEILING`, and unlink motors.
+        """Load the saved ceiling of a board, and unlink its motors.
 
-        A board that is only renamed keeps its ceiling and link, whatever its new name had.
+        With `is_renamed`, ceiling and link stay. The ceiling is saved under the new name.
         """
         board = "-".join(filter(None, (board, self.adapter)))
         if board == self.board:
@@ -124,7 +121,7 @@ class Motors(QObject):
         self._limit_to(chosen or FIRST_CEILING)
 
     def set_ceiling(self, speed: int) -> None:
-        """Limit the speeds of this board, now and later. Faster motors slow down to the ceiling.
+        """Set and save the speed ceiling of this board. Faster motors slow down.
 
         A higher ceiling applies from the next setpoint, or once a held control is released.
         """
@@ -137,13 +134,13 @@ class Motors(QObject):
 
     @Slot(int)
     def set_lockout(self, seconds: float) -> None:
-        """Set and remember the `lockout`, limited to 0 to `LONGEST`."""
+        """Set and save `lockout`, limited to `LONGEST`."""
         self.lockout = float(min(max(seconds, 0.0), LONGEST))
         self._store.set(_KEY, self.lockout)
 
     @property
     def arms_without_timeout(self) -> bool:
-        """True if the user arms this board although no serial timeout would stop it."""
+        """True if the user accepts arming without a serial timeout."""
         return self._store.flag(f"motors/without_timeout/{self.board}", default=False)
 
     def remember_arming_without_timeout(self) -> None:
@@ -165,13 +162,13 @@ class Motors(QObject):
 
     @property
     def can_link(self) -> bool:
-        """True if linking would change no speed: both at rest, or both at the same setpoint."""
+        """True if linking would change no speed."""
         first, second = (self._drives.get(motor, Drive.brake()) for motor in (1, 2))
         at_rest = all(drive.is_brake or not drive.speed for drive in (first, second))
         return at_rest or first == second
 
     def set_linked(self, linked: bool) -> None:
-        """Apply setpoints to both motors from now on. Ignored unless `can_link`."""
+        """Link or unlink the motors. Linking requires `can_link`."""
         self.linked = linked and (self.linked or self.can_link)
         self.options_changed.emit()
 
@@ -182,7 +179,7 @@ class Motors(QObject):
     # --- Arming and stopping ------------------------------------------------------------
 
     def set_available(self, available: bool) -> None:
-        """Set whether a board can be driven. If not, disarm the motors without sending a stop."""
+        """Set whether a board can be driven. If not, disarm without a stop."""
         was_available, self.is_available = self.is_available, available
         if not available:
             self._disarm()
@@ -190,14 +187,14 @@ class Motors(QObject):
             self.arming_changed.emit()
 
     def arm(self) -> None:
-        """Send setpoints from now on, beginning at rest. Ignored while locked or unavailable."""
+        """Arm the motors at rest. Ignored while locked or unavailable."""
         if self.can_arm:
             self.armed = True
             self.stop_reason = ""
             self.arming_changed.emit()
 
     def press_stop(self, *, reason: str = "") -> None:
-        """Stop at the user's request, or for a `reason`. Lock arming for `lockout` seconds."""
+        """Stop everything, and lock arming for `lockout` seconds."""
         self._locked_until = max(self._locked_until, now() + self.lockout)
         self._announced = math.ceil(self.locked_for)
         self._lockout_timer.start()
@@ -205,7 +202,7 @@ class Motors(QObject):
 
     @property
     def locked_for(self) -> float:
-        """Seconds for which the motors cannot be armed because stop was pressed, or 0."""
+        """Remaining lockout in seconds."""
         return max(0.0, self._locked_until - now())
 
     @Slot()
@@ -218,7 +215,7 @@ class Motors(QObject):
             self.arming_changed.emit()
 
     def stop(self, reason: str = "") -> None:
-        """Stop everything and disarm, armed or not: a stop is never rejected."""
+        """Stop everything and disarm. A stop is never rejected."""
         self.stop_reason = reason
         self._disarm(stopping=True)
 
@@ -241,9 +238,9 @@ class Motors(QObject):
     # --- Momentary controls -------------------------------------------------------------
 
     def acquire(self, holder: str, *, accelerate: bool | None = None) -> bool:
-        """Reserve the motors for a momentary control. Return whether the control has them now.
+        """Reserve the motors for a control. Return whether it holds them now.
 
-        With `accelerate`, set the ramp option and unlink the motors until `release`.
+        A given `accelerate` overrides the ramp option and unlinks the motors until `release`.
         """
         if not self.armed or self.holder not in {"", holder}:
             return False
@@ -257,7 +254,7 @@ class Motors(QObject):
         return True
 
     def release(self, holder: str) -> None:
-        """End the reservation. Motors that this control drove brake with `release_brake`."""
+        """Release the motors. Driven motors brake with `release_brake`."""
         if not holder or self.holder != holder:
             return
         rest = Drive.brake(self.release_brake)
@@ -269,7 +266,7 @@ class Motors(QObject):
         self.holder_changed.emit()
 
     def abort(self, holder: str, reason: str) -> None:
-        """Stop and disarm because a held control is gone or not visible."""
+        """Stop and disarm if this control holds the motors."""
         if holder and self.holder == holder:
             self.stop(reason)
 
@@ -290,7 +287,7 @@ class Motors(QObject):
         self._set_for({motor: self._at(speed)}, holder)
 
     def set_speeds(self, first: int, second: int, holder: str = "") -> None:
-        """Drive both motors at signed speeds. If they are linked, the first applies to both."""
+        """Drive both motors at signed speeds. If linked, the first applies to both."""
         self._set_for({1: self._at(first), 2: self._at(second)}, holder)
 
     def set_brake(self, motor: int, duty: int, holder: str = "") -> None:
@@ -313,7 +310,7 @@ class Motors(QObject):
             self._set(drives)
 
     def _at(self, speed: int) -> Drive:
-        _ = Drive.at(speed)  # raises for an invalid speed, which must not be limited
+        _ = Drive.at(speed)  # raises on an invalid speed instead of limiting it
         return Drive.at(max(-self.ceiling_in_force, min(self.ceiling_in_force, speed)))
 
     def _set(self, drives: Mapping[int, Drive]) -> None:

@@ -1,4 +1,4 @@
-"""Packets that the user types: meaning, blockers, sending and replies."""
+"""Packets typed by the user: preview, sending and replies."""
 
 from functools import partial
 
@@ -36,7 +36,7 @@ class TrexPacketSender(PacketSender):
         except BadRequest as error:
             return SendPreview(blocker=str(error))
         lines, risky = [self._line(packet) for packet in packets], list(map(_is_risky, packets))
-        # If there is no space for all packets, show packets that move or store something.
+        # Prefer packets that move or store something.
         by_risk = sorted(range(len(lines)), key=lambda index: not risky[index])
         shown = [lines[index] for index in sorted(by_risk[:_MOST_LINES])]
         if left := len(lines) - len(shown):
@@ -48,8 +48,8 @@ class TrexPacketSender(PacketSender):
         packets = self._packets(text)
         for packet in packets:
             if _is_risky(packet):
-                said = tr("Sent by hand: {0}").format(packet.words(self._device.signature))
-                self._device.events.add(EventKind.NOTE, said)
+                text = tr("Sent by hand: {0}").format(packet.words(self._device.signature))
+                self._device.events.add(EventKind.NOTE, text)
             self._device.connection.traffic.expect_typed(packet.packet.raw)
             self._device.driving.send_packet(packet, partial(self._on_replied, packet))
 

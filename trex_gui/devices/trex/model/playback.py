@@ -1,4 +1,4 @@
-"""Playback of a recording of a board."""
+"""Playback of a board's recording."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
@@ -16,11 +16,11 @@ from trex_gui.ui.playback.player import Curves, RecordingPlayer
 from trex_gui.ui.plotting.history import MAX_GAP, SampleHistory
 from trex_gui.ui.plotting.traces import Traces
 
-MAX_ROWS = 3_000_000  # most rows drawn: ten hours at 80 rows a second, 240 MB
+MAX_ROWS = 3_000_000  # ten hours at 80 rows a second, 240 MB
 
 
 class Playback(RecordingPlayer[Header, Record, BoardSnapshot]):
-    """One recording of a board. A row is drawn for each sample of the currents."""
+    """Playback with a row for each sample of the currents."""
 
     def __init__(self, recording: Recording[Header, Record]) -> None:
         header = recording.header
@@ -37,7 +37,7 @@ class Playback(RecordingPlayer[Header, Record, BoardSnapshot]):
 
 
 def _rows(state: BoardSnapshot, records: Iterable[Record], unit: float) -> list[tuple[float, ...]]:
-    """Return a row for each sample of the currents. Its columns are those of `Series`."""
+    """Return a row for each sample of the currents, in the order of `Series`."""
     rows = []
     for record in records:
         state.update(record)

@@ -1,4 +1,4 @@
-"""Power cycle of a board, step by step, to make stored settings active."""
+"""Power cycle of a board, which makes stored settings active."""
 
 from collections.abc import Collection
 from enum import Enum, auto
@@ -16,7 +16,7 @@ _LONG_MS = 10_000
 
 
 class PowerCycleStage(Enum):
-    """A silent board counts as switched off, because the two cannot be told apart."""
+    """Stage of a power cycle. A silent board counts as switched off."""
 
     NONE = auto()
     OFF_WANTED = auto()
@@ -39,8 +39,8 @@ class PowerCycle(QObject):
         super().__init__(parent)
         self._device = device
         self.stage = PowerCycleStage.NONE
-        self.takes_long = False  # nothing has happened for 10 s: a hint is due
-        self.expected: ConnectionSettings | None = None  # after the cycle, if they change
+        self.takes_long = False  # nothing has happened for 10 s
+        self.expected: ConnectionSettings | None = None  # new line settings, if any
         self._timeout = new_timer(self, _LONG_MS, self._on_timeout, single_shot=True)
 
         device.link_changed.connect(self._on_link_changed)
@@ -51,10 +51,10 @@ class PowerCycle(QObject):
         return self._device.parameters.values.waiting_for_power
 
     def start(self, failed: Collection[str] = ()) -> None:
-        """Wait until the board is switched off, and on again.
+        """Wait until the board is switched off and on.
 
-        `failed` are the keys whose write failed. If they affect how the board is reached, the
-        search continues at all settings that Apply expected.
+        `failed` has keys that were not written. If a key affects the line, the search includes all
+        settings that Apply expected.
         """
         state, settings = self._device.state, self._device.settings
         if state is None or settings is None or not self._device.is_connected:

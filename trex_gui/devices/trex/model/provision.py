@@ -1,4 +1,4 @@
-"""Setup of many boards in turn on one cable, with a profile, numbers, and a record."""
+"""Setup of boards one after the other, from a profile."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -40,24 +40,24 @@ class ProvisionStep(Enum):
 
 
 class Provision(QObject):
-    """Sets up each board that is connected to the line, once the user confirms."""
+    """Sets up each connected board after the user's review."""
 
     changed = Signal()  # any attribute below
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.step = ProvisionStep.PROFILE
-        self.board: ProvisionedBoard | None = None  # its line in the record, proposed or final
-        self.comparison = Comparison(())  # differences to write, or that were written
+        self.board: ProvisionedBoard | None = None  # line in the record, proposed or final
+        self.comparison = Comparison(())  # differences, before or after the write
         self.done: list[ProvisionedBoard] = []  # lines of the record since `start`
-        self.problem = ""  # for the user: why the board or the record cannot be used
+        self.problem = ""  # reason why the board or record cannot be used
         self.pulses = MotorPulses(device, self)
         self.turns_motors = False
         self._device = device
         self._profile: Settings | None = None
         self._record: ProvisionRecord | None = None
         self._is_ending = False
-        self._saving: Callable[[], None] | None = None  # what follows once the record is saved
+        self._saving: Callable[[], None] | None = None  # next step once the record is saved
         device.link_changed.connect(self._on_board_changed)
         device.state_changed.connect(self._on_board_changed)
         device.applied.connect(self._on_applied)
@@ -73,30 +73,29 @@ class Provision(QObject):
         self._on_board_changed()
 
     def write(self) -> None:
-        """Write the reviewed values. Record the number before the board can have it."""
+        """Write the reviewed values, after the number is recorded."""
         if self.step is ProvisionStep.REVIEW and self.board and self._device.writer.can_apply:
             self._go(ProvisionStep.WRITE)
             self._save(self.board, self._write)
 
     def skip(self) -> None:
-        """Leave the board as it is."""
+        """Record the board as skipped."""
         stored = self._device.draft.stored
         if self.step is ProvisionStep.REVIEW and self.board and self._record and stored:
             self._finish(self._record.skipped(self.board, stored))
 
     def finish_motors(self, *, turned: bool) -> None:
-        """Record that the user saw both motors turn, or not."""
+        """Record whether the user saw both motors turn."""
         if self.step is ProvisionStep.MOTORS and self.board is not None:
             self.pulses.stop("")
             self._finish(self.board if turned else replace(self.board, result=NOT_TRIED))
 
     def retry(self) -> None:
-        """Save the record again."""
         if self.problem and self._saving is not None and self.board is not None:
             self._save(self.board, self._saving)
 
     def stop(self) -> None:
-        """End the work. A board that is being written or recorded is finished first."""
+        """End the setup after the present board is written and recorded."""
         self.finish_motors(turned=False)
         self._is_ending = True
         if self.problem or (self.step is not ProvisionStep.WRITE and self._saving is None):
@@ -191,7 +190,7 @@ class Provision(QObject):
     def _finish(self, board: ProvisionedBoard) -> None:
         self._go(ProvisionStep.UNPLUG)
 
-        def note() -> None:
+        def on_saved() -> None:
             self.done.append(board)
             if self._is_ending:
                 self._go(ProvisionStep.PROFILE)
@@ -199,10 +198,10 @@ class Provision(QObject):
                 self.changed.emit()
                 self._on_board_changed()
 
-        self._save(board, note)
+        self._save(board, on_saved)
 
     def _save(self, board: ProvisionedBoard, then: Callable[[], None]) -> None:
-        """Save the line of a board. The step stays until that has succeeded."""
+        """Save the record line of a board, then continue."""
         if (record := self._record) is None:
             return
         self.board, self._saving, self.problem = board, then, ""

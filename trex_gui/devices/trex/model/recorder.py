@@ -42,14 +42,14 @@ class Recorder(RecordThread[Record]):
     changed, since the header would be wrong. It continues while the board does not respond.
     """
 
-    _watcher = "recording"  # name of the watcher that requests polls at full rate
+    _watcher = "recording"  # name for `Connection.watch`
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._device = device
         self._board: tuple[object, ...] = ()
         self._settings = ""
-        # Ampere per count by number of board in the group; and for the boards in the header
+        # A per count by board number: of the group, and of the boards in the header
         self._others: dict[int, float] = {}
         self._recorded: dict[int, float] = {}
 
@@ -74,7 +74,7 @@ class Recorder(RecordThread[Record]):
         return True
 
     def _header_of(self, state: DeviceState) -> Header:
-        """Return the header of a recording that starts now, with all boards of the group."""
+        """Return a header with all boards of the group."""
         settings = self._device.settings
         number = settings.device_number if settings is not None else None
         self._recorded = self._others.copy()
@@ -116,7 +116,7 @@ class Recorder(RecordThread[Record]):
             self.end_because(tr("Recording {0} ended: the board or its input source has changed."))
 
     def _identity(self, state: DeviceState) -> tuple[object, ...]:
-        """Return the identity of a recorded board. Selecting a board changes `selection`."""
+        """Return the identity of the board in a recording."""
         return state.signature, state.source, self._device.connection.selection
 
     def _put_settings(self, state: DeviceState) -> None:
@@ -131,10 +131,10 @@ class Recorder(RecordThread[Record]):
         self.changed.emit()
 
 
-_BEFORE = 20.0  # seconds recorded before a fault or stop
-_AFTER = 10.0  # seconds recorded after the last fault or stop
-_LONGEST = 120.0  # seconds after which repeated faults no longer extend a file
-_BEGIN_DELAY = 0.5  # seconds without a recording, for the stop to have the computer to itself
+_BEFORE = 20.0  # s recorded before a fault or stop
+_AFTER = 10.0  # s recorded after the last fault or stop
+_LONGEST = 120.0  # s; then repeated faults do not extend a file
+_BEGIN_DELAY = 0.5  # s; recording must not slow down the stop
 
 
 class EventRecorder(Recorder):
@@ -153,7 +153,7 @@ class EventRecorder(Recorder):
         self._template: Header | None = None  # for the connected board
         self._before: BoardSnapshot | None = None  # state of the board before `_recent`
         self._driven: dict[int, bool] = {}  # by motor; 0 is the auxiliary motor
-        self._event: Event | None = None  # why the recording was made
+        self._event: Event | None = None  # cause of the recording
         self._user = user
         super().__init__(device, parent)
         self.is_on = Preferences().flag(_KEEP, default=True)
@@ -277,7 +277,7 @@ class EventRecorder(Recorder):
         self.changed.emit()
 
     def _finish(self) -> None:
-        """Discard the board. Its newest event is still recorded."""
+        """Clear the board, after its newest event is recorded."""
         if self._begin_timer.isActive() and self._worker is None:
             self._start()
         self.stop()

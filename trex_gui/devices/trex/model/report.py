@@ -58,7 +58,7 @@ def _yes(fact: bool) -> str:
 
 
 def settings_parts(device: Device) -> dict[str, Callable[[], str]]:
-    """Return files of the stored settings and, if there are edits, the edited settings."""
+    """Return settings files by name: stored, and edited if there are edits."""
     stored, shown = device.draft.stored, device.draft.shown
     parts: dict[str, Callable[[], str]] = {}
     if stored is not None:

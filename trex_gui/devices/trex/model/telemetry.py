@@ -1,4 +1,4 @@
-"""Polled values with their history, and the state of the mix jumper that they show."""
+"""Polled values, their history, and the mix jumper."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -23,8 +23,8 @@ from trex_gui.devices.trex.calibration.channel_curve import is_mixed
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 
-_CURRENT_HISTORY = 288_000  # samples of the currents: an hour at 80 samples a second
-_INPUT_HISTORY = 3_000  # samples of the inputs: a minute at 50 samples a second
+_CURRENT_HISTORY = 288_000  # an hour at 80 samples a second
+_INPUT_HISTORY = 3_000  # a minute at 50 samples a second
 _UNKNOWN = (math.nan,) * len(CHANNELS)
 _CHANNEL_COLORS = ("good", "warning", "dirty", "muted", "plot_text")
 
@@ -36,7 +36,7 @@ Series = IntEnum(
 )
 """Columns of `Telemetry.currents`."""
 
-_TYPES = ["float64" if one in {Series.CURRENT1, Series.CURRENT2} else "float16" for one in Series]
+_TYPES = ["float64" if s in {Series.CURRENT1, Series.CURRENT2} else "float16" for s in Series]
 """Series other than currents hold whole numbers from -127 to 127."""
 
 
@@ -86,8 +86,8 @@ class Telemetry(QObject):
     signal in `inputs`. The newest values are `None` before and after a connection.
     """
 
-    updated = Signal()  # new samples are in; at most once a display frame
-    # Like `updated`, but only while a window is visible; also as soon as a window is visible again
+    updated = Signal()  # new samples, at most once a display frame
+    # Like `updated` while a window is visible; also when a window becomes visible
     frame_due = Signal()
     text_due = Signal()  # like `frame_due` but for text, at most once in `TEXT_INTERVAL`
 
@@ -120,12 +120,12 @@ class Telemetry(QObject):
         self.clear()
 
     def clear(self) -> None:
-        """Update all views after the newest values have become unknown."""
+        """Update all views after the newest values have been cleared."""
         self.updated.emit()
         self._renew_views()
 
     def add(self, sample: Sample) -> None:
-        """Add a sample, which is now the newest of its kind. `finish` shows it."""
+        """Add a sample. `finish` shows it."""
         if isinstance(sample, Raw):
             values = (math.nan if count is None else count for count in sample.counts)
             self.inputs.append(sample.time, *values)
@@ -180,14 +180,14 @@ class Telemetry(QObject):
         return self.remapped[CHANNELS.index(channel)] if self.remapped else None
 
 
-_ENOUGH = 3  # consecutive results that make the state known; there are five results a second
+_ENOUGH = 3  # equal results in a row, five a second, that make the state known
 
 
 class MixJumper(QObject):
     """State of the mix jumper when a stick was last off neutral.
 
-    The jumper may be moved any time, and no command reads it. Its state is inferred from computed
-    outputs of channels 1 and 2 and the outputs that the board reports.
+    No command reads the jumper. Its state is inferred: computed outputs of channels 1 and 2 are
+    compared with the outputs that the board reports.
     """
 
     changed = Signal()
@@ -234,7 +234,7 @@ class MixJumper(QObject):
         if draft.parameters.values.active_of(ParameterKey.MOTOR_MODE) == 1:  # nothing is mixed
             self.clear()
             return
-        one, two, flip = (draft.stored_curve(channel) for channel in (1, 2, 4))
-        if one and two and flip and reported and not flip.is_switched(4, telemetry.raw_of(4)):
-            outputs = one.output(telemetry.raw_of(1)), two.output(telemetry.raw_of(2))
+        first, second, flip = (draft.stored_curve(channel) for channel in (1, 2, 4))
+        if first and second and flip and reported and not flip.is_switched(4, telemetry.raw_of(4)):
+            outputs = first.output(telemetry.raw_of(1)), second.output(telemetry.raw_of(2))
             self.feed(outputs, (reported[0], reported[1]))

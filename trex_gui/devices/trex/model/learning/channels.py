@@ -1,4 +1,4 @@
-"""Channels being learned: incoming measurements, and the values derived from them."""
+"""Channels being learned: measurements and derived values."""
 
 import math
 from collections.abc import Iterator
@@ -22,9 +22,9 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.ui.runtime import new_timer, now
 
 _ASIDE = {InputSource.RC: 250, InputSource.ANALOG: 102}
-"""Counts beyond rest at which the speed of a throttle is checked: 100 us, 0.5 V."""
+"""Offset from rest, in counts (100 us, 0.5 V), at which the speed of a throttle is checked."""
 
-_MUCH = FULL_SCALE // 2  # output there that causes a warning if exceeded
+_MUCH = FULL_SCALE // 2  # highest output there without a warning
 
 
 _Found = tuple[ProblemKind, str, tuple[object, ...]]  # kind, variant and values of a problem
@@ -32,7 +32,7 @@ _Found = tuple[ProblemKind, str, tuple[object, ...]]  # kind, variant and values
 
 @dataclass(frozen=True, slots=True)
 class Check:
-    """Curve to be stored for a channel, and measurements. The board accepts the curve."""
+    """Valid curve of a channel, checked against its measurements."""
 
     channel: int
     curve: ChannelCurve
@@ -124,21 +124,24 @@ class Check:
 
 Counts = tuple[int | None, ...]  # raw counts of channels 1-5; `None` without a valid signal
 
-_STALLED_AFTER = 1.0  # seconds without a measurement after which the inputs are reported as stalled
+_STALLED_AFTER = 1.0  # s without a measurement
 _TICK_MS = 200
 
 _SAME_VALUE = 0.012
-"""Seconds within which two samples count as one. The board renews its inputs every 20 ms, but a
-delayed line reads one wild pulse several times in a burst. It must not look like a held stick."""
+"""Minimum time between two samples, in seconds.
 
-_SILENT_AFTER = 0.5  # seconds without a valid sample after which there is no signal
+The board renews its inputs every 20 ms. A delayed line reads one wild pulse several times in a
+burst, which must not look like a held stick.
+"""
+
+_SILENT_AFTER = 0.5  # s without a valid sample
 
 
 class MeasuredInputs(QObject):
     """Passes on each measurement once, between `start` and `end`."""
 
     arrived = Signal(object)  # new measurements, a list of (seconds, `Counts`)
-    stalled_changed = Signal()  # `stalled`: True while expected measurements do not arrive
+    stalled_changed = Signal()  # `stalled`: expected measurements do not arrive
 
     def __init__(self, telemetry: Telemetry, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -194,7 +197,7 @@ class MeasuredInputs(QObject):
 
 @dataclass(frozen=True, slots=True)
 class Choice:
-    """The user's choice for a channel: the proposal, until they change it."""
+    """Values chosen for a channel, by default the proposal."""
 
     calibration: Calibration
     reversed_: bool
@@ -217,7 +220,7 @@ class LearnedChannel:
         self._parabolic = is_in(parameters.values.value_of(ParameterKey.PARABOLIC_CHANNELS))
         self._ignored = is_in(parameters.values.value_of(ParameterKey.IGNORED_CHANNELS))
         self.raw: int | None = None  # the newest count; `None` without a signal
-        self.samples: list[ChannelSample] = []  # at rest; `neutral` is computed from them
+        self.samples: list[ChannelSample] = []  # at rest, for `neutral`
         self.neutral: Neutral | None = None
         self.travel: Travel | None = None  # measures the ends; `None` without a rest position
         self.proposal: Proposal | None = None
@@ -237,7 +240,7 @@ class LearnedChannel:
 
     @property
     def is_at_rest(self) -> bool:
-        """The rest position was measured and has no fatal problem."""
+        """True if the rest position has no fatal problem."""
         return self.neutral is not None and not has_fatal(self.neutral.problems)
 
     def start_travel(self) -> None:
@@ -265,7 +268,7 @@ class LearnedChannel:
 
     @property
     def curve_after(self) -> ChannelCurve | None:
-        """The curve with the chosen values. `None` if the board would reject them."""
+        """Curve of the chosen values. `None` if the board would reject them."""
         if self.choice is None or self.choice.calibration.problem() is not None:
             return None
         wanted, reversed_ = self.choice.calibration, self.choice.reversed_
@@ -303,14 +306,14 @@ class LearnedChannel:
 
     @property
     def rest_problems(self) -> tuple[CalibrationProblem, ...]:
-        """Problems of the rest position, or a missing signal before it is measured."""
+        """Problems of the rest position, or a missing signal."""
         if self.neutral is not None:
             return self.neutral.problems
         return (no_signal(self.source),) if self.is_silent else ()
 
     @property
     def result_problems(self) -> tuple[CalibrationProblem, ...]:
-        """The problems of the measurement and of the chosen values."""
+        """Problems of the measurement and the chosen values."""
         if self.proposal is None:
             return self.rest_problems
         if self.choice is None:

@@ -1,4 +1,4 @@
-"""Wizard that learns channels: stop motors, hands off, all ends, review, test."""
+"""Wizard that learns channels, from stopped motors to a test."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -38,33 +38,32 @@ class LearningStep(Enum):
     FAILED = auto()
 
 
-_MOVING = {LearningStep.NEUTRAL, LearningStep.TRAVEL, LearningStep.TEST}
-"""Steps in which sticks have to be moved or to rest."""
+_MOVING = {LearningStep.NEUTRAL, LearningStep.TRAVEL, LearningStep.TEST}  # steps that use sticks
 
 _MEASURING = _MOVING | {LearningStep.REVIEW}
 
 
 class Learning(QObject):
-    """Learns channels of a board in serial mode, in which the sticks move no motor.
+    """Learns channels of a board in serial mode.
 
-    Nothing is edited before `use_values`, and nothing is written.
+    The sticks move no motor. Only `use_values` edits settings, and nothing is written.
     """
 
     begun = Signal()  # the rest positions will be measured
     changed = Signal()  # the step, `sampling`, `inputs.stalled` or a choice
     measured = Signal()  # new samples have arrived
-    edited = Signal()  # the learned values are pending edits now, ready for their review
-    stored = Signal()  # the board stores the learned values; test them now, unless `motors_armed`
+    edited = Signal()  # the learned values are pending edits
+    stored = Signal()  # the board stores the learned values
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.step = LearningStep.ENDED
-        self.trouble = ""  # why learning failed, or what is doubtful, for the user
-        self.news = ""  # what led to the test, for the user; empty if the user started the test
-        self.numbers: tuple[int, ...] = ()  # the channels that were learned or tested last
+        self.trouble = ""  # reason of a failure or doubt, for the user
+        self.news = ""  # occasion of the test; empty if the user started it
+        self.numbers: tuple[int, ...] = ()  # channels of the last run
         self.channels: tuple[LearnedChannel, ...] = ()
         self.tests: StickTests | None = None  # `None` before the test step
-        self.sampling = False  # whether the rest positions are sampled right now
+        self.sampling = False  # rest positions are being sampled
         self.preconditions = CalibrationPreconditions(device, self)
         self.inputs = MeasuredInputs(device.telemetry, self)
         self.pending = PendingLearnedValues(device, self)
@@ -121,7 +120,7 @@ class Learning(QObject):
 
     @property
     def other_edits(self) -> int:
-        """Number of pending edits besides the channels whose values will be used."""
+        """Number of pending edits of other settings."""
         return self.pending.other_edits([c.number for c in self.channels if c.can_be_used])
 
     @property
@@ -163,7 +162,7 @@ class Learning(QObject):
             self._start_sampling()
 
     def back(self) -> None:
-        """Go one step back, from the review to the ends, or from the ends to the rest positions."""
+        """Go back from the review to the ends, or from the ends to rest."""
         if self.step is LearningStep.REVIEW:
             self._go(LearningStep.TRAVEL)
         elif self.step is LearningStep.TRAVEL:
@@ -191,7 +190,7 @@ class Learning(QObject):
         self.changed.emit()
 
     def use_values(self) -> bool:
-        """Edit the settings as chosen, in one undo step. Return whether an edit is pending."""
+        """Edit the chosen values in one undo step. Return whether an edit is pending."""
         if not self.can_use_values:
             return False
         choices = {c.number: c.choice for c in self.channels if c.can_be_used and c.choice}
@@ -204,7 +203,7 @@ class Learning(QObject):
         return is_pending
 
     def cancel(self) -> None:
-        """End the wizard in any step. The board and the edits stay unchanged."""
+        """End the wizard. Board and edits stay unchanged."""
         if self.step is not LearningStep.ENDED:
             self._go(LearningStep.ENDED)
 

@@ -14,13 +14,12 @@ _REVERSED = ParameterKey.REVERSED_CHANNELS
 
 
 class PendingLearnedValues(QObject):
-    """Edits the draft with learned values, and reports when they have been written.
+    """Edits the draft with learned values, and reports their writes.
 
-    A value that is undone or edited again is not reported. When the connection is lost or another
-    board is connected, no value is reported.
+    Values that are undone, edited again or lost with the connection are not reported.
     """
 
-    stored = Signal(object)  # the channels whose values have just been written and verified
+    stored = Signal(object)  # channels whose values were written and verified
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -54,7 +53,7 @@ class PendingLearnedValues(QObject):
         return self._calibration_edits((number,)) > 0 or number in self._turned()
 
     def other_edits(self, numbers: Sequence[int]) -> int:
-        """Return the number of pending edits that do not concern these channels."""
+        """Return the number of pending edits of other settings."""
         turned = self._turned()
         own = self._calibration_edits(numbers) + bool(turned and turned <= set(numbers))
         return self._device.draft.pending - own
@@ -63,7 +62,7 @@ class PendingLearnedValues(QObject):
         return sum(key.channel in numbers for key, _ in self._device.calibrations.pending)
 
     def _turned(self) -> set[int]:
-        """Return the channels whose direction a pending edit would change."""
+        """Return channels with a pending change of direction."""
         stored = channels_in(self._device.parameters.values.stored.get(_REVERSED) or 0)
         return self._wanted_reversed() ^ set(stored)
 

@@ -1,4 +1,4 @@
-"""Preconditions of learning channels: motors are at standstill, and cannot move."""
+"""Preconditions of learning channels: no motor moves."""
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -34,11 +34,11 @@ class CalibrationPreconditions(QObject):
 
     In RC and analog mode, the sticks drive the motors, and the board rejects settings. Serial
     override (channel 5) ends with the next move of its switch. Armed motors are a violation only
-    in steps in which sticks are moved.
+    in steps that move sticks.
     Ref: Pololu TReX User's Guide 4.a; command documentation 0x82, 0xA0-0xA4, 0xAF.
     """
 
-    violated = Signal(str)  # the reason, for the user; once, and only between `start` and `end`
+    violated = Signal(str)  # reason for the user, once between `start` and `end`
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -67,13 +67,13 @@ class CalibrationPreconditions(QObject):
         self._watching = False
 
     def watch_motors(self, watch: bool) -> None:
-        """Set whether armed motors are a violation, including motors that are already armed."""
+        """Set whether armed motors are a violation."""
         self._with_motors = watch
         self._check()
 
     @property
     def blocker(self) -> str:
-        """Reason why sticks must not be moved now, for the user. Empty if they move no motor."""
+        """Reason why sticks must not be moved. Empty if they move no motor."""
         state = self._device.state
         if not self._device.is_connected or state is None:
             return tr("Connect to a board first.")
@@ -105,24 +105,26 @@ class CalibrationPreconditions(QObject):
         return ""
 
 
-_QUIET = 3  # consecutive readings without a current that count as standstill
+_QUIET = 3  # consecutive readings without current at standstill
 
 _COUNTS = 2.5
-"""Counts of the current sensor that a motor at standstill stays below. Inferred: a reading is an
-average of 64 samples and varies by one count. The limit is 0.38 A on a TReX, 0.1 A on a Jr."""
+"""Highest current at standstill, in counts: 0.38 A on a TReX, 0.1 A on a Jr.
+
+Inferred: a reading is an average of 64 samples and varies by one count.
+"""
 
 
 class StandstillCheck(QObject):
     """Stops the motors, waits for the confirmation, then watches the currents.
 
-    The confirmation tells that the board accepted the stop. Afterwards another controller on the
-    same line may drive the motors again (User's Guide 5: one UART for both connectors). In joint
-    mode the board measures no current, so that the confirmation has to suffice.
+    After a confirmed stop, another controller on the same line may drive the motors again (User's
+    Guide 5: one UART for both connectors). In joint mode the board measures no current, and the
+    confirmation suffices.
     """
 
     confirmed = Signal()  # the stop is confirmed, and no current flows
-    doubted = Signal(str)  # which motors draw how much current although the stop is confirmed
-    failed = Signal(str)  # why the stop is not confirmed
+    doubted = Signal(str)  # motors and their currents, as text
+    failed = Signal(str)  # reason for the user
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -139,7 +141,7 @@ class StandstillCheck(QObject):
         self._device.driving.stop(lambda error: self._on_stopped(run, error))
 
     def cancel(self) -> None:
-        """Cancel the check. It emits no more signals."""
+        """Cancel the check without a signal."""
         self._run += 1
         self._since = None
         self._timer.stop()

@@ -1,7 +1,6 @@
-"""Test of stored calibrations: full output at both ends, and zero output at rest.
+"""Test of stored calibrations: full output at both ends, none at rest.
 
-Outputs are calculated here, each channel by itself, because the outputs that the board reports are
-already mixed and flipped.
+Outputs are computed here, because the outputs that the board reports are mixed and flipped.
 """
 
 from collections.abc import Sequence
@@ -17,8 +16,8 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 
-_HELD = 3  # consecutive samples (60 ms) at an end or switch position, to count as reached
-_REST_SECONDS = 0.5  # how long a channel has to give 0 to be at rest
+_HELD = 3  # consecutive samples (60 ms) at a reached end or position
+_REST_SECONDS = 0.5  # duration of zero output at rest
 
 
 class StickTest:
@@ -29,17 +28,16 @@ class StickTest:
         self.raw: int | None = None  # the newest count; `None` without a signal
         self.time = 0.0  # of the newest sample
         self.output: int | None = None  # -127 to 127 now; `None` without a signal
-        self.forward = self.reverse = False  # whether full output was reached in this direction
-        self.is_at_rest = False  # whether the output has been 0 for `_REST_SECONDS`
-        self.on = self.off = False  # whether a switch was in its active, inactive position
-        self.ignored = False  # whether the board ignores the channel: there is nothing to test
-        self.passed = False  # all functions of the channel were seen, and a stick is at rest now
+        self.forward = self.reverse = False  # full output was reached
+        self.is_at_rest = False  # the output was 0 for `_REST_SECONDS`
+        self.on = self.off = False  # reached positions of a switch
+        self.ignored = False  # the board ignores the channel
+        self.passed = False  # all positions were reached, and a stick is at rest
         self._full = {1: 0, -1: 0}  # consecutive samples with full output, by sign
         self._switched = {False: 0, True: 0}
         self._zero_since: float | None = None
 
     def feed(self, time: float, raw: int | None, curve: ChannelCurve) -> None:
-        """Process the present raw count."""
         task = TASKS[self.number]
         output = None if raw is None else curve.output(raw)
         switched, idle = curve.is_switched(self.number, raw), idle_side(curve)
@@ -70,7 +68,7 @@ class StickTest:
 
     @property
     def text(self) -> str:
-        """Next task of the user, or a remark that the channel is good."""
+        """Next task of the user, or the result."""
         if self.ignored:
             return tr("Ignored: the board holds it at neutral. There is nothing to test.")
         if self.output is None:
@@ -98,7 +96,7 @@ class StickTest:
 
 
 def idle_side(curve: ChannelCurve) -> int:
-    """Return the sign of the output on the shorter side of rest, which a trim alone may reach."""
+    """Return the sign of the output on the shorter side of rest."""
     up = curve.calibration.maximum - curve.calibration.neutral
     down = curve.calibration.neutral - curve.calibration.minimum
     if up == down:
@@ -136,7 +134,7 @@ class StickTests:
 
     @property
     def channels_passed(self) -> bool:
-        """True if every tested channel is good now, regardless of other channels."""
+        """True if every tested channel is good, regardless of other channels."""
         return not self.all_ignored and all(test.passed or test.ignored for test in self.tests)
 
     @property
@@ -145,7 +143,7 @@ class StickTests:
 
     @property
     def safe_start_reasons(self) -> str:
-        """Reasons why safe-start would hold the motors if the channels were in control."""
+        """Reasons of safe-start, as if the channels were in control."""
         if not self.heard:
             return ""
         stored_of = self._device.parameters.values.stored.get
@@ -160,7 +158,7 @@ class StickTests:
 
     @property
     def safe_start_text(self) -> str:
-        """Sentence on the action of safe-start now if the channels were in control."""
+        """Sentence on safe-start, as if the channels were in control."""
         if not self.heard:
             return ""
         text = tr("In {0} mode safe-start would release the motors now.")

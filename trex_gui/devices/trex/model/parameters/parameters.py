@@ -36,7 +36,7 @@ Index = QModelIndex | QPersistentModelIndex
 _COLUMNS = len(ParameterColumn)
 _GROUPS = ("motors", "channels", "serial", "system")  # in the order of settings files
 
-# Created once, because Qt requests flags a thousand times whenever it paints the table
+# Created once, because Qt requests flags a thousand times in each paint event
 _HEADING = Qt.ItemFlag.NoItemFlags  # arrow keys skip it
 _FIXED = Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemNeverHasChildren
 _EDITABLE = _FIXED | Qt.ItemFlag.ItemIsEditable
@@ -59,7 +59,7 @@ class ParameterRole(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class ParameterRow:
-    """A heading, or one setting. `keys` has a key for each motor, or one key for the board."""
+    """Heading or setting. `keys` has a key for each motor, or one for the board."""
 
     group: str
     name: str
@@ -71,15 +71,15 @@ def _number(wires: Sequence[int]) -> int:
 
 
 class ParameterModel(QAbstractTableModel):
-    """Headings and rows of settings, with a column for each motor. Edits use an undo stack.
+    """Table of settings under headings, with a column for each motor.
 
-    Prescaler and maximum of a PWM are one value in the table, its frequency. The keys of both refer
-    to it, and in the edit role it is a number (`frequency_code`).
+    Edits use an undo stack. Prescaler and maximum of a PWM share a cell with the frequency, whose
+    edit role is a `frequency_code`.
     """
 
-    pending_changed = Signal()  # an edit, or whether it differs from the stored value
-    rejected = Signal(str)  # why an edit was rejected, for the user
-    rounded = Signal(str)  # the value to which an edit was rounded, for the user
+    pending_changed = Signal()  # an edit or a stored value
+    rejected = Signal(str)  # reason for the user
+    rounded = Signal(str)  # rounded value, for the user
 
     def __init__(self, parent: QObject | None = None, undo: QUndoStack | None = None) -> None:
         super().__init__(parent)
@@ -88,8 +88,8 @@ class ParameterModel(QAbstractTableModel):
         self.text = ParameterText(self.values)
         self.rows: list[ParameterRow] = []  # grouped by task
         self.places: dict[str, tuple[int, int]] = {}  # row and column by key
-        self.model_key = ""  # model of the board that the rows belong to; empty before `load`
-        self.both_motors = False  # whether an edit for one motor applies to the other motor, too
+        self.model_key = ""  # of the loaded model; empty before `load`
+        self.both_motors = False  # an edit of one motor applies to both
         self._headers = (tr("Parameter"), tr("Motor 1"), tr("Motor 2"))
         self.titles = {
             "motors": tr("Motors and speed ramp"),
@@ -127,16 +127,16 @@ class ParameterModel(QAbstractTableModel):
         open_ended: bool = False,
         keep_edits: bool = True,
     ) -> None:
-        """Load everything that was read. `keep_edits` retains edits if the model is the same.
+        """Load stored values, and the errors of unread parameters.
 
-        `active` are values known to be active, whatever is stored. `open_ended` is for a file, in
-        which any parameter may be added or left out.
+        `keep_edits` retains edits if the model is the same. `active` has values known to be active.
+        `open_ended` is for a file, in which every parameter is optional.
         """
         pending = self.values.modified
         readable = sorted(specs.readable, key=lambda spec: _GROUPS.index(spec.group))
         wanted = {spec.key: spec for spec in readable}
         has_other_rows = wanted != self.values.specs or specs.model.key != self.model_key
-        if has_other_rows:  # not otherwise: a reset would close an open editor
+        if has_other_rows:  # a reset closes an open editor
             self.beginResetModel()
             self.values.specs.clear()
             self.values.specs.update(wanted)
@@ -217,17 +217,17 @@ class ParameterModel(QAbstractTableModel):
         return all(self.values.can_edit(each) for each in self.text.together(key))
 
     def open_key(self, key: str) -> str | None:
-        """Return the parameter of a value that may be tried beyond its limits."""
+        """Return the key whose value may be tried beyond its limits."""
         keys = (each for each in self.text.together(key) if self.values.specs[each].has_open_values)
         return next(keys, None) if self.is_editable(key) else None
 
     # --- Edits --------------------------------------------------------------------------
 
     def edit(self, key: str, wire: int, *, alone: bool = False, forced: bool = False) -> None:
-        """Edit a value. Editing it to the stored value removes the edit.
+        """Edit a value. The stored value removes the edit.
 
-        With `both_motors` and without `alone`, the other motor gets the value in the same step.
-        `forced` allows values beyond limits that are only inferred.
+        With `both_motors`, the other motor gets the same value unless `alone`. `forced` allows
+        values beyond inferred limits.
 
         Raises:
             BadRequest: the value is outside the parameter's limits.
@@ -262,7 +262,7 @@ class ParameterModel(QAbstractTableModel):
             self._change({each: self.values.specs[each].default for each in self._all_with(key)})
 
     def restore(self, key: str) -> None:
-        """Restore the stored value. With `both_motors`, restore both motors' values."""
+        """Restore the stored value."""
         if self.is_editable(key):
             self._change({each: self.values.stored.get(each) for each in self._all_with(key)})
 
@@ -280,11 +280,11 @@ class ParameterModel(QAbstractTableModel):
         return (*keys, *filter(None, others))
 
     def _all_with(self, key: str) -> tuple[str, ...]:
-        """Return the keys of a value of the table. With `both_motors`, include both motors."""
+        """Return the keys of a cell. With `both_motors`, include both motors."""
         return self._with_other_motor(self.text.together(key))
 
     def _change(self, wanted: Mapping[str, int | None]) -> None:
-        """Push edits of the values that change, as one undo step."""
+        """Push changed values as one undo step."""
         edits = [
             Edit(self.values.specs[key].name, self._put, key, before, wire)
             for key, wire in wanted.items()
@@ -314,7 +314,7 @@ class ParameterModel(QAbstractTableModel):
     # --- Qt -----------------------------------------------------------------------------
 
     def index_of(self, key: str) -> QModelIndex:
-        """Return the cell with the value of a parameter. Invalid if there is no such cell."""
+        """Return the cell of a parameter. Invalid if there is none."""
         place = self.places.get(key)
         return QModelIndex() if place is None else self.index(*place)
 
@@ -358,7 +358,7 @@ class ParameterModel(QAbstractTableModel):
         return None if source is None else source(key)
 
     def _number(self, key: str) -> int | None:
-        """Return the number in an editor: a wire value, or the code of a frequency."""
+        """Return the number in an editor: a wire value or a frequency code."""
         wires = self.text.wires(key)
         return _number(wires) if len(wires) == len(self.text.together(key)) else None
 
@@ -402,7 +402,7 @@ class ParameterModel(QAbstractTableModel):
     # --- Change notification ------------------------------------------------------------
 
     def _announce(self, key: str) -> None:
-        """Announce a change in a parameter's row and the heading above."""
+        """Report a change of a parameter's row and its heading."""
         row = self.places[key][0]
         heading = next(each for each in range(row, -1, -1) if not self.rows[each].keys)
         for place in (row, heading):

@@ -1,4 +1,4 @@
-"""Texts of the parameter table: values in physical units, states and explanations."""
+"""Texts of the parameter table."""
 
 from collections.abc import Sequence
 from enum import IntEnum
@@ -21,7 +21,7 @@ from trex_gui.ui.units import units
 _MAXIMA = FULL_SCALE + 1
 _GRADED = ("min", "max"), ("default",), ("scale", "bits")
 _IN_WORDS = {ParameterKind.CHOICE, ParameterKind.CHANNELS, ParameterKind.UART}
-_HIGHEST_PWM = 20_000.0  # Hz; for drivers without a rated PWM frequency; inferred
+_HIGHEST_PWM = 20_000.0  # Hz (inferred), for drivers without a rating
 
 
 class ParameterColumn(IntEnum):
@@ -36,7 +36,7 @@ class ParameterText:
     """Derives every text from the current values. Has no state."""
 
     def __init__(self, values: ParameterValues) -> None:
-        self.frequencies: tuple[int, ...] = ()  # codes of the PWM frequencies that suit the board
+        self.frequencies: tuple[int, ...] = ()  # codes, slowest first
         self._guide = ""
         self._values = values
         self._pairs: dict[str, tuple[str, ...]] = {}
@@ -48,14 +48,14 @@ class ParameterText:
         }
 
     def set_board(self, board: Model) -> None:
-        """Update texts after the specifications of a board of this model were loaded."""
+        """Update texts after a board's specifications were loaded."""
         self.frequencies = frequency_codes(board)
         self._guide = board.guide
         pairs = ((key, pwm_keys(key)) for key in self._values.specs)
         self._pairs = {key: pair for key, pair in pairs if self._values.specs.keys() >= set(pair)}
 
     def together(self, key: str) -> tuple[str, ...]:
-        """Return the keys of one value of the table. A PWM has two: prescaler and maximum."""
+        """Return the keys of a cell. A PWM has two: prescaler and maximum."""
         return self._pairs.get(key, (key,))
 
     # --- Values -------------------------------------------------------------------------
@@ -81,7 +81,7 @@ class ParameterText:
         return self._shown(key, wires)
 
     def wires(self, key: str) -> list[int]:
-        """Return the wire values of a value. Missing wire values are left out."""
+        """Return the wire values of a cell, without missing values."""
         wires = map(self._values.value_of, self.together(key))
         return [wire for wire in wires if wire is not None]
 
@@ -97,12 +97,12 @@ class ParameterText:
         return self._values.specs[key].text(wires[0])
 
     def with_wire(self, key: str, wires: Sequence[int]) -> str:
-        """Return wire and physical value, `15 (1.5 s)`, or one number if both are the same."""
+        """Return wire and physical value: `15 (1.5 s)`."""
         text, numbers = self._physical(key, wires), _numbers(wires)
         return text if text == numbers else f"{numbers} ({text})"
 
     def change(self, key: str) -> str:
-        """Return the value, and the stored value if it was edited: `8.1 A, was off`."""
+        """Return the value, and the stored value if edited: `8.1 A, was off`."""
         value, stored = self.value(key), self.stored(key)
         if not any(self._values.is_modified(each) for each in self.together(key)):
             return value
@@ -163,7 +163,7 @@ class ParameterText:
         return tuple(filter(None, sentences))
 
     def _also_accepted(self, keys: Sequence[str]) -> str:
-        """Return a sentence on values that this firmware stored beyond the range. Mostly empty."""
+        """Return a sentence on stored values beyond the range. May be empty."""
         wires = sorted(wire for each in keys for wire in self._values.accepted.get(each, ()))
         text = tr("This firmware has stored beyond that: wire value {0}.")
         return text.format(", ".join(map(str, wires))) if wires else ""
@@ -184,7 +184,7 @@ class ParameterText:
         return [self._values.specs[each].default for each in self.together(key)]
 
     def notes(self, key: str) -> tuple[str, ...]:
-        """Return sentences on the present value: problems, and a value that is still active."""
+        """Return sentences on problems, and on a different active value."""
         keys = self.together(key)
         active = [self._values.active.get(each) for each in keys]
         sentences = [self._values.problems.get(each, "") for each in keys]
@@ -203,7 +203,7 @@ class ParameterText:
         return tr("Reset to default: {0}").format(self.with_wire(key, self._defaults(key)))
 
     def stored(self, key: str) -> str:
-        """Return the stored value as a cell shows it. Empty if it was not read."""
+        """Return the stored value as a cell shows it. Empty if unread."""
         wires = [self._values.stored.get(each) for each in self.together(key)]
         known = [wire for wire in wires if wire is not None]
         return self._shown(key, known) if len(known) == len(wires) else ""
@@ -223,13 +223,13 @@ def frequency_code(prescaler: int, maximum: int) -> int:
 
 
 def frequency_wires(code: int) -> tuple[int, int]:
-    """Return the wire values of prescaler and maximum. The inverse of `frequency_code`."""
+    """Return the wire values of prescaler and maximum from a code."""
     return divmod(code, _MAXIMA)
 
 
 @cache
 def frequency_codes(board: Model) -> tuple[int, ...]:
-    """Return a code for each PWM frequency that suits a board's drivers, slowest first."""
+    """Return codes of the PWM frequencies of a board, slowest first."""
     choices = device_table().pwm.choices(board.highest_pwm or _HIGHEST_PWM)
     return tuple(frequency_code(*pair) for pair in choices)
 

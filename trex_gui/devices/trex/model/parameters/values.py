@@ -18,7 +18,7 @@ class ParameterValues:
     edited: dict[str, int] = field(default_factory=dict)  # values that differ from `stored`
     removed: set[str] = field(default_factory=set)  # stored keys that Save leaves out
     active: dict[str, int] = field(default_factory=dict)  # where `stored` awaits a power cycle
-    optional: frozenset[str] = frozenset()  # keys that may have no value, as in a file
+    optional: frozenset[str] = frozenset()  # keys that may have no value in a file
     problems: dict[str, str] = field(default_factory=dict)  # error texts of failed reads and writes
     # Values beyond inferred limits that boards with this firmware have stored
     accepted: Accepted = field(default_factory=dict)
@@ -45,22 +45,21 @@ class ParameterValues:
         self.removed &= self.optional & stored.keys()
 
     def can_edit(self, key: str) -> bool:
-        """Return whether a parameter can be edited: it was read, or is optional."""
         return key in self.stored or key in self.optional
 
     def can_leave_out(self, key: str) -> bool:
         return key in self.optional and self.value_of(key) is not None
 
-    # --- What is known ------------------------------------------------------------------
+    # --- Values -------------------------------------------------------------------------
 
     def value_of(self, key: str) -> int | None:
-        """Return the value after Apply or Save. `None`: not read, or left out."""
+        """Return the value after Apply or Save. `None` if unread or left out."""
         if key in self.removed:
             return None
         return self.edited.get(key, self.stored.get(key))
 
     def active_of(self, key: str) -> int | None:
-        """Return the active value, which may differ from the stored one. `None`: not read."""
+        """Return the active value. `None` if unread."""
         return self.active.get(key, self.stored.get(key))
 
     @property
@@ -84,18 +83,17 @@ class ParameterValues:
 
     @property
     def waiting_for_power(self) -> tuple[str, ...]:
-        """Names of the parameters whose stored value becomes active with the next power cycle."""
+        """Names of parameters that wait for a power cycle."""
         return tuple(spec.name for spec in self.specs.values() if spec.key in self.active)
 
     def is_modified(self, key: str) -> bool:
         return key in self.edited or key in self.removed
 
     def differs_from_default(self, key: str) -> bool:
-        """Return whether the value is known and not the default."""
         return self.value_of(key) not in {None, self.specs[key].default}
 
     def is_doubtful(self, key: str, wire: int) -> bool:
-        """Return whether only a board can decide on a value. False once a board has stored it."""
+        """Return whether a value is beyond inferred limits and untested."""
         is_known = wire in self.accepted.get(key, ()) or wire == self.stored.get(key)
         return self.specs[key].is_open(wire) and not is_known
 
@@ -117,7 +115,7 @@ class ParameterValues:
     # --- Changes ------------------------------------------------------------------------
 
     def edit(self, spec: ParameterSpec, wire: int | None) -> None:
-        """Edit a value. The stored value, or `None`, drops the edit.
+        """Edit a value. The stored value, or `None`, removes the edit.
 
         Raises:
             BadRequest: the value is outside limits that are not inferred.
@@ -129,7 +127,7 @@ class ParameterValues:
         self.removed.discard(spec.key)
 
     def leave_out(self, key: str) -> None:
-        """Remove the value of an optional parameter. Has no effect on a required parameter."""
+        """Remove an optional value. Ignores required parameters."""
         if key in self.optional:
             self.edited.pop(key, None)
             if key in self.stored:
@@ -147,7 +145,7 @@ class ParameterValues:
             del self.edited[spec.key]
 
     def record_active(self, key: str, wire: int) -> None:
-        """Record a value that is known to be active. The stored value may differ."""
+        """Record an active value. The stored value may differ."""
         if self.stored.get(key) == wire:
             self.active.pop(key, None)
         elif key in self.stored:

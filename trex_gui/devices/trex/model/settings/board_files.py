@@ -1,4 +1,4 @@
-"""Files with one content for each board, saved and read in a thread."""
+"""Files of boards, saved and read in a thread."""
 
 import logging
 from collections.abc import Callable, Mapping
@@ -26,7 +26,7 @@ from trex_gui.ui.workers.file_worker import Done, FileTask, ProgressCallback
 
 log = logging.getLogger(__name__)
 
-_DELAY_MS = 500  # a crash may lose changes of this time
+_DELAY_MS = 500  # a crash loses only the changes since then
 
 _CLOSING_MS = 1000
 
@@ -39,16 +39,16 @@ class _Result:
     found: object
     failure: SettingsError | None
     unsaved: Mapping[BoardIdentity, Any]
-    moved: frozenset[BoardIdentity] = frozenset()  # their files may still be of other boards
-    aside: tuple[Path, ...] = ()  # new paths of other boards' files that were renamed
+    moved: frozenset[BoardIdentity] = frozenset()  # their old file may be of another board
+    aside: tuple[Path, ...] = ()  # new paths of renamed files
 
 
 class BoardFiles(QObject):
-    """A file for each board. New content is saved before any file is read."""
+    """Saves and reads a file for each board. Saves before it reads."""
 
     found = Signal(object, object)  # the board, and its content; `None` without a valid file
-    failed = Signal(object)  # `SettingsError` why files cannot be saved; once until saving works
-    replaced = Signal(object)  # new `Path` of the file of another board; see `move`
+    failed = Signal(object)  # `SettingsError`, once until saving works
+    replaced = Signal(object)  # new `Path` of another board's file, see `move`
 
     def __init__(self, files: EditFiles | BoardRecords, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -63,7 +63,7 @@ class BoardFiles(QObject):
 
     @property
     def is_idle(self) -> bool:
-        """True if no file is being read or saved, or due before the next change."""
+        """True if there is nothing to read or save."""
         is_saved = not self._due or self._is_failing
         return is_saved and not self._task.is_running and not self._timer.isActive()
 
@@ -76,9 +76,9 @@ class BoardFiles(QObject):
     def move(
         self, old: BoardIdentity, new: BoardIdentity, content: Content, *, keeps_old: bool = False
     ) -> None:
-        """Save under another identity. A file that exists for `new` is renamed, not lost.
+        """Save under another identity. An existing file of `new` is renamed.
 
-        With `keeps_old`, the old file stays as well, since it may be of another board.
+        `keeps_old` retains the old file, which may belong to another board.
         """
         self._moved.discard(old)
         self._moved.add(new)
@@ -111,7 +111,7 @@ class BoardFiles(QObject):
     @Slot(object)
     def _on_done(self, done: Done) -> None:
         result = done.result
-        if not isinstance(result, _Result):  # an internal error, which was logged
+        if not isinstance(result, _Result):  # an internal error was logged
             result = _Result(self._wanted, None, None, {})
         if result.failure is not None and not self._is_failing:
             self.failed.emit(result.failure)
@@ -160,7 +160,7 @@ class KeptFiles(QObject):
     """Files of a `BoardMemory`, and `AcceptedValues` of the parameters."""
 
     changed = Signal()  # content of `memory`
-    failed = Signal(str)  # why records cannot be saved, for the user; once until saving works again
+    failed = Signal(str)  # reason for the user, until saving works again
     doubted = Signal(str)  # warning that the record may be of another board, for the user
 
     def __init__(self, draft: SettingsDraft, parent: QObject | None = None) -> None:
@@ -171,7 +171,7 @@ class KeptFiles(QObject):
         self._kind: Signature | None = None  # kind of board whose accepted values are set
         self.memory = BoardMemory(self)
         self.files = BoardFiles(self._records, self)
-        # For the memory
+        # Called by the memory
         self.find, self.save, self.move = self.files.read, self.files.save, self.files.move
         self.record_change = self.changed.emit
 
@@ -180,7 +180,7 @@ class KeptFiles(QObject):
         self._notes.edited.connect(self._on_note_edited)
 
     def set_kind(self, kind: Signature, *, opened: bool, is_simulated: bool) -> None:
-        """Read the values that boards of this kind accepted. Skipped for simulated boards."""
+        """Read the accepted values of this kind of board, unless simulated."""
         if opened or kind != self._kind:
             self._kind = kind
             self._parameters.set_accepted({})

@@ -1,4 +1,4 @@
-"""Channel calibrations of a board or a file, for each input source, with their edits."""
+"""Channel calibrations of a board or a file, with their edits."""
 
 from collections.abc import Mapping
 
@@ -11,7 +11,7 @@ from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationK
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.devices.undo import Edit
 
-Channel = int | CalibrationKey  # a channel, 1-5, of the active input source; or a key
+Channel = int | CalibrationKey  # a key, or a channel (1-5) of the active input source
 
 
 class Calibrations(QObject):
@@ -21,7 +21,7 @@ class Calibrations(QObject):
 
     def __init__(self, parent: QObject | None = None, undo: QUndoStack | None = None) -> None:
         super().__init__(parent)
-        self.source = InputSource.RC  # the active source; a board accepts calibrations for it only
+        self.source = InputSource.RC  # the only source for which a board accepts calibrations
         self.edited: dict[CalibrationKey, Calibration] = {}  # edits for both input sources
         # Stored calibrations that Save leaves out of a file
         self.left_out: set[CalibrationKey] = set()
@@ -55,7 +55,7 @@ class Calibrations(QObject):
 
     @property
     def out_of_reach(self) -> list[CalibrationKey]:
-        """Edits for the input source that the board does not show now."""
+        """Edits for the inactive input source."""
         return [key for key in self.modified if not self.can_edit(key)]
 
     def stored(self, channel: Channel) -> Calibration | None:
@@ -68,11 +68,10 @@ class Calibrations(QObject):
         return None if key in self.left_out else self.edited.get(key, self._held(key))
 
     def can_edit(self, channel: Channel) -> bool:
-        """Return whether a calibration can be edited: it was read, or the file may hold it."""
         return self._open_ended or self._key(channel) in self._stored
 
     def _held(self, key: CalibrationKey) -> Calibration | None:
-        """Return the stored calibration, or the calibration that the board showed last."""
+        """Return the stored calibration, or else the last that the board showed."""
         seen = None if self._open_ended else self._seen.get(key)
         return self._stored.get(key, seen)
 
@@ -92,9 +91,10 @@ class Calibrations(QObject):
         open_ended: bool = False,
         keep_edits: bool = True,
     ) -> None:
-        """Load calibrations that were read. `keep_edits` retains edits if the model is the same.
+        """Load stored calibrations.
 
-        `open_ended` is for a file, in which any calibration may be added or left out.
+        `keep_edits` retains edits if the model is the same. `open_ended` is for a file, in which
+        every calibration is optional.
         """
         if model_key != self._model_key or not keep_edits:
             self.edited.clear()
@@ -126,7 +126,7 @@ class Calibrations(QObject):
     # --- Edits --------------------------------------------------------------------------
 
     def edit(self, channel: Channel, wanted: Calibration, *, run: object = None) -> None:
-        """Edit a calibration. Editing it to the stored calibration removes the edit.
+        """Edit a calibration. The stored calibration removes the edit.
 
         Consecutive edits of a channel with the same `run` are one undo step.
 
@@ -142,7 +142,7 @@ class Calibrations(QObject):
         self._change(self._key(channel), self.stored(channel))
 
     def leave_out(self, channel: Channel) -> None:
-        """Leave a calibration out of a file. Has no effect for a board."""
+        """Remove a calibration from a file. Has no effect for a board."""
         if self._open_ended:
             self._change(self._key(channel), None)
 

@@ -35,7 +35,7 @@ _NONE = "–"
 
 
 class ComparisonColumn(IntEnum):
-    """Columns, OUTCOME only after writing. Their user role is the key of the row."""
+    """Columns, OUTCOME only after a write. The user role is the row's key."""
 
     SETTING = 0
     BEFORE = 1
@@ -45,7 +45,7 @@ class ComparisonColumn(IntEnum):
 
 
 class ComparisonTable(QAbstractTableModel):
-    ticked_changed = Signal()  # check boxes have changed
+    ticked_changed = Signal()
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -66,9 +66,10 @@ class ComparisonTable(QAbstractTableModel):
         with_ticks: bool = True,
         outcomes: Mapping[str, str] = MappingProxyType({}),
     ) -> None:
-        """Show a comparison, with every change ticked. `before` and `after` head the columns.
+        """Show a comparison with every change ticked.
 
-        `outcomes` has reasons of failures by key. An empty reason means that a value is stored.
+        `before` and `after` are column titles. `outcomes` has reasons of failures by key, empty for
+        a stored value.
         """
         self.beginResetModel()
         self.comparison = comparison
@@ -116,7 +117,7 @@ class ComparisonTable(QAbstractTableModel):
         self._announce_ticks()
 
     def toggle(self, row: int) -> None:
-        """Tick or clear the change in a row, if it has a check box."""
+        """Toggle the check box of a row, if any."""
         index = self.index(row, ComparisonColumn.SETTING)
         is_cleared = self._rows[row].key in self._cleared
         state = Qt.CheckState.Checked if is_cleared else Qt.CheckState.Unchecked
@@ -235,7 +236,7 @@ def renew_rows(
     wanted: Sequence[RowT],
     key: Callable[[RowT], Hashable],
 ) -> None:
-    """Change the `rows` of a model in place, and announce only differences.
+    """Update the `rows` of a model in place.
 
     Selection, scroll position and check boxes stay. `key` identifies a row. Resets the model if
     remaining rows change their order.
@@ -243,22 +244,22 @@ def renew_rows(
     if not rows and not wanted:
         return
     keys = [key(row) for row in wanted]
-    had = [key(row) for row in rows]
-    stay = set(keys) & set(had)
-    if not rows or [k for k in had if k in stay] != [k for k in keys if k in stay]:
+    old_keys = [key(row) for row in rows]
+    stay = set(keys) & set(old_keys)
+    if not rows or [k for k in old_keys if k in stay] != [k for k in keys if k in stay]:
         model.beginResetModel()
         rows[:] = wanted
         model.endResetModel()
         return
-    nowhere = QModelIndex()
+    root = QModelIndex()
     for place in reversed(range(len(rows))):
         if key(rows[place]) not in stay:
-            model.beginRemoveRows(nowhere, place, place)
+            model.beginRemoveRows(root, place, place)
             del rows[place]
             model.endRemoveRows()
     for place, row in enumerate(wanted):
         if place >= len(rows) or key(rows[place]) != keys[place]:
-            model.beginInsertRows(nowhere, place, place)
+            model.beginInsertRows(root, place, place)
             rows.insert(place, row)
             model.endInsertRows()
         elif rows[place] != row:

@@ -1,4 +1,4 @@
-"""A settings file in an editor: its text, edits and findings."""
+"""Settings file in an editor: text, edits and findings."""
 
 from functools import partial
 from pathlib import Path
@@ -20,10 +20,10 @@ _LAYOUT = "\t\n\v\f\r\x1b\xa0"
 
 
 class SettingsDocument(QObject):
-    """Text as opened, and a draft of its settings.
+    """Text of a file, and a draft of its settings.
 
-    While a text has errors, the user edits the text. Afterwards the user edits the draft, and
-    `text` follows the draft with its comments and order.
+    The user edits the text while it has errors, and the draft afterwards. Edits of the draft retain
+    comments and order of the text.
     """
 
     changed = Signal()  # text, findings, file or `readable`
@@ -31,7 +31,7 @@ class SettingsDocument(QObject):
     def __init__(
         self, text: str, name: str, *, path: Path | None = None, doubt: Finding | None = None
     ) -> None:
-        """Start with a text. With a `doubt`, the user must check the text before it is read."""
+        """Open a text. With a `doubt`, the user has to check it first."""
         super().__init__()
         self.draft = SettingsDraft(self)  # empty while the text is not readable
         self._name = name
@@ -40,7 +40,7 @@ class SettingsDocument(QObject):
         self._saved = text
         self._text = text
         self.on_disk: bytes | None = None  # content of the file when it was opened or saved
-        self.readable = False  # whether the text has settings
+        self.readable = False  # the text has settings
         self._trouble = ""
         self._findings: tuple[Finding, ...] = ()
         self._announcing = new_timer(self, 0, self._look, single_shot=True)
@@ -71,7 +71,7 @@ class SettingsDocument(QObject):
         """Create a new file with settings. Invalid values become comments.
 
         Raises:
-            BadRequest: the settings hold a key that their model and firmware do not have.
+            BadRequest: model and firmware lack a key of the settings.
         """
         return cls(write_settings(settings, title_lines=[title]), name)
 
@@ -86,7 +86,7 @@ class SettingsDocument(QObject):
 
     @property
     def text(self) -> str:
-        """Text that Save writes, byte order mark and line ends included."""
+        """Text that Save writes, with byte order mark and line ends."""
         self._settle()
         return self._text
 
@@ -125,9 +125,9 @@ class SettingsDocument(QObject):
         return self.readable
 
     def content(self, *, fresh: bool = False) -> Content:
-        """Return the content to save. Edits made while it is being saved stay unsaved.
+        """Return the content to save. Later edits stay unsaved.
 
-        With `fresh`, it has the program's own layout, without the user's comments.
+        `fresh` uses the program's own layout, without the user's comments.
 
         Raises:
             SettingsError: the edits do not fit into the text.
@@ -179,7 +179,9 @@ class SettingsDocument(QObject):
 
 
 def text_of(data: bytes, name: str) -> tuple[str, Finding | None]:
-    """Return the text of a file, byte order mark included, and a finding on a guessed encoding.
+    """Return the text of a file, and a finding on a guessed encoding.
+
+    The text includes the byte order mark.
 
     Raises:
         SettingsError: the file is too large, or not a text.

@@ -26,7 +26,7 @@ from trex_gui.ui.devices.undo import Edit
 
 
 class Notes(QObject):
-    """A note for each key. Edits use an undo stack, and need no Apply.
+    """Notes by key. Edits can be undone, and need no Apply.
 
     A board cannot store notes. They are saved on this computer, see `BoardMemory`.
     """
@@ -36,7 +36,7 @@ class Notes(QObject):
 
     def __init__(self, parent: QObject | None = None, undo: QUndoStack | None = None) -> None:
         super().__init__(parent)
-        self.are_known = False  # whether the notes of this board or file were read
+        self.are_known = False  # the notes were read
         self._undo = undo or QUndoStack(self)
         self._notes: dict[str, str] = {}
         self._owner: object = None
@@ -54,14 +54,14 @@ class Notes(QObject):
         self.changed.emit()
 
     def clear(self) -> None:
-        """Show no notes until the notes of another board are known."""
+        """Show no notes until `load`."""
         self._notes, self._owner, self.are_known = {}, None, False
         self.changed.emit()
 
     def edit(self, key: str, text: str, *, name: str = "", run: object = None) -> None:
-        """Replace a note. An empty text removes it. Undo shows `name`, the setting's name.
+        """Replace a note. An empty text removes the note.
 
-        Consecutive edits of a note with the same `run` are one undo step.
+        Undo shows `name`. Consecutive edits of a note with the same `run` are one undo step.
         """
         before, after = self.of(key), clean_note(text)[:LONGEST_NOTE].rstrip()
         if self.are_known and after != before:
@@ -91,11 +91,10 @@ class SettingsDraft(QObject):
         self.parameters = ParameterModel(self, self.undo)
         self.calibrations = Calibrations(self, self.undo)
         self.notes = Notes(self, self.undo)
-        self.reset_pending = False  # the next start resets everything written until then
+        self.reset_pending = False  # the board resets its parameters at the next start
         self._product: Model | None = None
         self._firmware: str | None = None
-        # For boards on the line that are not selected: stored values, values that are active
-        # although others are stored, and `reset_pending`
+        # Of boards that are not selected: stored and active values, and `reset_pending`
         self._set_aside: dict[BoardIdentity, tuple[dict[str, int], dict[str, int], bool]] = {}
 
         self.parameters.pending_changed.connect(self.pending_changed)
@@ -112,7 +111,7 @@ class SettingsDraft(QObject):
         return parameters.values.specs[key].name if parameters.index_of(key).isValid() else key
 
     def stored_curve(self, channel: Channel) -> ChannelCurve | None:
-        """Return the curve of a channel from stored values. `None` if they are unknown."""
+        """Return the stored curve of a channel. `None` if unknown."""
         calibration = self.calibrations.stored(channel)
         if calibration is None:
             return None
@@ -120,7 +119,7 @@ class SettingsDraft(QObject):
         return ChannelCurve.stored(number, calibration, self.parameters.values.stored.get)
 
     def select_state(self, state: DeviceState, connection: ConnectionSettings | None) -> None:
-        """Load the settings of another board on the same line, and discard edits.
+        """Load the settings of another board on the line. Discards edits.
 
         Values that wait for a power cycle are restored when their board is selected again.
         """
@@ -145,8 +144,8 @@ class SettingsDraft(QObject):
     ) -> None:
         """Load the settings of a board. Edits stay if its model is the same.
 
-        Changed stored values show that a pending reset has been done. `opened` tells that the
-        line has just been opened.
+        Changed stored values show that a pending reset is complete. `opened`: the line was just
+        opened.
         """
         if opened:
             self._set_aside.clear()
@@ -181,7 +180,7 @@ class SettingsDraft(QObject):
         self.calibrations.record_stored(state.calibrations)
 
     def take_settings(self, settings: Settings) -> None:
-        """Load the settings of a file, to which any setting may be added."""
+        """Load the settings of a file."""
         self._start(settings.product, settings.firmware)
         specs = specs_for(settings.product, settings.firmware)
         is_analog = settings.parameters.get(ParameterKey.CHANNEL_INPUT_SOURCE) == 1
@@ -199,7 +198,7 @@ class SettingsDraft(QObject):
 
     @property
     def stored(self) -> Settings | None:
-        """Settings of the board or the file. `None` before any were loaded."""
+        """Settings of the board or the file. `None` before loading."""
         return self._settings(self.parameters.values.all_stored, self.calibrations.all_stored)
 
     @property
@@ -231,12 +230,12 @@ class SettingsDraft(QObject):
         return self.parameters.values.can_edit(key)
 
     def stage(self, rows: Iterable[ComparisonRow], text: str) -> None:
-        """Edit settings and notes to a comparison's right side, in one undo step.
+        """Edit settings and notes to the right side of a comparison.
 
-        Rows without a right side, or whose setting cannot be edited, are left out.
+        This is one undo step. Rows without an editable right side are skipped.
 
         Raises:
-            BadRequest: a value that no board accepts; nothing was changed.
+            BadRequest: no board accepts a value. Nothing is changed.
         """
         chosen = list(rows)
         wanted = [row for row in chosen if row.after is not None and self.can_edit(row.key)]
@@ -278,12 +277,13 @@ class SettingsDraft(QObject):
 def diff_against_draft(
     draft: SettingsDraft, settings: Settings, *, is_stored: bool = False
 ) -> Comparison:
-    """Compare the settings shown, or stored, with their state after other settings are applied.
+    """Compare the draft with its state after other settings are applied.
 
-    Settings that the board lacks or does not accept now are left out. The result names them.
+    `is_stored` compares the stored settings, without edits. The result names settings that the
+    board lacks or does not accept now.
 
     Raises:
-        BadRequest: the settings are for another model, or the draft has no settings yet.
+        BadRequest: the settings are for another model, or the draft is empty.
     """
     shown = draft.stored if is_stored else draft.shown
     if shown is None:

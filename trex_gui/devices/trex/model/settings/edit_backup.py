@@ -1,4 +1,4 @@
-"""Backup of unapplied edits of a board, which survives a crash of the program."""
+"""Backup of unapplied edits, which survives a crash."""
 
 from collections.abc import Collection
 from dataclasses import dataclass, replace
@@ -24,21 +24,20 @@ class EditOffer:
 
 
 class EditBackup(QObject):
-    """Saves edits after each change, and offers edits of an earlier run. Works in a thread."""
+    """Saves edits in a thread, and offers edits of an earlier run."""
 
     offered = Signal()  # `offer` is new or gone
-    failed = Signal(str)  # why edits cannot be saved, for the user; once until saving works again
+    failed = Signal(str)  # reason for the user, until saving works again
 
     def __init__(self, draft: SettingsDraft, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        # Edits that the user has to restore or discard; they stay saved until then
-        self.offer: EditOffer | None = None
+        self.offer: EditOffer | None = None  # saved until restored or discarded
         self._draft = draft
         self.files = BoardFiles(EditFiles(), self)
-        self._board: BoardIdentity | None = None  # the board whose edits the draft holds
-        self._is_read = False  # whether the edits saved earlier for this board are known
+        self._board: BoardIdentity | None = None  # owner of the edits in the draft
+        self._is_read = False  # the file of this board was read
         self._has_file = False
-        self._undecided: Settings | None = None  # saved edits that the draft does not hold
+        self._undecided: Settings | None = None  # saved edits outside the draft
         self._left: tuple[BoardIdentity | None, bool] = (None, False)
         self._edits_left: Settings | None = None
         self._parked: dict[BoardIdentity, Settings] = {}  # edits of boards that are not selected
@@ -47,10 +46,9 @@ class EditBackup(QObject):
         draft.pending_changed.connect(self._on_changed)
 
     def close_board(self, *, is_deselected: bool = False) -> None:
-        """Save no changes until `take_board`, because the draft is about to be loaded.
+        """Pause saving until `take_board`, while the draft is loaded.
 
-        `is_deselected`: another board on the line is selected. Edits of the former board are made
-        again when it is selected again.
+        `is_deselected`: another board on the line is selected. Edits return with the former board.
         """
         stored = self._draft.stored
         if is_deselected and stored is not None and self._board is not None and self._draft.pending:
@@ -64,11 +62,10 @@ class EditBackup(QObject):
         self._board = None
 
     def take_board(self, *, ask: bool, is_simulated: bool = False) -> None:
-        """Save edits for the board, and look for its edits of an earlier run.
+        """Save edits of this board, and read edits of an earlier run.
 
-        Edits of simulated and of real boards are saved separately. For the same board as before,
-        a present offer is repeated only with `ask`. Edits that the draft has dropped, because
-        their setting could not be read this time, stay saved.
+        Simulated and real boards have separate files. The same board gets its offer again only with
+        `ask`. Edits of settings that could not be read stay saved.
         """
         stored = self._draft.stored
         if stored is None:
@@ -95,7 +92,7 @@ class EditBackup(QObject):
     # --- Decisions ----------------------------------------------------------------------
 
     def restore(self) -> None:
-        """Make the offered edits pending, except settings that were edited meanwhile.
+        """Restore the offered edits, except settings edited meanwhile.
 
         Edits that the board does not accept now stay saved.
         """
@@ -112,7 +109,7 @@ class EditBackup(QObject):
         self._set_offer(None)
 
     def discard(self) -> None:
-        """Discard the saved edits of the draft, at the end of the program."""
+        """Discard the saved edits at the end of the program."""
         if self._board is not None and self._has_file and self._draft.pending:
             self.files.save(self._board, self._undecided)
         self._board = None

@@ -40,14 +40,13 @@ class SnapshotColumn(IntEnum):
     ADAPTER = 6
 
 
-_LABELS = {SnapshotColumn.NAME: "name", SnapshotColumn.NOTE: "note"}
-"""Columns that the user edits, and their parameter names in `SettingsHistory.label`."""
+_LABELS = {SnapshotColumn.NAME: "name", SnapshotColumn.NOTE: "note"}  # editable columns
 
 
 def _read(
     history: SettingsHistory, known: Mapping[Path, Snapshot], progress: ProgressCallback
 ) -> tuple[Snapshot, ...]:
-    """Read the folder, in a thread. `known` has the snapshots that were listed before."""
+    """Read the folder in a thread. `known` has snapshots listed before."""
     files, snapshots = history.files(), list[Snapshot]()
     for number, file in enumerate(files, 1):
         snapshots.append(history.look_at(file, known.get(history.folder / file[2])))
@@ -56,14 +55,13 @@ def _read(
 
 
 class SnapshotTable(QAbstractTableModel):
-    """Snapshots in the folder of a history that match a search, newest first.
+    """Snapshots that match a search, newest first.
 
-    Files are listed and read in separate threads. Damage below the head of a file is found when
-    the snapshot is loaded, and is remembered.
+    Threads list and load the files. Damage below the head of a file is found on loading.
     """
 
     listed = Signal()  # the folder was read, or the search has changed
-    loaded = Signal()  # `content_of` knows another snapshot
+    loaded = Signal()  # `content_of` has another snapshot
     failed = Signal(str)  # why the folder cannot be listed, for the user
 
     def __init__(self, history: SettingsHistory, parent: QObject | None = None) -> None:
@@ -71,13 +69,13 @@ class SnapshotTable(QAbstractTableModel):
         self._history = history
         self.snapshots: list[Snapshot] = []
         self.listing: tuple[Snapshot, ...] | None = None  # `None` before the folder was read
-        self._contents: dict[Path, tuple[Stamp, Settings | str]] = {}  # or the damage
+        self._contents: dict[Path, tuple[Stamp, Settings | str]] = {}  # settings or damage
         self._loading: set[Path] = set()
         self._words: list[str] = []
         self._cancel: Callable[[], None] = lambda: None
 
     def set_words(self, text: str) -> None:
-        """Show only snapshots that contain all these words, in any column or the tooltip."""
+        """Show only snapshots with all these words in a column or the tooltip."""
         self._words = text.casefold().split()
         if self.listing is not None:
             self.beginResetModel()
@@ -86,7 +84,7 @@ class SnapshotTable(QAbstractTableModel):
             self.listed.emit()
 
     def refresh(self) -> None:
-        """Read the folder again. Rows that stay keep their place."""
+        """Read the folder again. Remaining rows stay in place."""
         self._cancel()
         known = {snapshot.path: snapshot for snapshot in self.listing or ()}
         read = partial(_read, self._history, known)
@@ -151,7 +149,7 @@ class SnapshotTable(QAbstractTableModel):
         self.loaded.emit()
 
     def problem_of(self, snapshot: Snapshot) -> str:
-        """Return why a snapshot cannot be used, as far as known. Empty if it can be used."""
+        """Return the known damage of a snapshot. Empty if usable."""
         stamp, content = self._contents.get(snapshot.path, (None, snapshot.problem))
         is_current = stamp == snapshot.stamp
         return content if is_current and isinstance(content, str) else snapshot.problem

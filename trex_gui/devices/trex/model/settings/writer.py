@@ -1,4 +1,4 @@
-"""Writes to the board: save a snapshot, then write and verify every value."""
+"""Verified writes to the board, after a snapshot."""
 
 from collections.abc import Callable, Collection, Mapping
 from functools import partial
@@ -31,16 +31,16 @@ _TIMEOUT = ParameterKey.SERIAL_TIMEOUT
 
 
 class SettingsWriter(QObject):
-    """Writes settings, one write at a time. Failed writes stay edits.
+    """Writes settings, one write at a time. Failed values stay edits.
 
     Before every write, a snapshot of the stored settings is saved in the background. Without a
     snapshot nothing is written. `finished` or `failed` reports each result.
     """
 
     changed = Signal()  # `running` has become true, or `is_saving_snapshot` false
-    written = Signal(object)  # the `Written`, before `finished`; its receiver updates the draft
-    finished = Signal(object)  # the `WriteResult` of every value that was tried
-    failed = Signal(str)  # why the write failed or ended early, for the user
+    written = Signal(object)  # the `Written`, before `finished`
+    finished = Signal(object)  # a `WriteResult` for each value
+    failed = Signal(str)  # reason for the user
 
     def __init__(
         self,
@@ -51,7 +51,7 @@ class SettingsWriter(QObject):
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
-        self.history = SettingsHistory()  # what boards stored before each write
+        self.history = SettingsHistory()  # stored settings before each write
         self.running = False
         self._draft = draft
         self._board = board
@@ -59,16 +59,16 @@ class SettingsWriter(QObject):
         self._driving = driving
         self._cancel_snapshot: Callable[[], None] | None = None
 
-    # --- What is known ------------------------------------------------------------------
+    # --- State --------------------------------------------------------------------------
 
     @property
     def is_saving_snapshot(self) -> bool:
-        """True while the write can be cancelled: nothing was sent to the board yet."""
+        """True before anything is sent, while the write can be cancelled."""
         return self._cancel_snapshot is not None
 
     @property
     def is_rejected(self) -> bool:
-        """True if the board is in a mode in which it rejects every write."""
+        """True if the board's mode rejects writes."""
         state = self._board.state
         return self._is_connected and state is not None and not state.mode.is_serial
 
@@ -80,7 +80,7 @@ class SettingsWriter(QObject):
 
     @property
     def blocker(self) -> str:
-        """Remedy, for the user, while the board rejects writes. Empty if it accepts them."""
+        """Remedy while the board rejects writes, else empty."""
         if not self.is_rejected:
             return ""
         return tr(
@@ -97,8 +97,7 @@ class SettingsWriter(QObject):
     def apply(self, only: Collection[str] | None = None) -> None:
         """Write every edit, or only edits with these keys.
 
-        Before the first byte, the session gets the line settings that the board may have after the
-        write, since its power may fail right then.
+        The session first gets the line settings after the write, since power may fail during it.
         """
         if self._draft.reset_pending or self._state_to_change() is None:
             return
@@ -112,9 +111,9 @@ class SettingsWriter(QObject):
             self.write(tr("Apply of %n setting(s)", "", count), changed, curves)
 
     def set_serial_timeout(self, seconds: float) -> None:
-        """Write the serial timeout, after which a silent line stops the motors. 0 disables it.
+        """Write the serial timeout. 0 disables it.
 
-        Also switches UART-Error Shutdown on, which the timeout may need.
+        Also switches on UART-Error Shutdown, which the timeout may need.
 
         Raises:
             BadRequest: the timeout is beyond the range of the board.
@@ -139,10 +138,10 @@ class SettingsWriter(QObject):
         self.write(tr("{0} set").format(spec.name), tuple((changed or wires).items()))
 
     def reset_to_factory(self) -> None:
-        """Make the board reset every parameter at its next start.
+        """Request a reset of every parameter at the next start.
 
-        Pending edits are discarded once the board accepts the reset, since the values that they
-        change will be gone. Its reply is the only confirmation: the reset cannot be read back.
+        Pending edits are discarded once the board accepts. Its reply is the only confirmation,
+        since the reset cannot be read back.
         """
         if self.running or (state := self._state_to_change()) is None:
             return
@@ -158,7 +157,7 @@ class SettingsWriter(QObject):
         parameters: tuple[tuple[str, int], ...],
         calibrations: tuple[tuple[CalibrationKey, Calibration], ...] = (),
     ) -> None:
-        """Write these values. `reason` heads the snapshot. Edits stay pending."""
+        """Write these values. `reason` is the title of the snapshot."""
         if self.running or (state := self._state_to_change()) is None:
             return
         self.running = True
@@ -178,7 +177,7 @@ class SettingsWriter(QObject):
         self.changed.emit()
 
     def _state_to_change(self) -> DeviceState | None:
-        """Return the stored state. `None` if a write would miss the board or reach others."""
+        """Return the state. `None` if a write would reach no board, or several."""
         if self._driving.reaches_several and self._connection.is_open:
             text = tr(
                 "Nothing was written: without a device number it would reach several boards. "
@@ -189,14 +188,14 @@ class SettingsWriter(QObject):
         return self._board.state if self._connection.is_open else None
 
     def _expect_after(self, stored: Mapping[str, int]) -> None:
-        """Search a silent board also at the line settings that these values set."""
+        """Include the line settings in these values in reconnect attempts."""
         state, link = self._board.state, self._connection.settings
         if state is not None and link is not None:
             firmware = state.signature.firmware
             self._connection.expect(reconnect_candidates(link, state.parameters, stored, firmware))
 
     def cancel(self) -> bool:
-        """Cancel the write if nothing was sent yet. Return whether it was cancelled."""
+        """Cancel the write if nothing was sent. Return whether it was cancelled."""
         if self._cancel_snapshot is None:
             return False
         self.end()
@@ -204,12 +203,12 @@ class SettingsWriter(QObject):
         return True
 
     def give_up(self, reason: str) -> None:
-        """Cancel the write and report this reason, if nothing was sent yet."""
+        """Cancel the write and report this reason, if nothing was sent."""
         if self.cancel():
             self.failed.emit(reason)
 
     def end(self) -> None:
-        """End the write, such as after the line was closed."""
+        """End the write without a result."""
         self.running = False
         if self._cancel_snapshot is not None:
             self._cancel_snapshot()
@@ -218,11 +217,11 @@ class SettingsWriter(QObject):
     def _on_saved(self, transaction: WriteTransaction, _snapshot: Snapshot) -> None:
         self._cancel_snapshot = None
 
-        def make(number: int) -> Write:
+        def new_request(number: int) -> Write:
             transaction.start()
             return Write(number, *transaction.values, before=transaction.state)
 
-        if not self._connection.request(make, partial(self._on_written, transaction)):
+        if not self._connection.request(new_request, partial(self._on_written, transaction)):
             self.failed.emit(tr("No board is connected."))
         if self.running:
             self.changed.emit()

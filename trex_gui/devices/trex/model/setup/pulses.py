@@ -1,4 +1,4 @@
-"""Short weak pulses of one motor, to show which wheel it drives."""
+"""Short pulses of a motor, which show the wheel it drives."""
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -10,29 +10,29 @@ from trex_gui.devices.trex.model.motors import FIRST_CEILING
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.ui.runtime import new_timer
 
-_HOLDER = "setup"  # the name by which the pulses acquire the motors
+_HOLDER = "setup"  # name that acquires the motors
 
 WEAK, STRONGER = round(0.2 * FULL_SCALE), FIRST_CEILING
-"""Speeds of a pulse, 20 % and 30 % of full speed (inferred). 20 % turns most geared motors whose
-wheels are free, and moves a robot on the floor by a few centimetres."""
+"""Speeds of a pulse (inferred). 20 % turns most geared motors with free wheels, and moves a robot
+on the floor by a few centimetres."""
 
-PULSE = 0.4  # seconds for which the motor is driven; long enough to see which way it turns
-PAUSE = 0.6  # seconds at rest between two pulses
+PULSE = 0.4  # s; long enough to see the direction
+PAUSE = 0.6  # s between two pulses
 
 
 class MotorPulses(QObject):
     """Drives one motor forward in pulses while a button is held.
 
-    Pulses are normal setpoints of a held control: arming, speed ceiling, stops and guardian apply
-    as usual. The other motor has to be at rest, and stays at rest.
+    Pulses are setpoints of a momentary control, so arming, speed ceiling, stops and guardian apply.
+    The other motor stays at rest.
     """
 
     changed = Signal()  # `motor`, `wheels_are_free` or `blocker`
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.motor = 0  # the motor that the held button drives; 0 if no button is held
-        self.wheels_are_free = False  # whether the user has confirmed that the wheels turn freely
+        self.motor = 0  # driven motor; 0 if no button is held
+        self.wheels_are_free = False  # confirmed by the user
         self._device = device
         self._motors = motors = device.motors
         self._speed = WEAK
@@ -46,14 +46,14 @@ class MotorPulses(QObject):
 
     @property
     def cannot_drive(self) -> str:
-        """Reason why this board cannot show its motors one by one. Empty if it can."""
+        """Reason why motors cannot be driven one by one. Empty if they can."""
         if self._device.is_connected and self._device.board.is_joint:
             return tr("Joint mode: both outputs drive one motor, so there is nothing to find.")
         return mode_blocker(self._device) if self._device.is_connected else ""
 
     @property
     def blocker(self) -> str:
-        """Reason why no pulse can start, and the remedy, for the user. Empty if a pulse can."""
+        """Reason why no pulse can start. Empty if a pulse can start."""
         if self.cannot_drive:
             return self.cannot_drive
         if self._device.is_connected and not self.wheels_are_free:
@@ -69,7 +69,7 @@ class MotorPulses(QObject):
             self.stop(tr("The wheels may touch the ground."))
 
     def stop(self, reason: str) -> None:
-        """Stop and disarm all motors if any may move. The wheels have to be confirmed again."""
+        """Stop and disarm the motors. The wheels have to be confirmed again."""
         self.wheels_are_free = False
         if self._motors.armed or self._device.may_move:
             self._motors.stop(reason)
@@ -113,7 +113,7 @@ class MotorPulses(QObject):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        """Discard the confirmation if the board is lost: the robot may be put down meanwhile."""
+        """Clear the confirmation of a lost board: the robot may be put down."""
         if not self._device.is_connected:
             self.wheels_are_free = False
         self.changed.emit()

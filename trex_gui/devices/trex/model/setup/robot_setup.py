@@ -1,4 +1,4 @@
-"""The assistant that sets up a robot: its steps, presets, and the edits of each step."""
+"""Assistant that sets up a robot: steps, presets and edits."""
 
 from collections.abc import Mapping, Sequence
 from enum import Enum, auto
@@ -44,8 +44,7 @@ class Preset(Enum):
     def values(self, model: str) -> Mapping[str, int]:
         """Return wire values by key for a model.
 
-        Current limits are left out if the sample is for another model, because their units and
-        the ratings of the motor drivers differ.
+        Current limits are left out for another model, because units and ratings differ.
         """
         sample = _sample(self.value).parameters
         keys = [parameter.of(motor) for motor in (1, 2) for parameter in _RAMPS]
@@ -61,10 +60,9 @@ def _sample(name: str) -> Settings:
 _REVERSED = ParameterKey.REVERSED_CHANNELS
 _STICKS = (1, 2)  # the channels that drive
 
-TIMEOUT_WIRE = 5
-"""Proposed serial timeout: 0.5 s, as in the samples for robots with a computer."""
+TIMEOUT_WIRE = 5  # proposed serial timeout: 0.5 s, as in the samples
 
-_PUSHED = 0.25  # least offset from neutral of a pushed stick, as part of the channel's range
+_PUSHED = 0.25  # minimum offset of a pushed stick, as part of the channel's range
 
 
 class SetupStep(Enum):
@@ -78,16 +76,16 @@ class SetupStep(Enum):
 
 
 class RobotSetup(QObject):
-    """Creates only pending edits, and only in `next`. The user can skip or leave every step."""
+    """Steps of the assistant. Only `next` edits settings, and nothing is written."""
 
     changed = Signal()
 
     def __init__(self, device: Device, learning: Learning, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.step = SetupStep.DRIVER  # the step that is open
-        self.driver = Driver.ONE_STICK  # who drives the robot
-        self.movements: dict[int, Movement] = {}  # the movement that the user saw, by motor
-        # By channel (1 and 2): true if the input rises when the stick goes forward or right
+        self.step = SetupStep.DRIVER
+        self.driver = Driver.ONE_STICK
+        self.movements: dict[int, Movement] = {}  # as seen by the user, by motor
+        # By channel (1 and 2): the input rises when the stick goes forward or right
         self.rises: dict[int, bool] = {}
         self.preset: Preset | None = None  # source of the ramps; `None` retains the board's ramps
         # Wire value for both motors; `None` retains the board's limits
@@ -115,7 +113,7 @@ class RobotSetup(QObject):
 
     @property
     def wiring(self) -> Wiring | None:
-        """Connections of the motors. `None` until the pulses of both motors have shown them."""
+        """Connections of the motors. `None` before both motors were pulsed."""
         return Wiring.seen(self.movements)
 
     @property
@@ -124,7 +122,7 @@ class RobotSetup(QObject):
 
     @property
     def open_steps(self) -> Sequence[SetupStep]:
-        """The steps that were not opened yet, were skipped, or have not got their result."""
+        """Steps that are not complete."""
         return [
             step for step in self.steps if step is not SetupStep.REVIEW and not self._is_done(step)
         ]
@@ -151,7 +149,7 @@ class RobotSetup(QObject):
 
     @property
     def edits(self) -> Mapping[str, int]:
-        """The wire values by key that `next` would change in this step."""
+        """Wire values by key that `next` would edit."""
         return {} if self.blocker else self._edits_of(self.step)
 
     def _edits_of(self, step: SetupStep) -> Mapping[str, int]:
@@ -164,7 +162,7 @@ class RobotSetup(QObject):
 
     @property
     def blocker(self) -> str:
-        """Reason that blocks this step, for the user. Empty for a step that changes no settings."""
+        """Reason that blocks this step. Empty if it changes no settings."""
         device = self._device
         if self.step not in {SetupStep.MOTORS, SetupStep.LIMITS, SetupStep.TIMEOUT}:
             return ""
@@ -211,7 +209,7 @@ class RobotSetup(QObject):
             self.changed.emit()
 
     def record_pushed(self, channels: Sequence[int]) -> tuple[int, ...]:
-        """Record pushed sticks. Return the channels whose input does not show the push."""
+        """Record pushed sticks. Return channels whose input shows no push."""
         for channel in channels:
             self.rises.pop(channel, None)
             raw = self._device.telemetry.raw_of(channel)
@@ -228,12 +226,11 @@ class RobotSetup(QObject):
         self.changed.emit()
 
     def clear_movements(self) -> None:
-        """Remove the recorded movements, for example after wires were exchanged."""
         self.movements.clear()
         self.changed.emit()
 
     def select_preset(self, preset: Preset | None) -> None:
-        """Select ramps. The preset's current limit is selected too if it fits this board."""
+        """Select ramps, and the current limit if it fits this board."""
         model = self._device.parameters.model_key
         self.preset = preset
         self.current_limit = None
@@ -250,7 +247,7 @@ class RobotSetup(QObject):
         self.changed.emit()
 
     def next(self) -> None:
-        """Add the edits of this step as one undo step. Then open the next step."""
+        """Edit the settings of this step in one undo step. Then open the next step."""
         if edits := self.edits:
             with self._device.draft.one_edit(tr("Set up my robot")):
                 for key, wire in edits.items():
@@ -282,7 +279,7 @@ class RobotSetup(QObject):
         if 0 <= index < len(steps):
             self.go_to(steps[index])
 
-    # --- What has changed ---------------------------------------------------------------
+    # --- Reports of the device ----------------------------------------------------------
 
     @Slot()
     def _handle_learned(self) -> None:
@@ -299,7 +296,7 @@ class RobotSetup(QObject):
 
     @Slot()
     def _clear(self) -> None:
-        """Reset the answers. Even a current limit means something else on another model."""
+        """Clear all answers, because another model has other units."""
         self.movements.clear()
         self.rises.clear()
         self._completed.clear()

@@ -21,7 +21,7 @@ class Side(StrEnum):
 
 
 class Movement(Enum):
-    """Movement of a wheel while its motor was driven forward by a serial command."""
+    """Movement of a wheel while its motor was driven forward."""
 
     LEFT_FORWARD = Side.LEFT, True
     RIGHT_FORWARD = Side.RIGHT, True
@@ -35,10 +35,10 @@ class Movement(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Rewiring:
-    """Changes of wires that settings of the board cannot replace."""
+    """Wiring changes that no setting can replace."""
 
-    exchange_motors: bool  # whether motors 1 and 2 have to exchange their pairs of wires
-    reverse: frozenset[Side]  # motors whose two wires have to be exchanged
+    exchange_motors: bool  # motors 1 and 2 exchange their pairs of wires
+    reverse: frozenset[Side]  # motors whose two wires are exchanged
 
     def __bool__(self) -> bool:
         return self.exchange_motors or bool(self.reverse)
@@ -53,9 +53,9 @@ class Wiring:
 
     @classmethod
     def seen(cls, movements: Mapping[int, Movement]) -> "Wiring | None":
-        """Return the wiring that the movements of motors 1 and 2 showed.
+        """Return the wiring from the movements of motors 1 and 2.
 
-        `None` if a movement is unknown, or if both motors seemed to move the same wheel.
+        `None` if a movement is missing, or if both motors moved the same wheel.
         """
         sides = [movements[motor].side for motor in (1, 2) if motor in movements]
         if set(sides) != {Side.LEFT, Side.RIGHT}:
@@ -66,9 +66,9 @@ class Wiring:
     def rewiring(self, driver: Driver) -> Rewiring:
         """Return the wires that have to be exchanged.
 
-        The board stores neither direction nor side of a motor, only directions of channels
-        (parameter 0x03). Serial commands ignore them. With mixing, they can reverse both motors or
-        exchange left and right. Without mixing, they can reverse each motor.
+        The board stores directions of channels (parameter 0x03), not of motors. Serial commands
+        ignore these directions. With mixing, they can reverse both motors, or exchange left and
+        right. Without mixing, they can reverse each motor.
         """
         nothing: frozenset[Side] = frozenset()
         match driver:
@@ -80,11 +80,10 @@ class Wiring:
                 return Rewiring(self.swapped, self.backward)
 
     def turned_channels(self, driver: Driver) -> frozenset[int]:
-        """Return which of channels 1 and 2 have to be reversed after rewiring.
+        """Return the drive channels to reverse after rewiring.
 
-        Mixing is motor 1 = forward + turn, motor 2 = forward - turn (inferred, reference
-        section 3), so reversing channel 1 exchanges the motors, and reversing both channels
-        reverses both motors.
+        Mixing is motor 1 = forward + turn, motor 2 = forward - turn (inferred, reference section
+        3). Reversing channel 1 exchanges the motors. Reversing both channels reverses both motors.
         """
         backward = self.backward - self.rewiring(driver).reverse
         match driver:
