@@ -50,9 +50,9 @@ class BoardPlan:
 class ApplyToBoards(QObject):
     """Reads several boards, then writes the same settings to each.
 
-    Device numbers and serial settings stay. Silent boards and other models are skipped. The first
-    write error ends the work. *Stop* ends it after the present board. A board whose settings have
-    changed since the review is not written. At the end the first board is selected again.
+    Device numbers and serial settings stay. Silent boards, other models, and boards that have
+    changed since the review are skipped. A write error ends the work, as does a stop of the motors.
+    At the end the first board is selected again.
     """
 
     changed = Signal()  # `plans` or `is_running`
@@ -76,14 +76,12 @@ class ApplyToBoards(QObject):
         device.motors.stop_requested.connect(self._on_stop_requested)
 
     def review(self, settings: Settings, numbers: Collection[int]) -> None:
-        """Read these boards, and compare each with the settings."""
         if self.is_running:
             return
         self._wanted = settings.without(REACH)
         self._start([BoardPlan(number) for number in sorted(numbers)], is_writing=False)
 
     def write(self, numbers: Collection[int]) -> None:
-        """Write the reviewed changes to the boards with these numbers."""
         if not self.is_running:
             plans = [
                 replace(plan, step=BoardStep.WAITING)
@@ -116,7 +114,6 @@ class ApplyToBoards(QObject):
         self.changed.emit()
 
     def _finish_board(self, number: int, step: BoardStep, problem: str = "") -> None:
-        """Set the outcome of a board, then continue."""
         self._set(number, step, problem)
         self._go_on()
 
@@ -175,7 +172,6 @@ class ApplyToBoards(QObject):
             self._go_on()
 
     def _findings(self, changes: Comparison) -> tuple[LintFinding, ...]:
-        """Return the findings about the selected board after these changes."""
         stored, settings = self._device.draft.stored, self._device.settings
         if stored is None or settings is None:
             return ()
@@ -217,7 +213,6 @@ class ApplyToBoards(QObject):
 
     @Slot()
     def _on_stop_requested(self) -> None:
-        """End the work if the user has stopped the motors."""
         unfinished = {BoardStep.WAITING, BoardStep.READING, BoardStep.WRITING}
         is_working = self.is_running and any(plan.step in unfinished for plan in self.plans)
         if is_working and not self._device.motors.stop_reason:
@@ -235,7 +230,6 @@ class ApplyToBoards(QObject):
         self._end()
 
     def _end(self) -> None:
-        """Select the first board again, and report the end."""
         for plan in self.plans:
             if plan.step is BoardStep.WAITING:
                 self._set(plan.number, BoardStep.SKIPPED)

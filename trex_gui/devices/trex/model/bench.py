@@ -33,11 +33,9 @@ _TAIL = 0.6  # s; currents are recorded while the motor brakes
 
 
 class Phase(Enum):
-    """Phase of a test. Recording continues while braking."""
-
     IDLE = auto()
     DRIVING = auto()
-    BRAKING = auto()
+    BRAKING = auto()  # the current is still recorded
 
 
 class Bench(QObject):
@@ -88,7 +86,6 @@ class Bench(QObject):
 
     @property
     def current(self) -> Run | None:
-        """Running test up to now, or else the last test."""
         if self._run is None:
             return self.runs[-1] if self.runs else None
         return replace(
@@ -100,7 +97,7 @@ class Bench(QObject):
 
     @property
     def highest_current(self) -> float:
-        """Highest measurable current in A. Without a board, that of a TReX."""
+        """Highest measurable current in A."""
         return self._device.telemetry.ampere * _HIGHEST_COUNT
 
     def tuned_keys(self) -> tuple[str, ...]:
@@ -108,7 +105,7 @@ class Bench(QObject):
 
     @property
     def blocker(self) -> str:
-        """Reason why no test can start. Empty if a test can start."""
+        """Reason why no test can start, or empty."""
         device = self._device
         if device.is_connected and device.board.is_joint:
             return tr(
@@ -123,7 +120,6 @@ class Bench(QObject):
     # --- Commands -----------------------------------------------------------------------
 
     def set_plan(self, plan: Plan) -> None:
-        """Set the next test. A running test retains its own plan."""
         if plan != self.plan:
             self.plan = plan
             self.changed.emit()
@@ -166,12 +162,11 @@ class Bench(QObject):
             self._end(End.RELEASED)
 
     def abort(self, reason: str) -> None:
-        """Stop, disarm and lock out all motors. `reason` is for the user."""
+        """Stop, disarm and lock out all motors."""
         if self.is_driving:
             self._end(End.ABORTED, reason)
 
     def add_run(self, run: Run) -> None:
-        """Add a finished test, or a saved test for comparison."""
         self.runs = (*self.runs[-_MAX_RUNS + 1 :], run)
         self.changed.emit()
         self.finished.emit(run)
@@ -241,7 +236,6 @@ class Bench(QObject):
 
     @Slot()
     def _on_state_changed(self) -> None:
-        """Set the default abort current for another unit of current."""
         if (ampere := self._device.telemetry.ampere) != self._ampere:
             self._ampere = ampere
             self.plan = replace(self.plan, abort_current=round(_ABORT_COUNTS * ampere, 2))
@@ -259,7 +253,6 @@ class Bench(QObject):
     # --- The end ------------------------------------------------------------------------
 
     def _end(self, how: End, reason: str = "") -> None:
-        """Brake or stop the motor. Recording continues."""
         self.phase = Phase.BRAKING
         if how is not End.ABORTED:
             self._motors.release(_HOLDER)

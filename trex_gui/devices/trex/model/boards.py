@@ -34,10 +34,8 @@ class Presence(Enum):
 
 @dataclass(frozen=True, slots=True)
 class LineBoard:
-    """Board on a line. `signature` is `None` while unknown."""
-
     number: int
-    signature: Signature | None
+    signature: Signature | None  # `None` while unknown
     presence: Presence
 
     @property
@@ -77,7 +75,7 @@ class BoardList(QObject):
 
     @property
     def selected(self) -> int | None:
-        """Number of the board that the pages show. `None` without a board."""
+        """Number of the shown board, if any."""
         device = self._device
         if device.settings is not None and device.settings.device_number is not None:
             return device.settings.device_number
@@ -89,7 +87,7 @@ class BoardList(QObject):
 
     @property
     def others(self) -> set[int]:
-        """Numbers of the boards that are not selected, responding or not."""
+        """Numbers of the boards that are not selected."""
         return {board.number for board in self.boards} - {self.selected}
 
     @property
@@ -112,7 +110,6 @@ class BoardList(QObject):
 
     @property
     def _may_ask(self) -> bool:
-        """True if no motor is driven, so that other boards may be probed."""
         device = self._device
         is_driven = device.motors.armed or device.may_move or device.driving.is_group
         return device.is_writable and not (is_driven or self.is_selecting)
@@ -127,7 +124,6 @@ class BoardList(QObject):
             self._probe_next()
 
     def cancel_scan(self) -> None:
-        """Cancel the scan. Boards found so far stay."""
         if self.scanned is not None:
             self.scanned = None
             self.changed.emit()
@@ -158,7 +154,6 @@ class BoardList(QObject):
         self._probe_next()
 
     def _finish_scan(self) -> None:
-        """Save and report the found boards, and select one of several."""
         missing = {Presence.SILENT, Presence.UNKNOWN}
         found = [board for board in self.boards if board.presence not in missing]
         self.boards = tuple(found)
@@ -215,7 +210,7 @@ class BoardList(QObject):
 
     @property
     def is_addressed(self) -> bool:
-        """True if commands carry a device number, so that they reach one board."""
+        """True if commands reach only one board."""
         settings = self._device.settings
         return settings is not None and settings.device_number is not None
 
@@ -279,7 +274,6 @@ class BoardList(QObject):
 
     @Slot()
     def _on_state_changed(self) -> None:
-        """Update the list after a selection or a changed number."""
         device = self._device
         if device.state is None or device.settings is None:
             return
@@ -317,7 +311,6 @@ class BoardList(QObject):
         Preferences().set(self._known_key, numbers)
 
     def _known_boards(self) -> tuple[LineBoard, ...]:
-        """Return the boards that an earlier scan of this port found."""
         words = Preferences().text(self._known_key).split(",")
         known = {int(word) for word in words if word.isascii() and word.isdigit()}
         numbers = sorted(number for number in known if number < NUMBERS)
@@ -325,7 +318,6 @@ class BoardList(QObject):
 
     @Slot()
     def _on_presence_due(self) -> None:
-        """Probe the next board that is not selected."""
         others = [board for board in self.boards if board.presence is not Presence.SELECTED]
         if others and self._may_ask and self.scanned is None and not self.is_asking:
             self._next = (self._next + 1) % len(others)

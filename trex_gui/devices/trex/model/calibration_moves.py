@@ -23,7 +23,7 @@ class Handle(Enum):
         return self in {Handle.DEADBAND_LOW, Handle.DEADBAND_HIGH}
 
     def count(self, calibration: Calibration) -> int:
-        """Return the raw count of the handle. May be negative for a deadband."""
+        """Return the raw count of the handle, which may be negative."""
         if self.is_deadband:
             width = calibration.deadband
             return calibration.neutral + (width if self is Handle.DEADBAND_HIGH else -width)

@@ -45,13 +45,13 @@ _SWITCHES = (4, 5)
 
 
 def input_text(source: InputSource, count: int) -> str:
-    """Return a raw count with its physical value, in the user's order: `1500 µs (3750)`."""
+    """Return a raw count and its physical value: `1500 µs (3750)`."""
     first, second = units().ordered(source.text(count), str(count))
     return f"{first} ({second})"
 
 
 def live_text(source: InputSource, count: int | None, curve: ChannelCurve | None) -> str:
-    """Return a raw count and the output of its channel, before mixing and flip."""
+    """Return a raw count and the output of its channel."""
     if count is None or curve is None:
         return tr("no signal") if count is None else input_text(source, count)
     output = signed_text(curve.output(count))
@@ -102,7 +102,6 @@ def function_text(
 
 
 def source_instructions(source: InputSource, mode: Mode) -> str:
-    """Return instructions to switch a board in this mode to `source`."""
     if mode.is_serial:
         text = tr(
             "The board reads {0} now, and only shows and accepts calibrations for them. To see "
@@ -136,7 +135,7 @@ def write_failure(error: StudioError) -> str:
 
 
 def wrong_order(calibration: Calibration, source: InputSource) -> str:
-    """Return why the board would reject a calibration. Empty if valid."""
+    """Return the reason why the board would reject a calibration, or empty."""
     problem = calibration.problem(source.text)
     return tr("The board would reject this: {0}.").format(problem) if problem else ""
 
@@ -168,7 +167,6 @@ def beyond_input(calibration: Calibration, source: InputSource) -> str:
 
 
 def _exactly(count: int, source: InputSource) -> str:
-    """Return a count as text, precise enough to differ from neighbouring counts."""
     if source is InputSource.RC:
         number = f"{source.physical(count):.1f}".removesuffix(".0")
         return f"{with_decimal_point(number)} µs"
@@ -176,14 +174,14 @@ def _exactly(count: int, source: InputSource) -> str:
 
 
 def concern(calibration: Calibration, source: InputSource) -> str:
-    """Warn of an invalid or useless calibration. May be empty."""
+    """Return a warning of an invalid or useless calibration. May be empty."""
     if text := wrong_order(calibration, source) or beyond_input(calibration, source):
         return text
     return deadband_problem(calibration, source, "minimum", "maximum")
 
 
 def deadband_problem(calibration: Calibration, source: InputSource, *ends: str) -> str:
-    """Warn if the deadband reaches one of these ends. May be empty."""
+    """Return a warning if the deadband reaches one of these ends. May be empty."""
     travel = {end: abs(getattr(calibration, end) - calibration.neutral) for end in ends}
     reached = [tr(end) for end in ends if travel[end] <= calibration.deadband]
     if not reached:

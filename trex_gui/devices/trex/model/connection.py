@@ -211,7 +211,7 @@ class MemberConnection(Connection):
         return self._main.is_open
 
     def submit(self, request: object) -> bool:
-        """Queue a `Job`. The connection of `main` handles requests to motors."""
+        """Queue a `Job`. The main connection handles requests to motors."""
         if isinstance(request, Job):
             return self._main.submit(ToBoard(self._number, request))
         return False
@@ -237,7 +237,6 @@ class MemberConnection(Connection):
 
 
 def remedies_for(error: StudioError) -> Remedies:
-    """Return the buttons for a connection error."""
     if isinstance(error, BoardElsewhere):
         return (ConnectWith(error.settings),)
     if isinstance(error, TrexError) and error.code is ErrorCode.BOOT_LOADER:

@@ -82,7 +82,6 @@ class TrexController(DeviceController[ConnectionSettings]):
         return settings.short if number is None else f"{settings.short} #{number}"
 
     def set_settings(self, settings: ConnectionSettings) -> None:
-        """Save these line settings for the next connection."""
         self.settings = replace(settings, url="", name="")
         self._store.set(_LINE, settings.line.to_wire())
         number = settings.device_number
@@ -127,7 +126,6 @@ class TrexController(DeviceController[ConnectionSettings]):
 
     @Slot()
     def _record_settings(self) -> None:
-        """Save the settings at which the board responds."""
         used, port = self.device.settings, self.port
         if self.link is not ConnectionState.CONNECTED or used is None or port is None:
             return
@@ -216,7 +214,7 @@ class TrexController(DeviceController[ConnectionSettings]):
 
     @Slot()
     def _on_stop_wanted(self) -> None:
-        """Reconnect to motors that may still turn. A new session first sends a stop."""
+        """Reconnect if motors may turn. A new session first sends a stop."""
         device = self.device
         if not self.may_move or self._last is None:
             # The known serial timeout may belong to another board.
@@ -261,7 +259,6 @@ class TrexController(DeviceController[ConnectionSettings]):
 
     @Slot()
     def _report_late_stop(self) -> None:
-        """Report a late confirmation of the newest stop."""
         if self.is_armed or self.link is ConnectionState.DISCONNECTED:
             self._unconfirmed = ""
         elif self._unconfirmed and self.device.is_connected and not self.may_move:

@@ -32,8 +32,6 @@ BOOT_TEXTS = {  # by step of a boot mode, as reported by `show`
 
 @dataclass(frozen=True, slots=True)
 class DemoChannel:
-    """Input with its signal and measurement."""
-
     signal: str  # as in the control line `channel`
     raw: int | None
 
@@ -42,7 +40,7 @@ class DemoChannel:
         return self.signal not in {"silent", "invalid"}
 
     def stick(self, source: InputSource) -> float | None:
-        """Return the position of the stick in µs or V. `None` if it is unknown."""
+        """Return the position of the stick in µs or V, if known."""
         found = _SIGNAL.match(self.signal)
         if found and found[2].upper() == _SIGNAL_UNITS[source]:
             return float(found[1])
@@ -51,18 +49,16 @@ class DemoChannel:
 
 @dataclass(frozen=True, slots=True)
 class DemoMotor:
-    """Output with its motor. Current and load in A."""
-
     direction: str
     speed: int
-    current: float
-    load: float
+    current: float  # A
+    load: float  # A
     fault: bool
 
 
 @dataclass(frozen=True, slots=True)
 class DemoJumpers:
-    """Present positions of the jumpers. The board reads them at power-up."""
+    """Positions of the jumpers, which the board reads at power-up."""
 
     mode: str
     mix: bool
@@ -71,7 +67,7 @@ class DemoJumpers:
 
 @dataclass(frozen=True, slots=True)
 class DemoLeds:
-    """State of each LED: `on`, `off` or a pattern, such as `fast flash` or `blink 1/s`."""
+    """State of the LEDs: `on`, `off` or a pattern such as `blink 1/s`."""
 
     red: str
     green: str
@@ -121,7 +117,7 @@ _OFF_MS = 1000  # power off, long enough for the program to notice
 
 
 class DemoBoard(DemoDevice[DemoSnapshot]):
-    """Simulated TReX with its sticks. `changed` reports `snapshot` or `automatic`."""
+    """Simulated TReX with its sticks."""
 
     factory_reset = Signal()  # before the board is reset to its initial state
 
@@ -133,13 +129,11 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
 
     @property
     def automatic(self) -> frozenset[int]:
-        """Channels whose sticks move by themselves."""
         return frozenset(CHANNELS) - self._held.keys()
 
     # --- Power, jumpers, bytes ----------------------------------------------------------
 
     def power_cycle(self) -> None:
-        """Switch the power off for a second. Then the board reads its jumpers."""
         if not self._off.isActive():
             self._switch_off_and("power on")
 
@@ -163,14 +157,14 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
     # --- Motors and sticks --------------------------------------------------------------
 
     def set_load(self, motor: int, amperes: float) -> None:
-        """Set the current that motor 1 or 2 draws at full speed."""
+        """Set the current of motor 1 or 2 at full speed."""
         self._send_newest(f"load {motor}", f"load {motor} {amperes:.1f}")
 
     def set_fault(self, motor: int, fault: bool) -> None:
         self._send(f"fault {motor} {switch(fault)}")
 
     def hold_stick(self, channel: int, value: float) -> None:
-        """Hold a stick at a position in µs, or V in analog mode."""
+        """Hold a stick at a position in µs or V."""
         if self.snapshot is not None:
             low, high = STICK_ENDS[self.snapshot.source]
             self._held[channel] = (value - low) / (high - low)
@@ -178,7 +172,6 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
             self.changed.emit()
 
     def set_silent(self, channel: int, silent: bool) -> None:
-        """Disconnect or reconnect the stick of an input."""
         if silent:
             self._send_newest(f"channel {channel}", f"channel {channel} silent")
         else:
@@ -218,7 +211,7 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
     # --- Power cycles and snapshots -----------------------------------------------------
 
     def restore_factory(self) -> None:
-        """Reset the board and its EEPROM to the initial state, with a power cycle."""
+        """Reset board and EEPROM, with a power cycle."""
         self._unsent.clear()
         self._held.clear()
         self.set_mute(False)

@@ -145,7 +145,6 @@ class Device(QObject):
 
     @property
     def is_writable(self) -> bool:
-        """True if the board is connected and no settings are being written."""
         return self.is_connected and not self.writer.running
 
     @property
@@ -154,14 +153,14 @@ class Device(QObject):
 
     @property
     def board_name(self) -> str:
-        """Model, firmware and device number. Empty while no board is connected."""
+        """Model, firmware and device number. Empty without a board."""
         if self.state is None or not self.is_connected:
             return ""
         number = self.parameters.values.stored.get(ParameterKey.DEVICE_NUMBER)
         return name_of_board(self.state.signature, number)
 
     def named(self, text: str) -> str:
-        """Return a text, in a group with the number of this board."""
+        """Return a text, with the board number in a group."""
         settings = self.connection.settings
         if settings is None or not self.wheels:
             return text
@@ -181,7 +180,7 @@ class Device(QObject):
         return self.main.driving.may_move
 
     def drive_of(self, motor: int) -> Drive | None:
-        """Return the setpoint of motor 1 or 2. `None` if there was none since arming."""
+        """Return the setpoint of motor 1 or 2, if any."""
         if not self.wheels:
             return self.main.motors.drive(motor)
         wheel = self.wheels.get(motor)
@@ -195,11 +194,10 @@ class Device(QObject):
 
     @property
     def loss_text(self) -> str:
-        """Warning about motors that may be turning without a connection."""
         return f"{turning_text(self.driving.driven)} {self.board.silence_remedy}"
 
     def warn(self, cause: str, remedies: Remedies = ()) -> None:
-        """Show the `loss_text` and its cause until a stop is confirmed."""
+        """Show `loss_text` and its cause until a stop is confirmed."""
         text = self.named(f"{self.loss_text} {cause}")
         self.notifier.warn(text, remedies, lambda: self.may_stop_matter)
 
@@ -223,11 +221,10 @@ class Device(QObject):
         self.telemetry.set_seen(seen)
 
     def disconnect_line(self) -> None:
-        """Stop the motors if they were driven, and close the line. Does not wait."""
+        """Stop driven motors and close the line. Does not wait."""
         self.connection.close()
 
     def press_stop(self) -> None:
-        """Stop everything, with a lockout only if connected."""
         if self.link is not ConnectionState.DISCONNECTED:
             self.motors.press_stop()
         elif self.may_stop_matter:
@@ -239,7 +236,6 @@ class Device(QObject):
         return self.may_move or bool(self.main.driving.lost_board)
 
     def shut_down(self) -> bool:
-        """Close the line at the end of the program. See `SessionThread.shut_down`."""
         return self.connection.shut_down()
 
     def reload(self) -> None:
@@ -360,7 +356,6 @@ class Device(QObject):
         self.kept.set_kind(state.signature, opened=opened, is_simulated=is_simulated)
 
     def _on_selected(self, report: Connected) -> None:
-        """Show another board on the line. Edits of the former board are retained."""
         self.writer.give_up(tr("Nothing was written: another board was selected."))
         if pending := self.draft.pending:
             text = tr(

@@ -121,7 +121,6 @@ class DriveController(QObject):
             self._motors.set_available(allowed)
 
     def set_reaching_several(self, several: bool) -> None:
-        """Prevent arming while commands without a number would reach `several` boards."""
         if several != self.reaches_several:
             self.reaches_several = several
             self.follow_control()
@@ -133,14 +132,14 @@ class DriveController(QObject):
         self._motors.stop(reason)
 
     def send_packet(self, packet: RawPacket, then: Callable[[Outcome], None]) -> bool:
-        """Send bytes that the user typed. Return whether there is a session."""
+        """Send bytes typed by the user. Return whether there is a session."""
         is_sent = self._connection.request(lambda number: SendPacket(number, packet), then)
         self.may_move = self.may_move or (is_sent and packet.moves)
         return is_sent
 
     @property
     def place(self) -> str:
-        """Adapter of the board, or else its port. The port of an adapter may change."""
+        """Adapter of the board, or else its port."""
         settings = self._connection.settings
         return self._motors.adapter or ("" if settings is None else settings.url)
 
@@ -280,7 +279,6 @@ class DriveController(QObject):
 
     @property
     def lost_board(self) -> str:
-        """Warning about a lost board that may still be moving."""
         if not self._lost:
             return ""
         text = tr(
@@ -291,7 +289,6 @@ class DriveController(QObject):
         return text.format(_name_of(lost), lost.settings.label)
 
     def record_unconfirmed(self) -> None:
-        """Record that a motor may be moving after an unconfirmed stop."""
         self.may_move = True
         self.changed.emit()
 
@@ -310,7 +307,7 @@ class DriveController(QObject):
                 self._motors.take_board(str(_identity_of(self._board)), is_renamed=True)
 
     def _identify(self, report: Connected) -> bool:
-        """Compare the board with lost boards. Return whether a lost board is back."""
+        """Record the board. Return whether a lost board is back."""
         before, self._board = self._board, report
         self._was_read = self._is_identified = True
         if report.occasion is ReadReason.SELECTED:  # only after the former board has stopped
@@ -367,7 +364,6 @@ class DriveController(QObject):
 
     @Slot()
     def _report_lost(self) -> None:
-        """Warn if the stopped board may not be the lost board."""
         if self._is_connected and not self._is_loss_reported and self._board is not None:
             self._is_loss_reported = True
             text = tr("Another board responds now: {0}, at {1}.")
@@ -405,5 +401,4 @@ def _name_of(board: Connected) -> str:
 
 
 def name_of_board(signature: Signature, number: int | None) -> str:
-    """Return model and firmware, with the device number if given."""
     return str(signature) if number is None else tr("{0}, device {1}").format(signature, number)

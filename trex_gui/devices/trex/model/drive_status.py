@@ -45,7 +45,6 @@ def drive_inputs(device: Device) -> DriveInputs:
 
 
 def setpoint_of(device: Device, motor: int, inputs: DriveInputs) -> MotorSetpoint:
-    """Return the setpoint of a motor: 1, 2 or `AUXILIARY`."""
     if motor == AUXILIARY:
         sent = 0 if device.main is not device else device.motors.auxiliary
     else:
@@ -55,12 +54,11 @@ def setpoint_of(device: Device, motor: int, inputs: DriveInputs) -> MotorSetpoin
 
 
 def fault_text(statuses: Iterable[DriveStatus]) -> str:
-    """Return sentences on motor drivers that shut down recently."""
     return " ".join(each.text for each in statuses if each.blocker is DriveBlocker.FAULT)
 
 
 def held_drive_blocker(device: Device, holder: str) -> str:
-    """Return why `holder` cannot acquire the motors. Empty if it can."""
+    """Return the reason why `holder` cannot acquire the motors, or empty."""
     motors = device.motors
     drives = [motors.drive(motor) for motor in (1, 2)]
     is_moving = any(drive and not drive.is_brake and drive.speed for drive in drives)

@@ -16,7 +16,6 @@ from trex_gui.ui.runtime import now
 
 
 def setpoint_text(drive: Drive | None) -> str:
-    """Return the setpoint of motor 1 or 2. `None`: no setpoint since arming."""
     if drive is None:
         return "–"
     if not drive.is_brake:
@@ -41,7 +40,7 @@ def speed_text(speed: int) -> str:
 
 
 def report_text(device: Device, motor: int) -> str:
-    """Return the board's report on motor 1, 2 or the auxiliary (3). May be empty."""
+    """Return the board's report on motor 1, 2 or the auxiliary (3)."""
     telemetry, state, parts = device.telemetry, device.state, []
     if motor in {1, 2} and telemetry.motor_currents is not None:
         if device.board.is_joint:
@@ -57,7 +56,6 @@ def report_text(device: Device, motor: int) -> str:
 
 
 def limit_text(device: Device, motor: int) -> str:
-    """Return the stored current limit of motor 1 or 2, in words."""
     if MotorParameter.CURRENT_LIMIT.of(motor) not in device.parameters.values.stored:
         return "–"
     limit = device.current_limit(motor)
@@ -76,7 +74,6 @@ class TimeoutWarning:
 
 
 def timeout_warning(device: Device) -> TimeoutWarning | None:
-    """Return the first problem of a serial timeout in the group."""
     if (own := _own_warning(device)) is not None:
         return TimeoutWarning(device.named(own.text), own.seconds)
     for other in device.others:

@@ -69,7 +69,6 @@ class Gamepad(QObject):
     # --- User actions -------------------------------------------------------------------
 
     def switch_on(self) -> None:
-        """Start reading gamepads. An error sets `failure`."""
         if self.on:
             return
         try:
@@ -85,7 +84,6 @@ class Gamepad(QObject):
 
     @Slot()
     def switch_off(self) -> None:
-        """Stop reading gamepads, and stop motors that a gamepad drives."""
         self.failure = ""
         if self.on:
             self.on = False
@@ -98,7 +96,6 @@ class Gamepad(QObject):
         self._refresh()
 
     def select(self, pad: Pad) -> None:
-        """Read this gamepad from now on. Stop motors that another gamepad drives."""
         if pad in self.pads and pad != self.pad:
             self._store.set("gamepad/last", pad.guid)
             self._drive_with.abort(tr("Another gamepad was chosen."))
@@ -106,7 +103,6 @@ class Gamepad(QObject):
             self._refresh()
 
     def set_profile(self, profile: GamepadProfile) -> None:
-        """Set and save the profile. Stop motors that the gamepad drives."""
         if self.pad is not None and profile != self.profile:
             self._drive_with.abort(tr("The gamepad settings were changed."))
             self._store.set(f"gamepad/profiles/{self.pad.guid}", profile.to_text())
@@ -165,7 +161,6 @@ class Gamepad(QObject):
         self.changed.emit()
 
     def _on_pad_lost(self, pad: Pad) -> None:
-        """Stop motors that a lost gamepad drives."""
         self.gone = pad.name
         self._update(None)
         self._drive_with.abort(tr("The gamepad “{0}” was disconnected.").format(pad.name))
@@ -185,7 +180,6 @@ class Gamepad(QObject):
         self._report()
 
     def _start(self) -> None:
-        """Require released sticks and a released button."""
         self._pilot.reset()
         self._has_read = False
 

@@ -23,7 +23,7 @@ from trex_gui.ui.preferences import Preferences
 
 
 class BoardGroup(QObject):
-    """Boards driven together with `device`. Motors 1 and 2 are its left and right side."""
+    """Boards driven together. Motors 1 and 2 are the left and the right side."""
 
     changed = Signal()  # `devices` or `wheels`
 
@@ -40,7 +40,7 @@ class BoardGroup(QObject):
 
     @property
     def devices(self) -> dict[int, Device]:
-        """Devices by board number, in the order of the group. Empty for a single board."""
+        """Devices by board number. Empty for a single board."""
         settings = self._device.settings
         if settings is None or not self._others or not settings.group:
             return {}
@@ -64,7 +64,7 @@ class BoardGroup(QObject):
 
     @property
     def can_change(self) -> bool:
-        """True if boards can be joined or parted. A server has a fixed group."""
+        """True unless a server owns the group."""
         settings = self._device.settings
         return settings is not None and not is_served(settings.url)
 
@@ -86,7 +86,7 @@ class BoardGroup(QObject):
         return tuple(setpoints_of(self.wheels, request).items())
 
     def _lacking(self) -> int | None:
-        """Return the number of another board that cannot be driven. `None` if all can."""
+        """Return the number of a board that cannot be driven, if any."""
         for number, device in self._others.items():
             if not device.is_connected or not device.board.serial_controls:
                 return number
@@ -96,7 +96,6 @@ class BoardGroup(QObject):
 
     @Slot()
     def _follow(self) -> None:
-        """Create the devices of the group for which the line was opened."""
         settings = self._device.settings
         numbers = () if settings is None else settings.group
         wheels = self.proposed(numbers) if numbers else ()
@@ -122,7 +121,6 @@ class BoardGroup(QObject):
         return device
 
     def _pass_on(self, device: Device) -> None:
-        """Log the newest event of another board, with the number of the board."""
         if device.link is ConnectionState.DISCONNECTED:
             return
         newest = device.events.all[-1]

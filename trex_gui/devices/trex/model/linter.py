@@ -31,14 +31,12 @@ class SettingsLinter(QObject):
             self._on_changed()
 
     def accept(self, finding: LintFinding) -> None:
-        """Apply the proposed change in one undo step."""
         if finding.change:
             with self._draft.one_edit(finding.proposal):
                 for key, wire in finding.change.items():
                     self._draft.parameters.edit(key, wire)
 
     def check(self, settings: Settings | None) -> tuple[LintFinding, ...]:
-        """Return the findings about these settings."""
         if settings is None or self._context is None:
             return ()
         return lint(settings, self._context)

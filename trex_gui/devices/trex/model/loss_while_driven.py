@@ -21,8 +21,7 @@ class LossWhileDriven(QObject):
     """Reports the confirmed stop of a board that was lost while driven.
 
     If the board has latched its serial timeout, asks the user whether the timeout stopped the
-    motor. The program cannot know, because it sends a stop first. The answer replaces an earlier
-    answer. Simulated boards are skipped.
+    motor. The program cannot know, because it sends a stop first. Simulated boards are skipped.
     """
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:

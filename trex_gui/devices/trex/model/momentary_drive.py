@@ -37,7 +37,6 @@ class MomentaryDrive(QObject):
 
     @property
     def can_turn(self) -> bool:
-        """True if the motors may have different speeds."""
         return not (self.joint or self._motors.linked)
 
     def steer(self, forward: float, turn: float) -> bool:
@@ -73,11 +72,9 @@ class MomentaryDrive(QObject):
             self._speeds = 0.0, 0.0
 
     def release(self) -> None:
-        """Brake the motors, which stay armed."""
         self._motors.release(self.name)
 
     def abort(self, reason: str) -> None:
-        """Stop and disarm if the control may no longer be held."""
         self._motors.abort(self.name, reason)
 
 
@@ -101,11 +98,10 @@ def grown(
 
 
 def mix(forward: float, turn: float, ceiling: int = FULL_SCALE) -> tuple[int, int]:
-    """Return speeds of motors 1 and 2. `forward` and `turn` are -1 to 1.
+    """Return speeds of motors 1 (left) and 2. `forward` and `turn` are -1 to 1.
 
-    Motor 1 is on the left. The board mixes channels in the same way (inferred, reference section
-    3). A sum beyond full speed reduces both speeds in proportion. `ceiling` (1 to 127) is the speed
-    at full deflection.
+    The board mixes channels in the same way (inferred, reference section 3). A sum beyond full
+    speed reduces both speeds in proportion. `ceiling` (1 to 127) is the speed at full deflection.
     """
     left, right = forward + turn, forward - turn
     scale = ceiling / max(1.0, abs(left), abs(right))
@@ -125,7 +121,7 @@ class Heading(Enum):
 
 
 def keys_setpoint(held: Iterable[Heading]) -> tuple[float, float]:
-    """Return forward and turn of the held keys. Opposite keys cancel each other."""
+    """Return forward and turn. Opposite keys cancel each other."""
     headings = set(held)
     forward, turn = (sum(heading.value[way] for heading in headings) for way in (0, 1))
     return float(forward), turn * (TURN_WHILE_GOING if forward else 1.0)

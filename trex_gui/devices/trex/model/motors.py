@@ -80,12 +80,12 @@ class Motors(QObject):
         return self.is_available and not self.armed and not self.locked_for
 
     def drive(self, motor: int) -> Drive | None:
-        """Return the setpoint of motor 1 or 2. `None` before the first setpoint."""
+        """Return the setpoint of motor 1 or 2, if any."""
         return self._drives.get(motor)
 
     @property
     def text(self) -> str:
-        """Setpoints in short: `motor 1 +90, motor 2 brake, auxiliary 40`."""
+        """Setpoints in short: `motor 1 +90, motor 2 brake`."""
         parts = []
         for motor, drive in sorted(self._drives.items()):
             value = tr("brake") if drive.is_brake else signed_text(drive.signed)
@@ -134,7 +134,6 @@ class Motors(QObject):
 
     @Slot(int)
     def set_lockout(self, seconds: float) -> None:
-        """Set and save `lockout`, limited to `LONGEST`."""
         self.lockout = float(min(max(seconds, 0.0), LONGEST))
         self._store.set(_KEY, self.lockout)
 
@@ -162,13 +161,11 @@ class Motors(QObject):
 
     @property
     def can_link(self) -> bool:
-        """True if linking would change no speed."""
         first, second = (self._drives.get(motor, Drive.brake()) for motor in (1, 2))
         at_rest = all(drive.is_brake or not drive.speed for drive in (first, second))
         return at_rest or first == second
 
     def set_linked(self, linked: bool) -> None:
-        """Link or unlink the motors. Linking requires `can_link`."""
         self.linked = linked and (self.linked or self.can_link)
         self.options_changed.emit()
 
@@ -187,7 +184,6 @@ class Motors(QObject):
             self.arming_changed.emit()
 
     def arm(self) -> None:
-        """Arm the motors at rest. Ignored while locked or unavailable."""
         if self.can_arm:
             self.armed = True
             self.stop_reason = ""
@@ -266,7 +262,6 @@ class Motors(QObject):
         self.holder_changed.emit()
 
     def abort(self, holder: str, reason: str) -> None:
-        """Stop and disarm if this control holds the motors."""
         if holder and self.holder == holder:
             self.stop(reason)
 
@@ -283,7 +278,7 @@ class Motors(QObject):
     # --- Setpoints ----------------------------------------------------------------------
 
     def set_speed(self, motor: int, speed: int, holder: str = "") -> None:
-        """Drive motor 1 or 2 at a signed speed (-127 to 127)."""
+        """Drive motor 1 or 2 at a speed (-127 to 127)."""
         self._set_for({motor: self._at(speed)}, holder)
 
     def set_speeds(self, first: int, second: int, holder: str = "") -> None:
@@ -314,7 +309,7 @@ class Motors(QObject):
         return Drive.at(max(-self.ceiling_in_force, min(self.ceiling_in_force, speed)))
 
     def _set(self, drives: Mapping[int, Drive]) -> None:
-        """Request changed setpoints. One message for both motors lets them start together."""
+        """Request changed setpoints. Both motors start together."""
         new = [
             SetMotor(motor, drive, self.accelerate)
             for motor, drive in drives.items()

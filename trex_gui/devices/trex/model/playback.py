@@ -20,8 +20,6 @@ MAX_ROWS = 3_000_000  # ten hours at 80 rows a second, 240 MB
 
 
 class Playback(RecordingPlayer[Header, Record, BoardSnapshot]):
-    """Playback with a row for each sample of the currents."""
-
     def __init__(self, recording: Recording[Header, Record]) -> None:
         header = recording.header
         rows_of = partial(_rows, unit=header.model.current_unit)
@@ -37,7 +35,6 @@ class Playback(RecordingPlayer[Header, Record, BoardSnapshot]):
 
 
 def _rows(state: BoardSnapshot, records: Iterable[Record], unit: float) -> list[tuple[float, ...]]:
-    """Return a row for each sample of the currents, in the order of `Series`."""
     rows = []
     for record in records:
         state.update(record)
@@ -48,7 +45,7 @@ def _rows(state: BoardSnapshot, records: Iterable[Record], unit: float) -> list[
 
 
 def limits_in(text: str) -> Mapping[str, float]:
-    """Return the current limits (A) in a settings file, by name of their curve."""
+    """Return the current limits (A) in a settings file, by curve name."""
     try:
         settings, _ = read_settings(text.encode("utf-8"), "settings")
     except (SettingsError, UnicodeError):

@@ -31,8 +31,6 @@ _WAITING = _UNNOTICED | {PowerCycleStage.ON_WANTED}
 
 
 class PowerCycle(QObject):
-    """Watches the link while the user switches the board off and on."""
-
     changed = Signal()  # an attribute or `still_waiting`
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
@@ -47,7 +45,6 @@ class PowerCycle(QObject):
 
     @property
     def still_waiting(self) -> tuple[str, ...]:
-        """Names of the settings that are stored but not yet active."""
         return self._device.parameters.values.waiting_for_power
 
     def start(self, failed: Collection[str] = ()) -> None:

@@ -79,13 +79,11 @@ class Provision(QObject):
             self._save(self.board, self._write)
 
     def skip(self) -> None:
-        """Record the board as skipped."""
         stored = self._device.draft.stored
         if self.step is ProvisionStep.REVIEW and self.board and self._record and stored:
             self._finish(self._record.skipped(self.board, stored))
 
     def finish_motors(self, *, turned: bool) -> None:
-        """Record whether the user saw both motors turn."""
         if self.step is ProvisionStep.MOTORS and self.board is not None:
             self.pulses.stop("")
             self._finish(self.board if turned else replace(self.board, result=NOT_TRIED))
@@ -201,7 +199,6 @@ class Provision(QObject):
         self._save(board, on_saved)
 
     def _save(self, board: ProvisionedBoard, then: Callable[[], None]) -> None:
-        """Save the record line of a board, then continue."""
         if (record := self._record) is None:
             return
         self.board, self._saving, self.problem = board, then, ""

@@ -74,7 +74,6 @@ class Recorder(RecordThread[Record]):
         return True
 
     def _header_of(self, state: DeviceState) -> Header:
-        """Return a header with all boards of the group."""
         settings = self._device.settings
         number = settings.device_number if settings is not None else None
         self._recorded = self._others.copy()
@@ -116,7 +115,6 @@ class Recorder(RecordThread[Record]):
             self.end_because(tr("Recording {0} ended: the board or its input source has changed."))
 
     def _identity(self, state: DeviceState) -> tuple[object, ...]:
-        """Return the identity of the board in a recording."""
         return state.signature, state.source, self._device.connection.selection
 
     def _put_settings(self, state: DeviceState) -> None:
@@ -148,13 +146,12 @@ class EventRecorder(Recorder):
     _watcher = "event recording"
 
     def __init__(self, device: Device, user: Recorder, parent: QObject | None = None) -> None:
-        """`user` is the recorder of the user's recordings."""
         self._recent = deque[Record]()
         self._template: Header | None = None  # for the connected board
         self._before: BoardSnapshot | None = None  # state of the board before `_recent`
         self._driven: dict[int, bool] = {}  # by motor; 0 is the auxiliary motor
         self._event: Event | None = None  # cause of the recording
-        self._user = user
+        self._user = user  # records on request of the user
         super().__init__(device, parent)
         self.is_on = Preferences().flag(_KEEP, default=True)
         begin_ms, end_ms = round(1000 * _BEGIN_DELAY), round(1000 * _AFTER)
@@ -162,7 +159,6 @@ class EventRecorder(Recorder):
         self._end_timer = new_timer(self, end_ms, self.stop, single_shot=True)
 
     def set_on(self, on: bool) -> None:
-        """Set and save whether faults and stops are recorded."""
         self.is_on = on
         Preferences().set(_KEEP, on)
 
@@ -277,7 +273,6 @@ class EventRecorder(Recorder):
         self.changed.emit()
 
     def _finish(self) -> None:
-        """Clear the board, after its newest event is recorded."""
         if self._begin_timer.isActive() and self._worker is None:
             self._start()
         self.stop()

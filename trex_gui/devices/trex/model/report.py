@@ -13,7 +13,6 @@ from trex_gui.devices.trex.settings.writer import write_settings
 
 
 def status_text(device: Device) -> str:
-    """Return lines on connection, counters and newest measurements."""
     lines = [f"State: {device.status}"]
     if (settings := device.settings) is not None:
         number = settings.device_number
@@ -58,7 +57,6 @@ def _yes(fact: bool) -> str:
 
 
 def settings_parts(device: Device) -> dict[str, Callable[[], str]]:
-    """Return settings files by name: stored, and edited if there are edits."""
     stored, shown = device.draft.stored, device.draft.shown
     parts: dict[str, Callable[[], str]] = {}
     if stored is not None:

@@ -41,7 +41,7 @@ _TYPES = ["float64" if s in {Series.CURRENT1, Series.CURRENT2} else "float16" fo
 
 
 def board_traces() -> list[TraceInfo]:
-    """Return the curves of a board, connected or recorded, in the order of `Series`."""
+    """Return the curves of a board, in the order of `Series`."""
     currents = [
         TraceInfo(f"motor{m}_current", tr("Motor {0}").format(m), "A", f"motor{m}", str(m))
         for m in (1, 2)
@@ -61,7 +61,7 @@ def board_traces() -> list[TraceInfo]:
 def values_of_series(
     newest: Newest, setpoint: Callable[[int], Drive | None], ampere: float
 ) -> tuple[float, ...]:
-    """Return the value of each `Series`. A missing or braking setpoint has speed 0.
+    """Return the value of each `Series`. A missing setpoint counts as 0.
 
     `setpoint` returns the setpoint of a motor. `ampere` is A per count.
     """
@@ -94,7 +94,6 @@ class Telemetry(QObject):
     def __init__(
         self, drive_of: Callable[[int], Drive | None], newest: Newest, parent: QObject | None = None
     ) -> None:
-        """`drive_of` returns the setpoint of motor 1 or 2."""
         super().__init__(parent)
         self.newest = newest  # owned by the board's mirror
         self.latest: float = 0.0
@@ -113,14 +112,13 @@ class Telemetry(QObject):
         return _new_history(["float64"] * len(CHANNELS), _INPUT_HISTORY)
 
     def start(self, ampere_per_count: float) -> None:
-        """Start an empty history for a board. `ampere_per_count` is its unit of current."""
+        """Start an empty history. `ampere_per_count` is the unit of current."""
         self.currents.clear()
         self.inputs.clear()
         self.ampere = ampere_per_count
         self.clear()
 
     def clear(self) -> None:
-        """Update all views after the newest values have been cleared."""
         self.updated.emit()
         self._renew_views()
 
@@ -144,7 +142,6 @@ class Telemetry(QObject):
                 self.text_due.emit()
 
     def set_seen(self, seen: bool) -> None:
-        """Set whether a window that may show the values is visible."""
         self._is_seen = seen
         self._renew_views()
 
@@ -166,17 +163,16 @@ class Telemetry(QObject):
 
     @property
     def motor_currents(self) -> tuple[float, float] | None:
-        """Currents of motors 1 and 2 in A."""
         sample = self.newest.get(Currents)
         unit = self.ampere
-        return None if sample is None else (sample.counts[0] * unit, sample.counts[1] * unit)
+        return None if sample is None else (sample.counts[0] * unit, sample.counts[1] * unit)  # A
 
     def raw_of(self, channel: int) -> int | None:
-        """Raw count of a channel (1-5). `None` without a valid signal or a connection."""
+        """Return the raw count of a channel (1-5), if valid."""
         return self.raw[CHANNELS.index(channel)] if self.raw else None
 
     def remapped_of(self, channel: int) -> int | None:
-        """Remapped value of a channel (1-5), -127 to 127. `None` without a connection."""
+        """Return the remapped value of a channel (1-5)."""
         return self.remapped[CHANNELS.index(channel)] if self.remapped else None
 
 

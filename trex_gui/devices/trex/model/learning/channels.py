@@ -41,7 +41,6 @@ class Check:
 
     @property
     def problems(self) -> tuple[CalibrationProblem, ...]:
-        """Warnings, none of them fatal."""
         return tuple(
             CalibrationProblem(kind, variant, values, fatal=False)
             for kind, variant, values in self._found()
@@ -205,7 +204,7 @@ class Choice:
 
 
 class LearnedChannel:
-    """Collects the measurements of one channel and derives its values."""
+    """Measurements and derived values of a channel."""
 
     def __init__(self, device: Device, number: int, source: InputSource) -> None:
         parameters = device.parameters
@@ -240,7 +239,6 @@ class LearnedChannel:
 
     @property
     def is_at_rest(self) -> bool:
-        """True if the rest position has no fatal problem."""
         return self.neutral is not None and not has_fatal(self.neutral.problems)
 
     def start_travel(self) -> None:
@@ -268,7 +266,7 @@ class LearnedChannel:
 
     @property
     def curve_after(self) -> ChannelCurve | None:
-        """Curve of the chosen values. `None` if the board would reject them."""
+        """Curve of the chosen values, if valid."""
         if self.choice is None or self.choice.calibration.problem() is not None:
             return None
         wanted, reversed_ = self.choice.calibration, self.choice.reversed_
@@ -276,7 +274,7 @@ class LearnedChannel:
 
     @property
     def new_rest(self) -> int | None:
-        """Last rest position, if it differs from the sampled and the chosen neutral."""
+        """Last rest position, if neutral should move there."""
         if self.travel is None or self.choice is None or self.travel.task is Task.SWITCH:
             return None
         rest, wanted = self.travel.rest, self.choice.calibration
@@ -306,14 +304,12 @@ class LearnedChannel:
 
     @property
     def rest_problems(self) -> tuple[CalibrationProblem, ...]:
-        """Problems of the rest position, or a missing signal."""
         if self.neutral is not None:
             return self.neutral.problems
         return (no_signal(self.source),) if self.is_silent else ()
 
     @property
     def result_problems(self) -> tuple[CalibrationProblem, ...]:
-        """Problems of the measurement and the chosen values."""
         if self.proposal is None:
             return self.rest_problems
         if self.choice is None:

@@ -26,7 +26,7 @@ from trex_gui.devices.trex.protocol.flags import CHANNELS
 
 
 class LearningStep(Enum):
-    """Step of the wizard. In `DOUBT`, the user has to confirm that the motors are stopped."""
+    """Step of the wizard. `DOUBT` asks whether the motors are stopped."""
 
     ENDED = auto()
     STOPPING = auto()
@@ -92,7 +92,6 @@ class Learning(QObject):
 
     @property
     def seconds_left(self) -> float:
-        """Time left to sample the rest positions."""
         neutrals = [channel.neutral for channel in self.channels]
         return max(SAMPLING_SECONDS if rest is None else rest.seconds_left for rest in neutrals)
 
@@ -120,12 +119,11 @@ class Learning(QObject):
 
     @property
     def other_edits(self) -> int:
-        """Number of pending edits of other settings."""
         return self.pending.other_edits([c.number for c in self.channels if c.can_be_used])
 
     @property
     def motors_armed(self) -> bool:
-        """True if starting would stop motors that are driven."""
+        """True if `start` would stop driven motors."""
         return self._device.motors.armed or self._device.may_move
 
     @property
@@ -136,18 +134,17 @@ class Learning(QObject):
     # --- User actions -------------------------------------------------------------------
 
     def start(self, channels: Sequence[int] = CHANNELS) -> None:
-        """Learn these channels together. The motors are stopped first."""
+        """Stop the motors, then learn these channels together."""
         self.news = self._next_news = ""
         self.begun.emit()
         self._start(channels, LearningStep.NEUTRAL)
 
     def begin_test(self, channels: Sequence[int] = CHANNELS) -> None:
-        """Test the stored values of these channels. The motors are stopped first."""
+        """Stop the motors, then test the stored values of these channels."""
         self.news, self._next_news = self._next_news, ""
         self._start(channels, LearningStep.TEST)
 
     def next(self) -> None:
-        """Continue after the user has completed or confirmed a step."""
         if not self.can_go_on:
             return
         if self.step is LearningStep.DOUBT:
@@ -162,7 +159,6 @@ class Learning(QObject):
             self._start_sampling()
 
     def back(self) -> None:
-        """Go back from the review to the ends, or from the ends to rest."""
         if self.step is LearningStep.REVIEW:
             self._go(LearningStep.TRAVEL)
         elif self.step is LearningStep.TRAVEL:
@@ -183,7 +179,6 @@ class Learning(QObject):
                 self._start(self.numbers, self._after_stopping)
 
     def set_choice(self, number: int, **changes: Any) -> None:
-        """Change fields of the `Choice` of a channel."""
         channel = next(channel for channel in self.channels if channel.number == number)
         if channel.choice is not None:
             channel.choice = replace(channel.choice, **changes)
@@ -203,7 +198,6 @@ class Learning(QObject):
         return is_pending
 
     def cancel(self) -> None:
-        """End the wizard. Board and edits stay unchanged."""
         if self.step is not LearningStep.ENDED:
             self._go(LearningStep.ENDED)
 

@@ -31,7 +31,7 @@ class PendingLearnedValues(QObject):
         device.draft.pending_changed.connect(self._on_pending_changed)
 
     def edit(self, choices: dict[int, Choice], name: str) -> bool:
-        """Edit these channels in one undo step. Return whether an edit is pending now."""
+        """Edit these channels in one undo step. Return whether an edit is pending."""
         reversed_ = self._wanted_reversed()
         with self._device.draft.one_edit(name):
             for number, choice in choices.items():
@@ -49,7 +49,7 @@ class PendingLearnedValues(QObject):
         self._waiting = {}
 
     def has_edit(self, number: int) -> bool:
-        """Return whether an edit of this channel's calibration or direction is pending."""
+        """Return whether calibration or direction of a channel is edited."""
         return self._calibration_edits((number,)) > 0 or number in self._turned()
 
     def other_edits(self, numbers: Sequence[int]) -> int:

@@ -12,7 +12,7 @@ from trex_gui.ui.translations import error_text
 
 
 def mode_blocker(device: Device) -> str:
-    """Return why the board's mode prevents learning, for the user. Empty in serial mode."""
+    """Return the reason why the board's mode prevents learning, or empty."""
     state = device.state
     if state is None or state.mode.is_serial:
         return ""
@@ -67,13 +67,12 @@ class CalibrationPreconditions(QObject):
         self._watching = False
 
     def watch_motors(self, watch: bool) -> None:
-        """Set whether armed motors are a violation."""
         self._with_motors = watch
         self._check()
 
     @property
     def blocker(self) -> str:
-        """Reason why sticks must not be moved. Empty if they move no motor."""
+        """Reason why sticks must not be moved, or empty."""
         state = self._device.state
         if not self._device.is_connected or state is None:
             return tr("Connect to a board first.")
@@ -135,13 +134,12 @@ class StandstillCheck(QObject):
         device.telemetry.updated.connect(self._on_updated)
 
     def start(self) -> None:
-        """Stop the motors and start a check. Cancels a running check."""
+        """Stop the motors, and start a new check."""
         self.cancel()
         run = self._run
         self._device.driving.stop(lambda error: self._on_stopped(run, error))
 
     def cancel(self) -> None:
-        """Cancel the check without a signal."""
         self._run += 1
         self._since = None
         self._timer.stop()
@@ -183,7 +181,7 @@ class StandstillCheck(QObject):
         return _COUNTS * self._device.telemetry.ampere
 
     def _last(self) -> tuple[list[float], list[float]]:
-        """Return the last readings of both motors since the stop, in ampere."""
+        """Return the last currents of both motors since the stop."""
         currents, since = self._device.telemetry.currents, self._since
         first = int(currents.times.searchsorted(since, side="right")) if since is not None else 0
         first = max(first, len(currents.times) - _QUIET)

@@ -105,7 +105,7 @@ def idle_side(curve: ChannelCurve) -> int:
 
 
 class StickTests:
-    """Tests some channels. Other channels only count for safe-start."""
+    """Tests of some channels. Other channels only count for safe-start."""
 
     def __init__(self, device: Device, numbers: Sequence[int]) -> None:
         self.tests = tuple(StickTest(number, device.calibrations.source) for number in numbers)
@@ -129,12 +129,12 @@ class StickTests:
 
     @property
     def passed(self) -> bool:
-        """True if every tested channel is good, and safe-start would release the motors."""
+        """True if channels and safe-start are good."""
         return self.channels_passed and not self.safe_start_reasons
 
     @property
     def channels_passed(self) -> bool:
-        """True if every tested channel is good, regardless of other channels."""
+        """True if every tested channel is good."""
         return not self.all_ignored and all(test.passed or test.ignored for test in self.tests)
 
     @property
@@ -143,7 +143,6 @@ class StickTests:
 
     @property
     def safe_start_reasons(self) -> str:
-        """Reasons of safe-start, as if the channels were in control."""
         if not self.heard:
             return ""
         stored_of = self._device.parameters.values.stored.get

@@ -59,7 +59,7 @@ class ParameterRole(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class ParameterRow:
-    """Heading or setting. `keys` has a key for each motor, or one for the board."""
+    """Heading or setting. `keys` has a key for each motor, or a single key."""
 
     group: str
     name: str
@@ -181,7 +181,6 @@ class ParameterModel(QAbstractTableModel):
         }
 
     def record_stored(self, stored: Mapping[str, int]) -> None:
-        """Update the stored values after a verified write."""
         for key, wire in stored.items():
             if key in self.values.specs and wire != self.values.stored.get(key):
                 self.values.record_stored(self.values.specs[key], wire)
@@ -197,7 +196,7 @@ class ParameterModel(QAbstractTableModel):
                 self._announce(result.key)
 
     def set_accepted(self, accepted: Accepted) -> None:
-        """Set values beyond inferred limits that boards with this firmware have stored."""
+        """Set values beyond inferred limits that a board has stored."""
         if accepted == self.values.accepted:
             return
         self.values.accepted = dict(accepted)
@@ -239,14 +238,12 @@ class ParameterModel(QAbstractTableModel):
         self._edit({key: wire}, keys, forced=forced)
 
     def edit_frequency(self, key: str, code: int) -> None:
-        """Edit prescaler and maximum of a PWM in one step. See `edit`."""
         keys = self.text.together(key)
         self._edit(dict(zip(keys, frequency_wires(code), strict=True)), self._all_with(key))
 
     def _edit(
         self, values: Mapping[str, int], keys: Sequence[str], *, forced: bool = False
     ) -> None:
-        """Edit values. The other motor's keys get the values of their counterparts."""
         if all(wire == self.values.value_of(key) for key, wire in values.items()):
             return  # an editor closed without a change must not edit the other motor either
         wanted = {key: values.get(key, values.get(other_motor_key(key) or "", 0)) for key in keys}
@@ -262,7 +259,6 @@ class ParameterModel(QAbstractTableModel):
             self._change({each: self.values.specs[each].default for each in self._all_with(key)})
 
     def restore(self, key: str) -> None:
-        """Restore the stored value."""
         if self.is_editable(key):
             self._change({each: self.values.stored.get(each) for each in self._all_with(key)})
 
@@ -280,7 +276,6 @@ class ParameterModel(QAbstractTableModel):
         return (*keys, *filter(None, others))
 
     def _all_with(self, key: str) -> tuple[str, ...]:
-        """Return the keys of a cell. With `both_motors`, include both motors."""
         return self._with_other_motor(self.text.together(key))
 
     def _change(self, wanted: Mapping[str, int | None]) -> None:
@@ -314,7 +309,6 @@ class ParameterModel(QAbstractTableModel):
     # --- Qt -----------------------------------------------------------------------------
 
     def index_of(self, key: str) -> QModelIndex:
-        """Return the cell of a parameter. Invalid if there is none."""
         place = self.places.get(key)
         return QModelIndex() if place is None else self.index(*place)
 
@@ -335,7 +329,6 @@ class ParameterModel(QAbstractTableModel):
         return self._headers[section] if role == Qt.ItemDataRole.DisplayRole else None
 
     def _key_at(self, index: Index) -> str:
-        """Return the key of a cell. Empty in a heading."""
         keys = self.rows[index.row()].keys if index.isValid() else ()
         return keys[min(max(index.column() - 1, 0), len(keys) - 1)] if keys else ""
 
@@ -402,7 +395,6 @@ class ParameterModel(QAbstractTableModel):
     # --- Change notification ------------------------------------------------------------
 
     def _announce(self, key: str) -> None:
-        """Report a change of a parameter's row and its heading."""
         row = self.places[key][0]
         heading = next(each for each in range(row, -1, -1) if not self.rows[each].keys)
         for place in (row, heading):

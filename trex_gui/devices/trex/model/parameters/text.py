@@ -18,14 +18,14 @@ from trex_gui.devices.trex.protocol.parameters import (
 )
 from trex_gui.ui.units import units
 
-_MAXIMA = FULL_SCALE + 1
+_MAXIMA = FULL_SCALE + 1  # a frequency code is prescaler * _MAXIMA + maximum
 _GRADED = ("min", "max"), ("default",), ("scale", "bits")
 _IN_WORDS = {ParameterKind.CHOICE, ParameterKind.CHANNELS, ParameterKind.UART}
 _HIGHEST_PWM = 20_000.0  # Hz (inferred), for drivers without a rating
 
 
 class ParameterColumn(IntEnum):
-    """Columns of the table. A parameter of the whole board is in MOTOR1, and spans both motors."""
+    """Columns of the table. MOTOR1 has the parameters of the whole board."""
 
     NAME = 0
     MOTOR1 = 1
@@ -33,8 +33,6 @@ class ParameterColumn(IntEnum):
 
 
 class ParameterText:
-    """Derives every text from the current values. Has no state."""
-
     def __init__(self, values: ParameterValues) -> None:
         self.frequencies: tuple[int, ...] = ()  # codes, slowest first
         self._guide = ""
@@ -48,7 +46,6 @@ class ParameterText:
         }
 
     def set_board(self, board: Model) -> None:
-        """Update texts after a board's specifications were loaded."""
         self.frequencies = frequency_codes(board)
         self._guide = board.guide
         pairs = ((key, pwm_keys(key)) for key in self._values.specs)
@@ -68,12 +65,11 @@ class ParameterText:
         return tr("{0} PWM Frequency").format(motor_name(key))
 
     def short_title(self, key: str) -> str:
-        """Return the name of a value without its motor, such as `Current Limit`."""
+        """Return the name without its motor, such as `Current Limit`."""
         is_alone = len(self.together(key)) == 1
         return self._values.specs[key].short_name if is_alone else tr("PWM Frequency")
 
     def value(self, key: str) -> str:
-        """Return the value after Apply or Save."""
         keys, wires = self.together(key), self.wires(key)
         if len(wires) < len(keys):
             given = all(self._values.can_edit(each) for each in keys)
@@ -81,12 +77,10 @@ class ParameterText:
         return self._shown(key, wires)
 
     def wires(self, key: str) -> list[int]:
-        """Return the wire values of a cell, without missing values."""
         wires = map(self._values.value_of, self.together(key))
         return [wire for wire in wires if wire is not None]
 
     def _shown(self, key: str, wires: Sequence[int]) -> str:
-        """Return a value as a cell and its editor show it."""
         text = self._physical(key, wires)
         is_number = len(wires) == 1 and self._values.specs[key].kind not in _IN_WORDS
         return units().ordered(text, str(wires[0]))[0] if is_number else text
@@ -122,14 +116,13 @@ class ParameterText:
     # --- Sentences ----------------------------------------------------------------------
 
     def limits(self, key: str) -> str:
-        """Return range and default in the units of the cells."""
         spec = self._values.specs[key]
         is_own = units().own_first or len(self.together(key)) > 1
         shown = self._range(key) if is_own else spec.short_range()
         return tr("{0} · default: {1}").format(shown, self._shown(key, self._defaults(key)))
 
     def summary(self, key: str) -> str:
-        """Return wire value, number and weakest evidence in a few words."""
+        """Return wire value, number and weakest evidence."""
         wires = self.wires(key)
         numbers = [f"{self._values.specs[each].number:#04x}" for each in self.together(key)]
         parts = (
@@ -140,12 +133,10 @@ class ParameterText:
         return " · ".join(part.strip(" ()") for part in parts if part)
 
     def _grades(self, key: str) -> list[Grade]:
-        """Return the weakest evidence for range, default and meaning."""
         specs = [self._values.specs[each] for each in self.together(key)]
         return [max(spec.grade(*fields) for spec in specs) for fields in _GRADED]
 
     def about(self, key: str) -> tuple[str, ...]:
-        """Return sentences on wire value, range and default, with grades of evidence."""
         keys = self.together(key)
         limits, default, meaning = self._grades(key)
         wires = self.wires(key)
@@ -163,13 +154,12 @@ class ParameterText:
         return tuple(filter(None, sentences))
 
     def _also_accepted(self, keys: Sequence[str]) -> str:
-        """Return a sentence on stored values beyond the range. May be empty."""
         wires = sorted(wire for each in keys for wire in self._values.accepted.get(each, ()))
         text = tr("This firmware has stored beyond that: wire value {0}.")
         return text.format(", ".join(map(str, wires))) if wires else ""
 
     def guide(self, key: str) -> tuple[str, str]:
-        """Return address and title of a value's section in the user's guide."""
+        """Return address and title of a section of the user's guide."""
         section = self._values.specs[key].section
         if not section:
             return self._guide, tr("User's guide of the board")
@@ -193,7 +183,6 @@ class ParameterText:
         return tuple(filter(None, sentences))
 
     def _other_motor(self, key: str) -> str:
-        """Return the other motor's value if it differs, as a sentence."""
         other = other_motor_key(key)
         if other is None or other not in self._values.specs or self.value(other) == self.value(key):
             return ""
@@ -203,13 +192,12 @@ class ParameterText:
         return tr("Reset to default: {0}").format(self.with_wire(key, self._defaults(key)))
 
     def stored(self, key: str) -> str:
-        """Return the stored value as a cell shows it. Empty if unread."""
         wires = [self._values.stored.get(each) for each in self.together(key)]
         known = [wire for wire in wires if wire is not None]
         return self._shown(key, known) if len(known) == len(wires) else ""
 
     def spoken(self, key: str) -> str:
-        """Return name, value and edit in the words of a screen reader."""
+        """Return name, value and edit for a screen reader."""
         text = tr("{0}: {1}.").format(self.title(key), self.change(key))
         return " ".join(filter(None, (text, self._other_motor(key), *self.notes(key))))
 
@@ -218,12 +206,10 @@ class ParameterText:
 
 
 def frequency_code(prescaler: int, maximum: int) -> int:
-    """Return the wire values of prescaler and maximum as one number."""
     return prescaler * _MAXIMA + maximum
 
 
 def frequency_wires(code: int) -> tuple[int, int]:
-    """Return the wire values of prescaler and maximum from a code."""
     return divmod(code, _MAXIMA)
 
 

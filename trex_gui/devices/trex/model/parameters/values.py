@@ -11,7 +11,7 @@ from trex_gui.devices.trex.settings.comparison import ComparisonRow
 
 @dataclass(slots=True)
 class ParameterValues:
-    """Wire values by key, from a board or a file. Apply or Save writes the edited values."""
+    """Wire values by key, from a board or a file."""
 
     specs: dict[str, ParameterSpec] = field(default_factory=dict)  # in the order of the table
     stored: dict[str, int] = field(default_factory=dict)
@@ -53,23 +53,21 @@ class ParameterValues:
     # --- Values -------------------------------------------------------------------------
 
     def value_of(self, key: str) -> int | None:
-        """Return the value after Apply or Save. `None` if unread or left out."""
+        """Return the value after Apply or Save, if any."""
         if key in self.removed:
             return None
         return self.edited.get(key, self.stored.get(key))
 
     def active_of(self, key: str) -> int | None:
-        """Return the active value. `None` if unread."""
         return self.active.get(key, self.stored.get(key))
 
     @property
     def all_stored(self) -> dict[str, int]:
-        """The stored values that were read, in the order of the table."""
         return {key: self.stored[key] for key in self.specs if key in self.stored}
 
     @property
     def all_shown(self) -> dict[str, int]:
-        """The values after Apply or Save, in the order of the table."""
+        """Values after Apply or Save."""
         return {key: w for key in self.specs if (w := self.value_of(key)) is not None}
 
     @property
@@ -78,7 +76,7 @@ class ParameterValues:
 
     @property
     def modified(self) -> tuple[str, ...]:
-        """Keys that are edited or left out, in the order of the table."""
+        """Keys that are edited or left out."""
         return tuple(filter(self.is_modified, self.specs))
 
     @property
@@ -98,7 +96,7 @@ class ParameterValues:
         return self.specs[key].is_open(wire) and not is_known
 
     def doubtful(self, rows: Iterable[ComparisonRow]) -> list[str]:
-        """Return the doubtful values to be written, as texts for the user."""
+        """Return the doubtful values as texts for the user."""
         return [
             tr("{0} {1}").format(row.name, row.after)
             for row in rows
@@ -106,7 +104,7 @@ class ParameterValues:
         ]
 
     def other_motor_of(self, key: str) -> str | None:
-        """Return the same parameter of the other motor if both can be edited."""
+        """Return the key of the other motor if both can be edited."""
         other_motor = other_motor_key(key)
         if other_motor is None or not self.can_edit(key) or not self.can_edit(other_motor):
             return None
@@ -134,7 +132,6 @@ class ParameterValues:
                 self.removed.add(key)
 
     def record_stored(self, spec: ParameterSpec, wire: int) -> None:
-        """Record a value that was read back after a write."""
         before = self.stored.get(spec.key)
         if spec.needs_power_cycle and before is not None:
             self.active.setdefault(spec.key, before)
@@ -145,7 +142,6 @@ class ParameterValues:
             del self.edited[spec.key]
 
     def record_active(self, key: str, wire: int) -> None:
-        """Record an active value. The stored value may differ."""
         if self.stored.get(key) == wire:
             self.active.pop(key, None)
         elif key in self.stored:

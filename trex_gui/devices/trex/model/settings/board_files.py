@@ -44,7 +44,7 @@ class _Result:
 
 
 class BoardFiles(QObject):
-    """Saves and reads a file for each board. Saves before it reads."""
+    """Saves and reads a file for each board, in this order."""
 
     found = Signal(object, object)  # the board, and its content; `None` without a valid file
     failed = Signal(object)  # `SettingsError`, once until saving works
@@ -63,12 +63,11 @@ class BoardFiles(QObject):
 
     @property
     def is_idle(self) -> bool:
-        """True if there is nothing to read or save."""
         is_saved = not self._due or self._is_failing
         return is_saved and not self._task.is_running and not self._timer.isActive()
 
     def save(self, board: BoardIdentity, content: Content) -> None:
-        """Save the content of a board's file. `None` removes the file."""
+        """Save a board's file. `None` removes the file."""
         self._due[board] = content
         if not self._timer.isActive():
             self._timer.start()
@@ -135,7 +134,6 @@ def _work(
     board: BoardIdentity | None,
     _progress: ProgressCallback,
 ) -> _Result:
-    """Save the contents that are due, then read the file of `board`."""
     failure: SettingsError | None = None
     found: object = None
     unsaved: dict[BoardIdentity, Any] = {}

@@ -15,7 +15,7 @@ Channel = int | CalibrationKey  # a key, or a channel (1-5) of the active input 
 
 
 class Calibrations(QObject):
-    """Calibrations of both input sources. A board shows only its active source."""
+    """Calibrations of both input sources. A board shows only the active source."""
 
     changed = Signal()  # a stored or an edited calibration
 
@@ -35,12 +35,11 @@ class Calibrations(QObject):
 
     @property
     def pending(self) -> tuple[tuple[CalibrationKey, Calibration], ...]:
-        """Edits that Apply writes: only for the active input source, sorted by channel."""
+        """Edits for the active input source, which Apply writes."""
         return tuple((k, self.edited[k]) for k in sorted(self.edited) if k.source is self.source)
 
     @property
     def modified(self) -> list[CalibrationKey]:
-        """Sorted keys that are edited or left out."""
         return sorted(self.edited.keys() | self.left_out)
 
     @property
@@ -55,15 +54,13 @@ class Calibrations(QObject):
 
     @property
     def out_of_reach(self) -> list[CalibrationKey]:
-        """Edits for the inactive input source."""
         return [key for key in self.modified if not self.can_edit(key)]
 
     def stored(self, channel: Channel) -> Calibration | None:
-        """Return the stored calibration. `None` if unknown."""
         return self._stored.get(self._key(channel))
 
     def shown(self, channel: Channel) -> Calibration | None:
-        """Return the calibration after Apply or Save. `None` if unknown or left out."""
+        """Return the calibration after Apply or Save, if any."""
         key = self._key(channel)
         return None if key in self.left_out else self.edited.get(key, self._held(key))
 
@@ -71,7 +68,7 @@ class Calibrations(QObject):
         return self._open_ended or self._key(channel) in self._stored
 
     def _held(self, key: CalibrationKey) -> Calibration | None:
-        """Return the stored calibration, or else the last that the board showed."""
+        """Return the stored or the last shown calibration."""
         seen = None if self._open_ended else self._seen.get(key)
         return self._stored.get(key, seen)
 
@@ -110,11 +107,10 @@ class Calibrations(QObject):
         self.changed.emit()
 
     def clear_seen(self) -> None:
-        """Discard calibrations that another board showed, except edited channels."""
+        """Discard calibrations of another board, except edited channels."""
         self._seen = {key: seen for key, seen in self._seen.items() if key in self.edited}
 
     def record_stored(self, stored: Mapping[int, Calibration]) -> None:
-        """Update stored calibrations of the active input source after a verified write."""
         for channel, calibration in stored.items():
             key = self._key(channel)
             if self._stored.get(key) != calibration:
@@ -128,10 +124,8 @@ class Calibrations(QObject):
     def edit(self, channel: Channel, wanted: Calibration, *, run: object = None) -> None:
         """Edit a calibration. The stored calibration removes the edit.
 
-        Consecutive edits of a channel with the same `run` are one undo step.
-
-        Raises:
-            BadRequest: the board would reject the values.
+        Consecutive edits with the same `run` are one undo step. Raises `BadRequest` for values that
+        the board would reject.
         """
         key = self._key(channel)
         if problem := wanted.problem():
@@ -147,7 +141,6 @@ class Calibrations(QObject):
             self._change(self._key(channel), None)
 
     def discard_edits(self) -> None:
-        """Restore the stored calibrations, with an undo step for each."""
         for key in self.modified:
             self._change(key, self._held(key))
 
@@ -160,7 +153,6 @@ class Calibrations(QObject):
             self._undo.push(Edit(text, self._put, key, before, wanted, run=run))
 
     def _put(self, key: CalibrationKey, wanted: Calibration | None) -> None:
-        """Apply an edit. Ignores the inactive input source if the board never showed it."""
         held = self._held(key)
         if not self._open_ended and key.source is not self.source and held is None:
             return

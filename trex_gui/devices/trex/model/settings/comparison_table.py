@@ -82,7 +82,7 @@ class ComparisonTable(QAbstractTableModel):
         self.ticked_changed.emit()
 
     def renew(self, comparison: Comparison, *, tick_new: bool = True) -> None:
-        """Update both sides. Cleared check boxes stay cleared. `tick_new` ticks new changes."""
+        """Update both sides. Cleared check boxes stay cleared."""
         if not tick_new:
             ticked = {row.key for row in self.ticked}
             self._cleared |= {row.key for row in comparison.rows if row.is_offered} - ticked
@@ -99,11 +99,9 @@ class ComparisonTable(QAbstractTableModel):
 
     @property
     def ticked(self) -> tuple[ComparisonRow, ...]:
-        """Ticked changes, in the order of the table."""
         return self.ticked_of(self.comparison)
 
     def ticked_of(self, comparison: Comparison) -> tuple[ComparisonRow, ...]:
-        """Return the changes of a comparison whose check boxes were not cleared."""
         rows = comparison.rows if self._with_ticks else ()
         return tuple(row for row in rows if row.is_offered and row.key not in self._cleared)
 
@@ -117,7 +115,6 @@ class ComparisonTable(QAbstractTableModel):
         self._announce_ticks()
 
     def toggle(self, row: int) -> None:
-        """Toggle the check box of a row, if any."""
         index = self.index(row, ComparisonColumn.SETTING)
         is_cleared = self._rows[row].key in self._cleared
         state = Qt.CheckState.Checked if is_cleared else Qt.CheckState.Unchecked
@@ -210,7 +207,6 @@ class ComparisonTable(QAbstractTableModel):
         )
 
     def _side_text(self, row: ComparisonRow, value: int | Calibration | None, text: str) -> str:
-        """Return one side in physical units, with a line for each changed calibration field."""
         if value is None:
             return tr("not given")
         if isinstance(value, int) or row.before == row.after:

@@ -31,7 +31,6 @@ class SettingsDocument(QObject):
     def __init__(
         self, text: str, name: str, *, path: Path | None = None, doubt: Finding | None = None
     ) -> None:
-        """Open a text. With a `doubt`, the user has to check it first."""
         super().__init__()
         self.draft = SettingsDraft(self)  # empty while the text is not readable
         self._name = name
@@ -56,7 +55,7 @@ class SettingsDocument(QObject):
 
     @classmethod
     def of_file(cls, path: Path, data: bytes) -> "SettingsDocument":
-        """Create a document from the content of a file, which may have errors.
+        """Create a document from a file.
 
         Raises:
             SettingsError: the file is too large, or not a text.
@@ -81,7 +80,7 @@ class SettingsDocument(QObject):
 
     @property
     def settings(self) -> Settings | None:
-        """Settings with their edits. `None` while the text is not readable."""
+        """Settings with their edits. `None` for an unreadable text."""
         return self.draft.shown if self.readable else None
 
     @property
@@ -92,7 +91,7 @@ class SettingsDocument(QObject):
 
     @property
     def trouble(self) -> str:
-        """Reason why edits cannot be written into the text. Empty while they can."""
+        """Reason why edits do not fit into the text, or empty."""
         self._settle()
         return self._trouble
 
@@ -106,13 +105,12 @@ class SettingsDocument(QObject):
         return bool(self.trouble) or self.text != self._saved
 
     def set_text(self, text: str) -> None:
-        """Replace the text while it is not readable."""
         if not self.readable and text != self._base:
             self._base = self._text = text
             self.changed.emit()
 
     def check(self) -> bool:
-        """Read the text again. Return whether it has settings now."""
+        """Read the text again. Return whether it is readable."""
         if not self.readable:
             try:
                 settings, self._findings = read_settings(self._base, self._name)

@@ -54,7 +54,6 @@ class Notes(QObject):
         self.changed.emit()
 
     def clear(self) -> None:
-        """Show no notes until `load`."""
         self._notes, self._owner, self.are_known = {}, None, False
         self.changed.emit()
 
@@ -111,7 +110,6 @@ class SettingsDraft(QObject):
         return parameters.values.specs[key].name if parameters.index_of(key).isValid() else key
 
     def stored_curve(self, channel: Channel) -> ChannelCurve | None:
-        """Return the stored curve of a channel. `None` if unknown."""
         calibration = self.calibrations.stored(channel)
         if calibration is None:
             return None
@@ -180,7 +178,6 @@ class SettingsDraft(QObject):
         self.calibrations.record_stored(state.calibrations)
 
     def take_settings(self, settings: Settings) -> None:
-        """Load the settings of a file."""
         self._start(settings.product, settings.firmware)
         specs = specs_for(settings.product, settings.firmware)
         is_analog = settings.parameters.get(ParameterKey.CHANNEL_INPUT_SOURCE) == 1
@@ -198,7 +195,6 @@ class SettingsDraft(QObject):
 
     @property
     def stored(self) -> Settings | None:
-        """Settings of the board or the file. `None` before loading."""
         return self._settings(self.parameters.values.all_stored, self.calibrations.all_stored)
 
     @property
@@ -255,7 +251,6 @@ class SettingsDraft(QObject):
                 self.notes.edit(row.key, row.note_after, name=row.name)
 
     def discard_edits(self) -> None:
-        """Restore the stored settings, in one undo step."""
         if self.pending:
             with self.one_edit(tr("Discard edits")):
                 self.parameters.discard_edits()

@@ -17,8 +17,6 @@ from trex_gui.ui.translations import error_sentence
 
 @dataclass(frozen=True, slots=True)
 class EditOffer:
-    """Unapplied edits of an earlier run that still change a setting."""
-
     rows: tuple[ComparisonRow, ...]
     saved: SavedEdits
 
@@ -92,10 +90,7 @@ class EditBackup(QObject):
     # --- Decisions ----------------------------------------------------------------------
 
     def restore(self) -> None:
-        """Restore the offered edits, except settings edited meanwhile.
-
-        Edits that the board does not accept now stay saved.
-        """
+        """Restore the offered edits, except settings edited meanwhile."""
         if self.offer is None:
             return
         rows = [row for row in self.offer.rows if not self._draft.is_modified(row.key)]
@@ -109,7 +104,6 @@ class EditBackup(QObject):
         self._set_offer(None)
 
     def discard(self) -> None:
-        """Discard the saved edits at the end of the program."""
         if self._board is not None and self._has_file and self._draft.pending:
             self.files.save(self._board, self._undecided)
         self._board = None
@@ -169,7 +163,7 @@ class EditBackup(QObject):
         self._set_offer(offer)
 
     def _out_of_reach(self, edits: Settings) -> set[str]:
-        """Return the keys of edits that the draft neither holds nor accepts now."""
+        """Return the keys that the draft neither holds nor accepts."""
         can_edit, is_modified = self._draft.can_edit, self._draft.is_modified
         return {key for key in edits.keys if not can_edit(key) and not is_modified(key)}
 

@@ -46,7 +46,6 @@ _LABELS = {SnapshotColumn.NAME: "name", SnapshotColumn.NOTE: "note"}  # editable
 def _read(
     history: SettingsHistory, known: Mapping[Path, Snapshot], progress: ProgressCallback
 ) -> tuple[Snapshot, ...]:
-    """Read the folder in a thread. `known` has snapshots listed before."""
     files, snapshots = history.files(), list[Snapshot]()
     for number, file in enumerate(files, 1):
         snapshots.append(history.look_at(file, known.get(history.folder / file[2])))
@@ -75,7 +74,6 @@ class SnapshotTable(QAbstractTableModel):
         self._cancel: Callable[[], None] = lambda: None
 
     def set_words(self, text: str) -> None:
-        """Show only snapshots with all these words in a column or the tooltip."""
         self._words = text.casefold().split()
         if self.listing is not None:
             self.beginResetModel()
@@ -84,7 +82,6 @@ class SnapshotTable(QAbstractTableModel):
             self.listed.emit()
 
     def refresh(self) -> None:
-        """Read the folder again. Remaining rows stay in place."""
         self._cancel()
         known = {snapshot.path: snapshot for snapshot in self.listing or ()}
         read = partial(_read, self._history, known)
@@ -116,7 +113,7 @@ class SnapshotTable(QAbstractTableModel):
         return next((row for row, snapshot in rows if snapshot.path == path), None)
 
     def neighbour(self, snapshot: Snapshot) -> Snapshot | None:
-        """Return the next newer valid snapshot of the product, or else the next older."""
+        """Return the next newer valid snapshot, or else the next older."""
         row = self.row_of(snapshot.path)
         if row is None:
             return None
@@ -125,7 +122,7 @@ class SnapshotTable(QAbstractTableModel):
         return next((other for other in alike if not self.problem_of(other)), None)
 
     def content_of(self, snapshot: Snapshot) -> Settings | str | None:
-        """Return the settings or damage of a snapshot. `None` while it is being read."""
+        """Return settings or damage. `None` while loading."""
         stamp, content = self._contents.get(snapshot.path, (None, None))
         if stamp == snapshot.stamp:
             return content
@@ -149,7 +146,7 @@ class SnapshotTable(QAbstractTableModel):
         self.loaded.emit()
 
     def problem_of(self, snapshot: Snapshot) -> str:
-        """Return the known damage of a snapshot. Empty if usable."""
+        """Return the known damage, or empty."""
         stamp, content = self._contents.get(snapshot.path, (None, snapshot.problem))
         is_current = stamp == snapshot.stamp
         return content if is_current and isinstance(content, str) else snapshot.problem
@@ -173,7 +170,7 @@ class SnapshotTable(QAbstractTableModel):
         return flags | Qt.ItemFlag.ItemIsEditable if index.column() in _LABELS else flags
 
     def setData(self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole) -> bool:
-        """Set the name or note of a snapshot, in a thread. `failed` reports an error."""
+        """Set the name or note in a thread. `failed` reports an error."""
         if role != Qt.ItemDataRole.EditRole or str(value) == self.data(index):
             return False
         text = {_LABELS[SnapshotColumn(index.column())]: str(value)}

@@ -63,24 +63,21 @@ class SettingsWriter(QObject):
 
     @property
     def is_saving_snapshot(self) -> bool:
-        """True before anything is sent, while the write can be cancelled."""
+        """True before anything is sent, while `cancel` works."""
         return self._cancel_snapshot is not None
 
     @property
     def is_rejected(self) -> bool:
-        """True if the board's mode rejects writes."""
         state = self._board.state
         return self._is_connected and state is not None and not state.mode.is_serial
 
     @property
     def can_apply(self) -> bool:
-        """True if edits can be written, and would reach this board only."""
         is_ready = self._is_connected and not self.running
         return is_ready and not self.is_rejected and not self._driving.reaches_several
 
     @property
     def blocker(self) -> str:
-        """Remedy while the board rejects writes, else empty."""
         if not self.is_rejected:
             return ""
         return tr(
@@ -111,17 +108,13 @@ class SettingsWriter(QObject):
             self.write(tr("Apply of %n setting(s)", "", count), changed, curves)
 
     def set_serial_timeout(self, seconds: float) -> None:
-        """Write the serial timeout. 0 disables it.
+        """Write the serial timeout in seconds. 0 disables it.
 
-        Also switches on UART-Error Shutdown, which the timeout may need.
-
-        Raises:
-            BadRequest: the timeout is beyond the range of the board.
+        Also switches on UART-Error Shutdown, which the timeout may need. Raises `BadRequest`.
         """
         self._set(_TIMEOUT, lambda spec: with_shutdown(spec.check(round(seconds / spec.scale))))
 
     def set_device_number(self, number: int) -> None:
-        """Write another device number (0-127), unless another board on this line has it."""
         key = ParameterKey.DEVICE_NUMBER
         self._set(key, lambda spec: {key: spec.check(number)})
 
@@ -177,7 +170,6 @@ class SettingsWriter(QObject):
         self.changed.emit()
 
     def _state_to_change(self) -> DeviceState | None:
-        """Return the state. `None` if a write would reach no board, or several."""
         if self._driving.reaches_several and self._connection.is_open:
             text = tr(
                 "Nothing was written: without a device number it would reach several boards. "
@@ -188,14 +180,13 @@ class SettingsWriter(QObject):
         return self._board.state if self._connection.is_open else None
 
     def _expect_after(self, stored: Mapping[str, int]) -> None:
-        """Include the line settings in these values in reconnect attempts."""
         state, link = self._board.state, self._connection.settings
         if state is not None and link is not None:
             firmware = state.signature.firmware
             self._connection.expect(reconnect_candidates(link, state.parameters, stored, firmware))
 
     def cancel(self) -> bool:
-        """Cancel the write if nothing was sent. Return whether it was cancelled."""
+        """Cancel a write that was not sent. Return whether it was cancelled."""
         if self._cancel_snapshot is None:
             return False
         self.end()
@@ -203,12 +194,10 @@ class SettingsWriter(QObject):
         return True
 
     def give_up(self, reason: str) -> None:
-        """Cancel the write and report this reason, if nothing was sent."""
         if self.cancel():
             self.failed.emit(reason)
 
     def end(self) -> None:
-        """End the write without a result."""
         self.running = False
         if self._cancel_snapshot is not None:
             self._cancel_snapshot()

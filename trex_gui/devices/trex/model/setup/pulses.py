@@ -46,14 +46,14 @@ class MotorPulses(QObject):
 
     @property
     def cannot_drive(self) -> str:
-        """Reason why motors cannot be driven one by one. Empty if they can."""
+        """Reason why motors cannot be driven one by one, or empty."""
         if self._device.is_connected and self._device.board.is_joint:
             return tr("Joint mode: both outputs drive one motor, so there is nothing to find.")
         return mode_blocker(self._device) if self._device.is_connected else ""
 
     @property
     def blocker(self) -> str:
-        """Reason why no pulse can start. Empty if a pulse can start."""
+        """Reason why no pulse can start, or empty."""
         if self.cannot_drive:
             return self.cannot_drive
         if self._device.is_connected and not self.wheels_are_free:
@@ -61,7 +61,7 @@ class MotorPulses(QObject):
         return held_drive_blocker(self._device, _HOLDER)
 
     def confirm_wheels(self, free: bool) -> None:
-        """Record whether the wheels are off the ground. If not, stop everything."""
+        """Record whether the wheels are off the ground."""
         if free:
             self.wheels_are_free = True
             self.changed.emit()
@@ -69,14 +69,12 @@ class MotorPulses(QObject):
             self.stop(tr("The wheels may touch the ground."))
 
     def stop(self, reason: str) -> None:
-        """Stop and disarm the motors. The wheels have to be confirmed again."""
         self.wheels_are_free = False
         if self._motors.armed or self._device.may_move:
             self._motors.stop(reason)
         self.changed.emit()
 
     def start(self, motor: int, *, stronger: bool = False) -> bool:
-        """Start pulses of motor 1 or 2. Return whether they have started."""
         if self.motor or self.blocker:
             return False
         # With a slow ramp nothing would move within a pulse.
@@ -89,7 +87,6 @@ class MotorPulses(QObject):
         return bool(self.motor)
 
     def release(self) -> None:
-        """Brake the motor. The motors stay armed."""
         self._motors.release(_HOLDER)
 
     @Slot()
@@ -113,7 +110,6 @@ class MotorPulses(QObject):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        """Clear the confirmation of a lost board: the robot may be put down."""
         if not self._device.is_connected:
-            self.wheels_are_free = False
+            self.wheels_are_free = False  # the robot may be put down meanwhile
         self.changed.emit()

@@ -30,7 +30,7 @@ _RAMPS = (
 
 
 class Preset(Enum):
-    """Kinds of robots. The value is the file name of a sample."""
+    """Kind of robot. The value is the file name of a sample."""
 
     TANK = "tank_with_mix.txt"
     ROVER = "rover_with_serial_override.txt"
@@ -38,7 +38,6 @@ class Preset(Enum):
 
     @property
     def product(self) -> str:
-        """Key of the board model of the sample."""
         return _sample(self.value).product.key
 
     def values(self, model: str) -> Mapping[str, int]:
@@ -113,7 +112,6 @@ class RobotSetup(QObject):
 
     @property
     def wiring(self) -> Wiring | None:
-        """Connections of the motors. `None` before both motors were pulsed."""
         return Wiring.seen(self.movements)
 
     @property
@@ -122,7 +120,6 @@ class RobotSetup(QObject):
 
     @property
     def open_steps(self) -> Sequence[SetupStep]:
-        """Steps that are not complete."""
         return [
             step for step in self.steps if step is not SetupStep.REVIEW and not self._is_done(step)
         ]
@@ -149,7 +146,6 @@ class RobotSetup(QObject):
 
     @property
     def edits(self) -> Mapping[str, int]:
-        """Wire values by key that `next` would edit."""
         return {} if self.blocker else self._edits_of(self.step)
 
     def _edits_of(self, step: SetupStep) -> Mapping[str, int]:
@@ -162,7 +158,6 @@ class RobotSetup(QObject):
 
     @property
     def blocker(self) -> str:
-        """Reason that blocks this step. Empty if it changes no settings."""
         device = self._device
         if self.step not in {SetupStep.MOTORS, SetupStep.LIMITS, SetupStep.TIMEOUT}:
             return ""
@@ -209,7 +204,7 @@ class RobotSetup(QObject):
             self.changed.emit()
 
     def record_pushed(self, channels: Sequence[int]) -> tuple[int, ...]:
-        """Record pushed sticks. Return channels whose input shows no push."""
+        """Record pushed sticks. Return channels that show no push."""
         for channel in channels:
             self.rises.pop(channel, None)
             raw = self._device.telemetry.raw_of(channel)
@@ -230,7 +225,6 @@ class RobotSetup(QObject):
         self.changed.emit()
 
     def select_preset(self, preset: Preset | None) -> None:
-        """Select ramps, and the current limit if it fits this board."""
         model = self._device.parameters.model_key
         self.preset = preset
         self.current_limit = None
@@ -247,7 +241,7 @@ class RobotSetup(QObject):
         self.changed.emit()
 
     def next(self) -> None:
-        """Edit the settings of this step in one undo step. Then open the next step."""
+        """Edit the settings of this step, then open the next step."""
         if edits := self.edits:
             with self._device.draft.one_edit(tr("Set up my robot")):
                 for key, wire in edits.items():
@@ -264,7 +258,6 @@ class RobotSetup(QObject):
         self._move(-1)
 
     def stop(self) -> None:
-        """Stop the motors. The pending edits stay."""
         self.pulses.stop(tr("The assistant was closed."))
 
     def go_to(self, step: SetupStep) -> None:
@@ -296,7 +289,6 @@ class RobotSetup(QObject):
 
     @Slot()
     def _clear(self) -> None:
-        """Clear all answers, because another model has other units."""
         self.movements.clear()
         self.rises.clear()
         self._completed.clear()
