@@ -157,7 +157,7 @@ KEY = "serial_timeout"
 
 def settle(window: WindowDriver) -> None:
     window.wait(lambda: window.device.board.memory.record is not None)
-    window.wait(lambda: window.device.kept.files.is_idle)
+    window.wait(lambda: window.device.records.files.is_idle)
 
 
 def test_note_is_typed_and_kept_wherever_the_value_goes(
@@ -203,7 +203,7 @@ def test_note_is_typed_and_kept_wherever_the_value_goes(
     number_12 = data_folder() / "boards" / "trex-1.2-12.txt"
     number_12.write_text("of another board", encoding="utf-8")
     window.device.parameters.edit("device_number", 12)
-    with window.qtbot.waitSignal(window.device.kept.files.replaced):
+    with window.qtbot.waitSignal(window.device.records.files.replaced):
         window.device.writer.apply()
     (aside,) = number_12.parent.glob("*.replaced-1.txt")
     assert aside.read_text(encoding="utf-8") == "of another board"

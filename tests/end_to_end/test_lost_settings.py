@@ -21,7 +21,7 @@ def asked(window: WindowDriver) -> str:
 def reconnect(window: WindowDriver, url: str) -> None:
     window.disconnect()
     window.connect(url)
-    window.wait(lambda: window.device.kept.files.is_idle)
+    window.wait(lambda: window.device.records.files.is_idle)
 
 
 def test_settings_that_a_board_lost_are_shown_and_restored(
@@ -61,7 +61,7 @@ def test_snapshots_keep_the_calibrations_that_the_board_hides(
     quick_simulator.do("jumper mode serial")
     quick_simulator.do("power cycle")
     window.connect(quick_simulator.url)
-    window.wait(lambda: window.device.kept.files.is_idle)
+    window.wait(lambda: window.device.records.files.is_idle)
     window.apply(serial_timeout=15)
     (snapshot,) = SettingsHistory().snapshots()
     assert len(SettingsHistory().load(snapshot).calibrations) == 10

@@ -28,7 +28,7 @@ def disk(monkeypatch: pytest.MonkeyPatch, window: WindowDriver) -> Iterator[Slow
     disk = SlowDisk(monkeypatch)
     yield disk
     device = window.device
-    window.wait(lambda: device.kept.files.is_idle and device.edit_backup.files.is_idle)
+    window.wait(lambda: device.records.files.is_idle and device.edit_backup.files.is_idle)
     assert disk.stalls == []
 
 

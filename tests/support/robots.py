@@ -42,7 +42,7 @@ class Robot:
         self.device.connect_to(ConnectionSettings(self.simulator.url))
         self.wait(lambda: self.device.telemetry.motor_currents is not None)
         self.wait(lambda: self.device.motors.is_available)
-        self.device.motors.remember_arming_without_timeout()
+        self.device.motors.accept_arming_without_timeout()
 
     def speeds(self) -> tuple[int, int]:
         """What the simulated outputs do: signed speeds; 0 while they brake."""

@@ -230,7 +230,7 @@ class WindowDriver(WidgetDriver):
         """Choose the port of a TReX, which its user arms as it is, and wait until it is read."""
         self.connect_port(self.program.ports.add_typed(url))
         self.wait(lambda: self.device.link is ConnectionState.CONNECTED)
-        self.motors.remember_arming_without_timeout()
+        self.motors.accept_arming_without_timeout()
 
     def connect_port(self, port: Port) -> None:
         """Choose an entry of the list of ports and press Connect; returns at once."""

@@ -63,7 +63,7 @@ class MotorsPage(WindowDriver):
 
     def arm(self) -> None:
         """Click Arm motors as soon as it is offered, on a board that is armed as it is."""
-        self.motors.remember_arming_without_timeout()
+        self.motors.accept_arming_without_timeout()
         self.wait(self.button("runButton").isEnabled)
         self.click("runButton")
         self.wait(self.pad.isEnabled)

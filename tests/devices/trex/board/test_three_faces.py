@@ -54,7 +54,7 @@ def by_window(bench: Bench, qtbot: QtBot) -> None:
     device.applied.connect(results.append)
 
     def saved() -> bool:
-        return device.kept.files.is_idle
+        return device.records.files.is_idle
 
     def apply() -> None:
         results.clear()

@@ -231,7 +231,7 @@ def test_scan_asks_for_every_number_whatever_was_asked_before(make: Make) -> Non
     assert set(stand.presences) == {0, 7, 9}
     # Also while a board is asked whether it still responds.
     stand.simulator.do("@9 power off")
-    stand.wait(lambda: stand.boards.is_asking)
+    stand.wait(lambda: stand.boards.is_probing)
     stand.scan()
     assert set(stand.presences) == {0, 7}
 

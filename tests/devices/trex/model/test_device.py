@@ -215,11 +215,11 @@ def test_edits_that_another_board_may_get_are_mentioned(
 
 def test_doubt_about_the_record_is_said(recorder: RecorderOfBoard) -> None:
     device, said = recorder.device, list[str]()
-    device.kept.doubted.connect(said.append)
+    device.records.doubted.connect(said.append)
     for adapter in ("0403:6001-A500001", "0403:6001-B700002"):
         device.motors.adapter = adapter
         recorder.connect(recorder.simulator.url, again=device.is_connected)
-        recorder.until(lambda: device.kept.files.is_idle)
+        recorder.until(lambda: device.records.files.is_idle)
     assert "this TReX (notes, calibrations, applied settings) is of 20" in "".join(said)
 
 

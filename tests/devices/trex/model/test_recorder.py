@@ -73,7 +73,7 @@ def session(quick_simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[Recorder
 def test_recording_has_every_sample_while_no_window_is_seen(
     session: RecorderSetup, tmp_path: Path
 ) -> None:
-    session.device.set_seen(False)
+    session.device.set_visible(False)
     session.recorder.start(tmp_path / "unseen.trexrec")
     begun = now()
     session.wait(lambda: now() > begun + 3)

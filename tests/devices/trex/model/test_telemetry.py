@@ -106,11 +106,11 @@ def test_views_are_renewed_only_while_a_window_is_seen(telemetry: Telemetry) -> 
     telemetry.updated.connect(lambda: emitted.append("updated"))
     telemetry.frame_due.connect(lambda: emitted.append("frame"))
     telemetry.text_due.connect(lambda: emitted.append("text"))
-    telemetry.set_seen(False)
+    telemetry.set_visible(False)
     take(telemetry, Raw(1.0, (1, 2, 3, 4, 5)))
     telemetry.clear()
     assert emitted == ["updated", "updated"]
-    telemetry.set_seen(True)
+    telemetry.set_visible(True)
     assert emitted[2:] == ["frame", "text"]
     take(telemetry, Raw(1.01, (1, 2, 3, 4, 5)))
     assert emitted[4:] == ["updated", "frame", "text"]

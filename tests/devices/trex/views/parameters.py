@@ -43,7 +43,7 @@ class ParametersDriver(WidgetDriver):
 
     def open_file(self, specs: ParameterSet, **given: int) -> None:
         """Load a settings file with only the `given` parameters."""
-        self.draft.take_settings(Settings(specs.model, specs.firmware, given))
+        self.draft.load_settings(Settings(specs.model, specs.firmware, given))
 
     # --- Rows ---------------------------------------------------------------------------
 

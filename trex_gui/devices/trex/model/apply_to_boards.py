@@ -104,7 +104,7 @@ class ApplyToBoards(QObject):
         self.is_running, self.was_stopped = True, False
         self.is_writing, self._is_cancelled = is_writing, False
         self._home = self._boards.selected
-        self._go_on()
+        self._continue()
 
     def _set(self, number: int, step: BoardStep, problem: str = "", **changes: Any) -> None:
         self.plans = tuple(
@@ -115,11 +115,11 @@ class ApplyToBoards(QObject):
 
     def _finish_board(self, number: int, step: BoardStep, problem: str = "") -> None:
         self._set(number, step, problem)
-        self._go_on()
+        self._continue()
 
     # --- One board after the other ------------------------------------------------------
 
-    def _go_on(self) -> None:
+    def _continue(self) -> None:
         waiting = [plan.number for plan in self.plans if plan.step is BoardStep.WAITING]
         if self._is_cancelled or not waiting:
             self._end()
@@ -169,7 +169,7 @@ class ApplyToBoards(QObject):
                 findings=self._findings(changes),
                 doubts=tuple(self._device.parameters.values.doubtful(changes.rows)),
             )
-            self._go_on()
+            self._continue()
 
     def _findings(self, changes: Comparison) -> tuple[LintFinding, ...]:
         stored, settings = self._device.draft.stored, self._device.settings
@@ -203,7 +203,7 @@ class ApplyToBoards(QObject):
             self._is_cancelled = True
         else:
             self._set(number, BoardStep.WRITTEN)
-        self._go_on()
+        self._continue()
 
     @Slot(str)
     def _on_request_failed(self, reason: str) -> None:

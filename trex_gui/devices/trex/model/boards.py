@@ -65,7 +65,7 @@ class BoardList(QObject):
         self.scanned: int | None = None  # count of probed numbers; `None` while no scan runs
         self.is_selecting = False
         self._url = ""
-        self.is_asking = False  # a reply to a probe is due
+        self.is_probing = False  # a reply to a probe is due
         self._next = 0  # index into the boards that are not selected
         self._presence = new_timer(self, _PRESENCE_MS, self._on_presence_due)
         device.link_changed.connect(self._on_link_changed)
@@ -92,7 +92,7 @@ class BoardList(QObject):
 
     @property
     def can_scan(self) -> bool:
-        return self._may_ask and self.scanned is None
+        return self._may_probe and self.scanned is None
 
     @property
     def can_select(self) -> bool:
@@ -106,10 +106,10 @@ class BoardList(QObject):
 
     @property
     def can_change_number(self) -> bool:
-        return self._may_ask and not self._device.writer.is_rejected
+        return self._may_probe and not self._device.writer.is_rejected
 
     @property
-    def _may_ask(self) -> bool:
+    def _may_probe(self) -> bool:
         device = self._device
         is_driven = device.motors.armed or device.may_move or device.driving.is_group
         return device.is_writable and not (is_driven or self.is_selecting)
@@ -130,9 +130,9 @@ class BoardList(QObject):
 
     def _probe_next(self) -> None:
         number = self.scanned
-        if number is None or self.is_asking:
+        if number is None or self.is_probing:
             return
-        if not self._may_ask:
+        if not self._may_probe:
             self.cancel_scan()
             return
         if number == NUMBERS:
@@ -142,11 +142,11 @@ class BoardList(QObject):
         settings = self._device.settings
         if settings is not None and number == settings.device_number:
             self._record(number, self._device.signature, Presence.SELECTED)
-            self._go_on_after(number)
+            self._continue_scan(number)
         else:
-            self._prompt(number)
+            self._probe(number)
 
-    def _go_on_after(self, number: int) -> None:
+    def _continue_scan(self, number: int) -> None:
         """Continue the scan after a reply. Presence replies do not count."""
         if number == self.scanned:
             self.scanned += 1
@@ -157,7 +157,7 @@ class BoardList(QObject):
         missing = {Presence.SILENT, Presence.UNKNOWN}
         found = [board for board in self.boards if board.presence not in missing]
         self.boards = tuple(found)
-        self._remember()
+        self._save_numbers()
         text = tr(
             "No other board replies on this line. Each needs power, the serial settings of this "
             "one, and a device number of its own."
@@ -172,9 +172,9 @@ class BoardList(QObject):
             selected = self.selected
             self._select(selected if selected in readable else readable[0])
 
-    def _prompt(self, number: int) -> None:
+    def _probe(self, number: int) -> None:
         def on_probed(outcome: Outcome) -> None:
-            self.is_asking = False
+            self.is_probing = False
             match outcome.value, outcome.error:
                 case Signature() as signature, _:
                     self._record(number, signature, Presence.RESPONDING)
@@ -182,9 +182,9 @@ class BoardList(QObject):
                     self._record(number, None, Presence.UNREADABLE)
                 case None, None if self._board(number) is not None:
                     self._record(number, None, Presence.SILENT)
-            self._go_on_after(number)
+            self._continue_scan(number)
 
-        self.is_asking = self._device.connection.request(
+        self.is_probing = self._device.connection.request(
             lambda request: ProbeNumber(request, number), on_probed
         )
 
@@ -201,10 +201,10 @@ class BoardList(QObject):
         if board != before:
             others = [board for board in self.boards if board.number != number]
             self.boards = tuple(sorted([*others, board], key=lambda board: board.number))
-            self._follow_addressing()
+            self._update_reach()
             self.changed.emit()
 
-    def _follow_addressing(self) -> None:
+    def _update_reach(self) -> None:
         reaches_several = self.has_several and not self.is_addressed
         self._device.driving.set_reaching_several(reaches_several)
 
@@ -260,14 +260,14 @@ class BoardList(QObject):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        if not self._may_ask:
+        if not self._may_probe:
             self.cancel_scan()
         self.changed.emit()
 
     @Slot()
     def _on_line_closed(self) -> None:
         self.scanned = None
-        self.is_selecting = self.is_asking = False
+        self.is_selecting = self.is_probing = False
         self._presence.stop()
         self.boards = tuple(replace(board, presence=Presence.UNKNOWN) for board in self.boards)
         self.changed.emit()
@@ -296,17 +296,17 @@ class BoardList(QObject):
             boards.append(LineBoard(selected, self._device.signature, Presence.SELECTED))
             self.boards = tuple(sorted(boards, key=lambda board: board.number))
             if {board.number for board in self.boards} != {board.number for board in before}:
-                self._remember()
+                self._save_numbers()
         if self.has_several and not self._presence.isActive():
             self._presence.start()
-        self._follow_addressing()
+        self._update_reach()
         self.changed.emit()
 
     @property
     def _known_key(self) -> str:
         return f"boards/{quote(self._url, safe='')}"
 
-    def _remember(self) -> None:
+    def _save_numbers(self) -> None:
         numbers = ",".join(str(board.number) for board in self.boards)
         Preferences().set(self._known_key, numbers)
 
@@ -319,6 +319,6 @@ class BoardList(QObject):
     @Slot()
     def _on_presence_due(self) -> None:
         others = [board for board in self.boards if board.presence is not Presence.SELECTED]
-        if others and self._may_ask and self.scanned is None and not self.is_asking:
+        if others and self._may_probe and self.scanned is None and not self.is_probing:
             self._next = (self._next + 1) % len(others)
-            self._prompt(others[self._next].number)
+            self._probe(others[self._next].number)

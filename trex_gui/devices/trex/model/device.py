@@ -24,7 +24,7 @@ from trex_gui.devices.trex.driving.wheels import Wheel
 from trex_gui.devices.trex.model.connection import Connection, MemberConnection, remedies_for
 from trex_gui.devices.trex.model.drive_controller import DriveController, name_of_board
 from trex_gui.devices.trex.model.motors import Motors
-from trex_gui.devices.trex.model.settings.board_files import KeptFiles
+from trex_gui.devices.trex.model.settings.board_files import RecordFiles
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.model.settings.edit_backup import EditBackup
 from trex_gui.devices.trex.model.settings.writer import SettingsWriter
@@ -87,8 +87,8 @@ class Device(QObject):
         self.parameters = self.draft.parameters
         self.calibrations = self.draft.calibrations
         self.edit_backup = EditBackup(self.draft, self)
-        self.kept = KeptFiles(self.draft, self)
-        self.board = BoardMirror(self.kept.memory, self.errors_changed.emit)
+        self.records = RecordFiles(self.draft, self)
+        self.board = BoardMirror(self.records.memory, self.errors_changed.emit)
         self.telemetry = Telemetry(self.drive_of, self.board.newest, self)
         self.mix_jumper = MixJumper(self.draft, self.telemetry, self)
         self.connection: Connection = (
@@ -114,10 +114,10 @@ class Device(QObject):
         self.connection.failed.connect(self._on_connection_failed)
         self.connection.interfered.connect(self.notifier.report)
         self.driving.changed.connect(self.link_changed)
-        for kept in (self.edit_backup, self.kept):
-            kept.failed.connect(self.notifier.error)
-        self.kept.doubted.connect(self.notifier.info)
-        for files in (self.edit_backup.files, self.kept.files):
+        for backup in (self.edit_backup, self.records):
+            backup.failed.connect(self.notifier.error)
+        self.records.doubted.connect(self.notifier.info)
+        for files in (self.edit_backup.files, self.records.files):
             files.replaced.connect(self._on_replaced)
         self.writer.written.connect(self._on_written)
         self.writer.changed.connect(self.link_changed)
@@ -215,10 +215,10 @@ class Device(QObject):
         may_move = self.may_move or bool(self.driving.lost_board)
         self.connection.open(settings, may_move=may_move)
 
-    def set_seen(self, seen: bool) -> None:
+    def set_visible(self, visible: bool) -> None:
         """Set whether a window is visible. Otherwise polling is slow."""
-        self.connection.watch("window", seen)
-        self.telemetry.set_seen(seen)
+        self.connection.watch("window", visible)
+        self.telemetry.set_visible(visible)
 
     def disconnect_line(self) -> None:
         """Stop driven motors and close the line. Does not wait."""
@@ -352,8 +352,8 @@ class Device(QObject):
     def _handle_files(self, report: Connected, *, opened: bool) -> None:
         """Read the saved files of the board. `opened`: it may be another board."""
         state, is_simulated = report.state, bool(report.settings.name)
-        self.edit_backup.take_board(ask=opened, is_simulated=is_simulated)
-        self.kept.set_kind(state.signature, opened=opened, is_simulated=is_simulated)
+        self.edit_backup.set_board(reopened=opened, is_simulated=is_simulated)
+        self.records.set_kind(state.signature, opened=opened, is_simulated=is_simulated)
 
     def _on_selected(self, report: Connected) -> None:
         self.writer.give_up(tr("Nothing was written: another board was selected."))
@@ -403,14 +403,14 @@ class Device(QObject):
 
     @Slot()
     def _on_ready(self) -> None:
-        self.driving.follow_control()
+        self.driving.update_available()
         self.state_changed.emit()
 
     @Slot(object)
     def _on_sampled(self, batch: Batch) -> None:
         self._handle(batch)
         self.telemetry.finish()
-        self.driving.follow_control()
+        self.driving.update_available()
         self.sampled.emit(batch)
 
     @Slot(object)

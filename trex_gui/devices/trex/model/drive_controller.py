@@ -107,7 +107,7 @@ class DriveController(QObject):
         connection.stop_sent.connect(self._unsent.stop)
         connection.line_closed.connect(self._unsent.stop)
 
-    def follow_control(self) -> None:
+    def update_available(self) -> None:
         """Allow arming only while commands reach the motors.
 
         While channels are in control, the board stores a command until channel 5 hands over
@@ -123,7 +123,7 @@ class DriveController(QObject):
     def set_reaching_several(self, several: bool) -> None:
         if several != self.reaches_several:
             self.reaches_several = several
-            self.follow_control()
+            self.update_available()
             self.changed.emit()
 
     def stop(self, then: AfterStop, reason: str = "") -> None:
@@ -193,10 +193,10 @@ class DriveController(QObject):
         def report(outcome: Outcome) -> None:
             self._unsent.stop()
             self._on_stopped(outcome)
-            self._answer(waiting, outcome.error)
+            self._call_back(waiting, outcome.error)
 
         if not self._connection.request(Stop, report):
-            self._answer(waiting, NoReply(tr("No board is connected.")))
+            self._call_back(waiting, NoReply(tr("No board is connected.")))
         elif (
             self.may_move
             and self._connection.settings is not None
@@ -205,7 +205,7 @@ class DriveController(QObject):
             self._unsent.setInterval(round(1000 * self._connection.settings.timeouts.guardian))
             self._unsent.start()
 
-    def _answer(self, waiting: Sequence[AfterStop], error: StudioError | None) -> None:
+    def _call_back(self, waiting: Sequence[AfterStop], error: StudioError | None) -> None:
         for then in waiting:
             if then in self._unanswered:
                 self._unanswered.remove(then)
@@ -304,7 +304,7 @@ class DriveController(QObject):
             known = replace(state, parameters=parameters, calibrations=calibrations)
             self._board = replace(self._board, state=known)
             if ParameterKey.DEVICE_NUMBER in parameters:
-                self._motors.take_board(str(_identity_of(self._board)), is_renamed=True)
+                self._motors.set_board(str(_identity_of(self._board)), is_renamed=True)
 
     def _identify(self, report: Connected) -> bool:
         """Record the board. Return whether a lost board is back."""
@@ -334,7 +334,7 @@ class DriveController(QObject):
     def _on_read(self, report: Connected) -> None:
         is_back = self._identify(report)
         is_reloaded = report.occasion is ReadReason.RELOADED
-        self._motors.take_board(str(_identity_of(report)), is_renamed=is_reloaded)
+        self._motors.set_board(str(_identity_of(report)), is_renamed=is_reloaded)
         if not is_reloaded:
             if report.may_move or self._motors.armed:  # while armed, setpoints may be queued
                 reason = ""
@@ -360,7 +360,7 @@ class DriveController(QObject):
                 self._lost_with, self._lost_place = self._connection.settings, self.place
         self._motors.set_available(False)
         unanswered, error = [*self._unanswered], None if last is None else last.error
-        self._answer(unanswered, error or TrexError(ErrorCode.CLOSED))
+        self._call_back(unanswered, error or TrexError(ErrorCode.CLOSED))
 
     @Slot()
     def _report_lost(self) -> None:

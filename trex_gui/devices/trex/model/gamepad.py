@@ -26,8 +26,9 @@ _NOTHING = PilotRequest(0.0, 0.0, Waits.REST, stop=False)
 class Gamepad(QObject):
     """Reads a gamepad while switched on, and sets speeds from its sticks.
 
-    `attend` may prevent driving, but not the stop button of the gamepad. One gamepad is read at a
-    time. Each kind of gamepad has its own saved profile.
+    `set_unattended` prevents driving, but not the stop button of the gamepad. One gamepad is
+    read at a time. Each kind of gamepad has its own saved profile.
+
     """
 
     changed = Signal()  # any attribute but `state` and `request`
@@ -37,7 +38,7 @@ class Gamepad(QObject):
         super().__init__(parent)
         self._device = device
         self._motors = device.motors
-        self._drive_with = MomentaryDrive(device.motors, HOLDER)
+        self._control = MomentaryDrive(device.motors, HOLDER)
         self._source = source
         self._store = Preferences()
         self.on = False
@@ -59,7 +60,7 @@ class Gamepad(QObject):
 
     @property
     def drives(self) -> bool:
-        return self._drive_with.held
+        return self._control.held
 
     @property
     def stops_unfocused(self) -> bool:
@@ -79,7 +80,7 @@ class Gamepad(QObject):
             self.failure = self.gone = ""
             self.on = True
             self._timer.start()
-            self._look()
+            self._update_pads()
         self._refresh()
 
     @Slot()
@@ -89,44 +90,44 @@ class Gamepad(QObject):
             self.on = False
             self.gone = ""
             self._timer.stop()
-            self._drive_with.abort(tr("Driving with a gamepad was switched off."))
+            self._control.abort(tr("Driving with a gamepad was switched off."))
             self.pads = ()
-            self._update(None)
+            self._set_pad(None)
             self._source.close()
         self._refresh()
 
     def select(self, pad: Pad) -> None:
         if pad in self.pads and pad != self.pad:
             self._store.set("gamepad/last", pad.guid)
-            self._drive_with.abort(tr("Another gamepad was chosen."))
-            self._update(pad)
+            self._control.abort(tr("Another gamepad was chosen."))
+            self._set_pad(pad)
             self._refresh()
 
     def set_profile(self, profile: GamepadProfile) -> None:
         if self.pad is not None and profile != self.profile:
-            self._drive_with.abort(tr("The gamepad settings were changed."))
+            self._control.abort(tr("The gamepad settings were changed."))
             self._store.set(f"gamepad/profiles/{self.pad.guid}", profile.to_text())
-            self._use(profile)
+            self._apply_profile(profile)
             self._refresh()
 
     def set_stops_unfocused(self, stops: bool) -> None:
         self._store.set("gamepad/stops_unfocused", stops)
         self.changed.emit()
 
-    def attend(self, reason: str) -> None:
+    def set_unattended(self, reason: str) -> None:
         """Prevent driving for this reason. An empty reason allows driving."""
         if reason != self._unattended:
             self._unattended = reason
             if reason:
-                self._drive_with.abort(reason)
-            self._start()
+                self._control.abort(reason)
+            self._reset_pilot()
             self._refresh()
 
     # --- Reading ------------------------------------------------------------------------
 
     @Slot()
     def _on_step(self) -> None:
-        self._look()
+        self._update_pads()
         pad = self.pad
         if pad is None:
             self._report()
@@ -147,7 +148,7 @@ class Gamepad(QObject):
             self.moved.emit()
         self._report()
 
-    def _look(self) -> None:
+    def _update_pads(self) -> None:
         pads = self._source.pads()
         if pads == self.pads:
             return
@@ -157,41 +158,41 @@ class Gamepad(QObject):
         if self.pad is None and pads:
             last = self._store.text("gamepad/last")
             self.gone = ""
-            self._update(next((pad for pad in pads if pad.guid == last), pads[0]))
+            self._set_pad(next((pad for pad in pads if pad.guid == last), pads[0]))
         self.changed.emit()
 
     def _on_pad_lost(self, pad: Pad) -> None:
         self.gone = pad.name
-        self._update(None)
-        self._drive_with.abort(tr("The gamepad “{0}” was disconnected.").format(pad.name))
+        self._set_pad(None)
+        self._control.abort(tr("The gamepad “{0}” was disconnected.").format(pad.name))
 
     def _drive(self) -> None:
         if self._unattended or not self._motors.armed:
             return
-        self._drive_with.joint = self._device.board.is_joint
+        self._control.joint = self._device.board.is_joint
         if not self.request.drives:
-            self._drive_with.release()
-        elif not self._drive_with.steer(self.request.forward, self.request.turn):
-            self._start()  # another control drives: the button must be pressed again
+            self._control.release()
+        elif not self._control.steer(self.request.forward, self.request.turn):
+            self._reset_pilot()  # another control drives: the button must be pressed again
 
     @Slot()
     def _on_arming_changed(self) -> None:
-        self._start()
+        self._reset_pilot()
         self._report()
 
-    def _start(self) -> None:
+    def _reset_pilot(self) -> None:
         self._pilot.reset()
         self._has_read = False
 
-    def _update(self, pad: Pad | None) -> None:
+    def _set_pad(self, pad: Pad | None) -> None:
         self.pad = pad
         self.state, self.request = None, _NOTHING
         if pad is not None:
             stored = read_profile(self._store.text(f"gamepad/profiles/{pad.guid}"))
-            self._use(stored if stored and stored.fits(pad) else default_profile(pad))
+            self._apply_profile(stored if stored and stored.fits(pad) else default_profile(pad))
         self.moved.emit()
 
-    def _use(self, profile: GamepadProfile) -> None:
+    def _apply_profile(self, profile: GamepadProfile) -> None:
         self.profile = profile
         self._pilot = Pilot(profile)
         self._has_read = False

@@ -35,8 +35,8 @@ class BoardGroup(QObject):
         device.driving.routed = self._routed
         device.driving.lacking = self._lacking
         device.driving.named = device.named
-        device.connection.started.connect(self._follow)
-        device.connection.device_read.connect(self._follow)  # a server has its own group
+        device.connection.started.connect(self._update_devices)
+        device.connection.device_read.connect(self._update_devices)  # a server has its own group
 
     @property
     def devices(self) -> dict[int, Device]:
@@ -95,7 +95,7 @@ class BoardGroup(QObject):
     # --- The boards -----------------------------------------------------------------------
 
     @Slot()
-    def _follow(self) -> None:
+    def _update_devices(self) -> None:
         settings = self._device.settings
         numbers = () if settings is None else settings.group
         wheels = self.proposed(numbers) if numbers else ()
@@ -117,10 +117,10 @@ class BoardGroup(QObject):
         device = Device(self._device.notifier, self, main=self._device, number=number)
         device.driving.named = device.named
         device.connection.ready.connect(self._device.driving.confirm)
-        device.events.happened.connect(lambda: self._pass_on(device))
+        device.events.happened.connect(lambda: self._forward_event(device))
         return device
 
-    def _pass_on(self, device: Device) -> None:
+    def _forward_event(self, device: Device) -> None:
         if device.link is ConnectionState.DISCONNECTED:
             return
         newest = device.events.all[-1]

@@ -99,7 +99,7 @@ class Motors(QObject):
 
     # --- Options ------------------------------------------------------------------------
 
-    def take_board(self, board: str, *, is_renamed: bool = False) -> None:
+    def set_board(self, board: str, *, is_renamed: bool = False) -> None:
         """Load the saved ceiling of a board, and unlink its motors.
 
         With `is_renamed`, ceiling and link stay. The ceiling is saved under the new name.
@@ -142,7 +142,7 @@ class Motors(QObject):
         """True if the user accepts arming without a serial timeout."""
         return self._store.flag(f"motors/without_timeout/{self.board}", default=False)
 
-    def remember_arming_without_timeout(self) -> None:
+    def accept_arming_without_timeout(self) -> None:
         self._store.set(f"motors/without_timeout/{self.board}", True)
 
     @property

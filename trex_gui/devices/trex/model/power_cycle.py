@@ -63,36 +63,36 @@ class PowerCycle(QObject):
         self.expected = None if expected == settings else expected
         if not any(key in REACH for key in failed):
             self._device.connection.expect(() if self.expected is None else (self.expected,))
-        self._go(PowerCycleStage.OFF_WANTED)
+        self._set_stage(PowerCycleStage.OFF_WANTED)
 
     def confirm(self) -> None:
         if self._device.is_connected:
             self._device.record_power_cycled()
-            self._go(PowerCycleStage.BACK)
+            self._set_stage(PowerCycleStage.BACK)
 
     def end(self) -> None:
         self.expected = None
-        self._go(PowerCycleStage.NONE)
+        self._set_stage(PowerCycleStage.NONE)
 
     @Slot()
     def _on_link_changed(self) -> None:
         stage, link = self.stage, self._device.link
         is_closed = link in {ConnectionState.DISCONNECTED, ConnectionState.DISCONNECTING}
         if stage in _WAITING and is_closed:
-            self._go(PowerCycleStage.LOST)
+            self._set_stage(PowerCycleStage.LOST)
         elif stage is PowerCycleStage.ON_WANTED and link is ConnectionState.CONNECTED:
-            self._go(PowerCycleStage.BACK)
+            self._set_stage(PowerCycleStage.BACK)
         elif stage in _UNNOTICED and link is ConnectionState.NOT_RESPONDING:
-            self._go(PowerCycleStage.ON_WANTED)
+            self._set_stage(PowerCycleStage.ON_WANTED)
         elif stage is PowerCycleStage.LOST and link is ConnectionState.CONNECTED:
-            self._go(PowerCycleStage.UNSURE if self.still_waiting else PowerCycleStage.BACK)
+            self._set_stage(PowerCycleStage.UNSURE if self.still_waiting else PowerCycleStage.BACK)
 
     @Slot()
     def _on_timeout(self) -> None:
         self.takes_long = True
         self.changed.emit()
 
-    def _go(self, stage: PowerCycleStage) -> None:
+    def _set_stage(self, stage: PowerCycleStage) -> None:
         self.stage = stage
         self.takes_long = False
         if stage in {PowerCycleStage.OFF_WANTED, PowerCycleStage.ON_WANTED}:

@@ -69,13 +69,13 @@ class Provision(QObject):
     def start(self, profile: Settings, record: ProvisionRecord, *, turns_motors: bool) -> None:
         self._profile, self._record, self.turns_motors = profile, record, turns_motors
         self.done, self._is_ending = [], False
-        self._go(ProvisionStep.WAIT)
+        self._set_step(ProvisionStep.WAIT)
         self._on_board_changed()
 
     def write(self) -> None:
         """Write the reviewed values, after the number is recorded."""
         if self.step is ProvisionStep.REVIEW and self.board and self._device.writer.can_apply:
-            self._go(ProvisionStep.WRITE)
+            self._set_step(ProvisionStep.WRITE)
             self._save(self.board, self._write)
 
     def skip(self) -> None:
@@ -98,7 +98,7 @@ class Provision(QObject):
         self._is_ending = True
         if self.problem or (self.step is not ProvisionStep.WRITE and self._saving is None):
             self._saving = None
-            self._go(ProvisionStep.PROFILE)
+            self._set_step(ProvisionStep.PROFILE)
 
     # --- One board after the other ------------------------------------------------------
 
@@ -114,12 +114,12 @@ class Provision(QObject):
                 if is_there:
                     self._review()
                 else:
-                    self._go(ProvisionStep.WAIT)
+                    self._set_step(ProvisionStep.WAIT)
             case ProvisionStep.MOTORS if not is_there:
                 self.finish_motors(turned=False)
             case ProvisionStep.UNPLUG if self._saving is None:
                 if not is_there or (self.board is not None and number != self.board.number):
-                    self._go(ProvisionStep.WAIT)
+                    self._set_step(ProvisionStep.WAIT)
                     self._on_board_changed()
 
     def _review(self) -> None:
@@ -130,9 +130,9 @@ class Provision(QObject):
                 self.board = self._record.propose(stored, str(self._device.signature or ""), rows)
         except BadRequest as error:
             self.board, self.comparison = None, Comparison(())
-            self._go(ProvisionStep.UNPLUG, error_text(error))
+            self._set_step(ProvisionStep.UNPLUG, error_text(error))
         else:
-            self._go(ProvisionStep.REVIEW)
+            self._set_step(ProvisionStep.REVIEW)
 
     def _compare(self) -> Comparison:
         state, stored = self._device.state, self._device.draft.stored
@@ -181,17 +181,17 @@ class Provision(QObject):
         result = problem or result_text(self._profile, stored, self._compare().rows)
         self.board = replace(self.board, calibrations=fingerprint(stored), result=result)
         if self.turns_motors and not self._is_ending and result.startswith("ok"):
-            self._go(ProvisionStep.MOTORS)
+            self._set_step(ProvisionStep.MOTORS)
         else:
             self._finish(self.board)
 
     def _finish(self, board: ProvisionedBoard) -> None:
-        self._go(ProvisionStep.UNPLUG)
+        self._set_step(ProvisionStep.UNPLUG)
 
         def on_saved() -> None:
             self.done.append(board)
             if self._is_ending:
-                self._go(ProvisionStep.PROFILE)
+                self._set_step(ProvisionStep.PROFILE)
             else:
                 self.changed.emit()
                 self._on_board_changed()
@@ -215,7 +215,7 @@ class Provision(QObject):
         self.problem = error_text(error)
         self.changed.emit()
 
-    def _go(self, step: ProvisionStep, problem: str = "") -> None:
+    def _set_step(self, step: ProvisionStep, problem: str = "") -> None:
         self.step, self.problem = step, problem
         if step in {ProvisionStep.PROFILE, ProvisionStep.WAIT}:
             self.board, self.comparison = None, Comparison(())

@@ -132,7 +132,7 @@ class Recorder(RecordThread[Record]):
 _BEFORE = 20.0  # s recorded before a fault or stop
 _AFTER = 10.0  # s recorded after the last fault or stop
 _LONGEST = 120.0  # s; then repeated faults do not extend a file
-_BEGIN_DELAY = 0.5  # s; recording must not slow down the stop
+_START_DELAY = 0.5  # s; recording must not slow down the stop
 
 
 class EventRecorder(Recorder):
@@ -154,8 +154,8 @@ class EventRecorder(Recorder):
         self._user = user  # records on request of the user
         super().__init__(device, parent)
         self.is_on = Preferences().flag(_KEEP, default=True)
-        begin_ms, end_ms = round(1000 * _BEGIN_DELAY), round(1000 * _AFTER)
-        self._begin_timer = new_timer(self, begin_ms, self._start_soon, single_shot=True)
+        start_ms, end_ms = round(1000 * _START_DELAY), round(1000 * _AFTER)
+        self._start_timer = new_timer(self, start_ms, self._start_soon, single_shot=True)
         self._end_timer = new_timer(self, end_ms, self.stop, single_shot=True)
 
     def set_on(self, on: bool) -> None:
@@ -184,12 +184,12 @@ class EventRecorder(Recorder):
     @Slot(object)
     def put_event(self, event: Event) -> None:
         super().put_event(event)
-        if self.is_on and self._template is not None and self._is_worth(event):
+        if self.is_on and self._template is not None and self._is_relevant(event):
             self._save(event)
         if event.kind is EventKind.STOP:
             self._driven.clear()
 
-    def _is_worth(self, event: Event) -> bool:
+    def _is_relevant(self, event: Event) -> bool:
         if event.kind in {EventKind.FAULT, EventKind.OVER_LIMIT, EventKind.TIMEOUT}:
             return True
         is_end = event.kind is EventKind.STOP or (event.kind is EventKind.LINK and event.is_problem)
@@ -201,9 +201,9 @@ class EventRecorder(Recorder):
         if self.recording:
             if self.seconds < _LONGEST:
                 self._end_timer.start()
-        elif not self._begin_timer.isActive():
+        elif not self._start_timer.isActive():
             self._event = event
-            self._begin_timer.start()
+            self._start_timer.start()
             self._end_timer.start()
 
     @Slot()
@@ -211,10 +211,10 @@ class EventRecorder(Recorder):
         if self._worker is None:
             self._start()
         elif self._end_timer.isActive():  # a slow disk still writes the last recording
-            self._begin_timer.start()
+            self._start_timer.start()
 
     def _start(self) -> None:
-        self._begin_timer.stop()
+        self._start_timer.stop()
         header, before, event = self._template, self._before, self._event
         if header is None or before is None or event is None:
             return
@@ -240,7 +240,7 @@ class EventRecorder(Recorder):
 
     @Slot()
     def stop(self) -> None:
-        self._begin_timer.stop()
+        self._start_timer.stop()
         self._end_timer.stop()
         super().stop()
 
@@ -273,7 +273,7 @@ class EventRecorder(Recorder):
         self.changed.emit()
 
     def _finish(self) -> None:
-        if self._begin_timer.isActive() and self._worker is None:
+        if self._start_timer.isActive() and self._worker is None:
             self._start()
         self.stop()
         self._recent.clear()

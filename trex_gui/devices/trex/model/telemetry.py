@@ -98,7 +98,7 @@ class Telemetry(QObject):
         self.newest = newest  # owned by the board's mirror
         self.latest: float = 0.0
         self.samples = 0
-        self._is_seen = True
+        self._is_visible = True
         self._text_at = -math.inf
         self.ampere = 0.15  # A per count; the value of a TReX until a board is read
         self._drive_of = drive_of
@@ -135,19 +135,19 @@ class Telemetry(QObject):
 
     def finish(self) -> None:
         self.updated.emit()
-        if self._is_seen:
+        if self._is_visible:
             self.frame_due.emit()
             if self.latest - self._text_at >= TEXT_INTERVAL:
                 self._text_at = self.latest
                 self.text_due.emit()
 
-    def set_seen(self, seen: bool) -> None:
-        self._is_seen = seen
+    def set_visible(self, visible: bool) -> None:
+        self._is_visible = visible
         self._renew_views()
 
     def _renew_views(self) -> None:
         self._text_at = -math.inf
-        if self._is_seen:
+        if self._is_visible:
             self.frame_due.emit()
             self.text_due.emit()
 

@@ -78,7 +78,7 @@ class ArmDialog(QDialog):
 
     @Slot()
     def _on_without(self) -> None:
-        self._device.motors.remember_arming_without_timeout()
+        self._device.motors.accept_arming_without_timeout()
         self._device.motors.arm()
         self.close()
 

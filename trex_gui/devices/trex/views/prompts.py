@@ -96,7 +96,7 @@ class RestorePrompt(QObject):
         self._question = question
         self._reported: set[ComparisonRow] = set()  # lost settings
         device.edit_backup.offered.connect(self._on_edits_offered)
-        device.kept.changed.connect(self._on_memory_changed)
+        device.records.changed.connect(self._on_memory_changed)
 
     @Slot()
     def _on_edits_offered(self) -> None:

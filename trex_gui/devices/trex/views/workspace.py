@@ -104,7 +104,7 @@ class TrexWorkspace(Workspace):
         LeasePrompt(device, frame.question, self)
         self._plot: PlotWindow | None = None
 
-        frame.seen_changed.connect(device.set_seen)
+        frame.seen_changed.connect(device.set_visible)
         self.files.staged.connect(lambda: self.show_page("parameters"))
         self.recordings.accept_drops(frame, self)
         self.openers = {"settings": files.open_file, "recording": self.recordings.open_file}
@@ -189,8 +189,8 @@ class TrexWorkspace(Workspace):
         # Queued, so that the review has its result before the stick test.
         queued = Qt.ConnectionType.QueuedConnection
         learning.stored.connect(self._settings.close_if_verified, queued)
-        learning.begun.connect(self._controller.demo_board.centre_sticks)
-        learning.begun.connect(lambda: self._tools.learn)  # runs the stick test after a set-up
+        learning.started.connect(self._controller.demo_board.centre_sticks)
+        learning.started.connect(lambda: self._tools.learn)  # runs the stick test after a set-up
         return learning
 
     @cached_property
@@ -375,11 +375,11 @@ class TrexWorkspace(Workspace):
     def finish(self) -> None:
         self.recordings.close_all()
         self._device.edit_backup.files.shut_down()
-        self._device.kept.files.shut_down()
+        self._device.records.files.shut_down()
 
     def shut_down(self) -> bool:
         device = self._device
-        kept = [files.shut_down() for files in (device.edit_backup.files, device.kept.files)]
+        kept = [files.shut_down() for files in (device.edit_backup.files, device.records.files)]
         return self.recordings.shut_down() and all(kept)
 
     def set_up_crc(self) -> None:

@@ -94,17 +94,17 @@ def test_ceiling_is_low_for_a_new_board_and_remembered_for_each(
 
 def test_ceiling_falls_back_when_another_board_takes_over(qtbot: QtBot) -> None:
     motors = Motors()
-    motors.take_board("one")
+    motors.set_board("one")
     motors.set_ceiling(FULL_SCALE)
-    motors.take_board("another")
+    motors.set_board("another")
     assert motors.ceiling_in_force == FIRST_CEILING
     motors.set_available(True)
     motors.arm()
     motors.set_speed(1, FIRST_CEILING)
     motors.set_ceiling(FULL_SCALE)
     assert motors.drive(1) == Drive.at(FIRST_CEILING), "a raised ceiling speeds up no motor"
-    motors.take_board("one")
-    motors.take_board("another")
+    motors.set_board("one")
+    motors.set_board("another")
     assert motors.ceiling == FULL_SCALE
 
 
@@ -118,14 +118,14 @@ def test_inputs_that_drive_are_switched_off_for_another_board(qtbot: QtBot) -> N
     def states() -> tuple[bool, bool, bool]:
         return keys.isChecked(), gamepad.on, motors.linked
 
-    motors.take_board("demo")
+    motors.set_board("demo")
     keys.setChecked(True)
     gamepad.switch_on()
     motors.set_linked(True)
-    motors.take_board("demo")
-    motors.take_board("demo, renumbered", is_renamed=True)
+    motors.set_board("demo")
+    motors.set_board("demo, renumbered", is_renamed=True)
     assert states() == (True, True, True)
-    motors.take_board("real")
+    motors.set_board("real")
     assert states() == (False, False, False)
 
 
@@ -133,7 +133,7 @@ def test_boards_alike_on_different_adapters_have_their_own_ceilings(qtbot: QtBot
     motors = Motors()
     for adapter, expected in (("one", FIRST_CEILING), ("two", FIRST_CEILING), ("one", 90)):
         motors.adapter = adapter
-        motors.take_board("trex-1.2-7")
+        motors.set_board("trex-1.2-7")
         assert motors.ceiling == expected
         motors.set_ceiling(90)
 

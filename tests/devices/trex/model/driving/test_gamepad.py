@@ -151,7 +151,7 @@ def test_replugged_gamepad_needs_arming_and_a_new_press(setup: GamepadSetup) -> 
 
 @pytest.mark.parametrize("blocker", ["", "Another page is open."])
 def test_stop_button_stops_another_control(setup: GamepadSetup, blocker: str) -> None:
-    setup.gamepad.attend(blocker)
+    setup.gamepad.set_unattended(blocker)
     setup.motors.acquire("pad")
     setup.motors.set_speed(1, 50, "pad")
     setup.pads.press(STOP)
@@ -161,13 +161,13 @@ def test_stop_button_stops_another_control(setup: GamepadSetup, blocker: str) ->
 
 def test_blocking_while_driving_stops_with_the_reason(setup: GamepadSetup) -> None:
     setup.drive_forward()
-    setup.gamepad.attend("The window is not in front.")
+    setup.gamepad.set_unattended("The window is not in front.")
     assert setup.stops == ["The window is not in front."]
     assert setup.gamepad.text == "The window is not in front."
 
 
 def test_blocked_gamepad_does_not_drive(setup: GamepadSetup) -> None:
-    setup.gamepad.attend("Another page is open.")
+    setup.gamepad.set_unattended("Another page is open.")
     setup.pads.press(HOLD)
     setup.qtbot.waitUntil(lambda: setup.gamepad.request.waits is Waits.RELEASE)
     setup.pads.release(HOLD)
@@ -176,7 +176,7 @@ def test_blocked_gamepad_does_not_drive(setup: GamepadSetup) -> None:
     setup.pads.move(Y, -1.0)
     setup.qtbot.waitUntil(lambda: setup.gamepad.request.drives)
     assert setup.speeds() == (None, None)
-    setup.gamepad.attend("")
+    setup.gamepad.set_unattended("")
     setup.wait_for("Release the sticks")
     assert setup.speeds() == (None, None)
 

@@ -58,7 +58,7 @@ class LearningSetup:
             learning = self.learning
             unconfirmed = learning.step is LearningStep.FAILED and UNCONFIRMED in learning.trouble
             if unconfirmed and step is not LearningStep.FAILED:
-                learning.again()
+                learning.repeat()
             return learning.step is step
 
         self.until(is_there)
@@ -185,7 +185,7 @@ def test_channels_in_control_fail_learning_for_good(setup: LearningSetup) -> Non
     until = now() + 2
     setup.until(lambda: now() > until)
     assert set(steps) <= {LearningStep.STOPPING, LearningStep.FAILED}
-    setup.learning.again()
+    setup.learning.repeat()
     setup.until_step(LearningStep.NEUTRAL)
 
 
@@ -194,7 +194,7 @@ def test_rc_mode_is_refused_despite_override(setup: LearningSetup) -> None:
     setup.until(lambda: setup.device.board.serial_controls is False)
     setup.simulator.do("channel 5 1000us")
     setup.until(lambda: setup.device.board.serial_controls is True)
-    setup.learning.begin_test((1,))
+    setup.learning.start_test((1,))
     assert setup.learning.step is LearningStep.FAILED
     assert "with the next move of its switch the sticks drive the motors" in setup.learning.trouble
 
@@ -224,7 +224,7 @@ def test_current_after_the_stop_requires_a_user_check(setup: LearningSetup) -> N
     setup.until_step(LearningStep.DOUBT)
     assert "motor 2 draws 3.0 A" in setup.learning.trouble
     assert "cut its power" in setup.learning.trouble
-    setup.learning.again()
+    setup.learning.repeat()
     setup.until_step(LearningStep.STOPPING)
     setup.until_step(LearningStep.DOUBT)
     assert setup.learning.can_go_on
@@ -234,7 +234,7 @@ def test_current_after_the_stop_requires_a_user_check(setup: LearningSetup) -> N
 
 def test_current_ending_after_the_stop_does_not_block_the_test(setup: LearningSetup) -> None:
     setup.simulator.do("current 1 2.0")
-    setup.learning.begin_test((1,))
+    setup.learning.start_test((1,))
     setup.until(lambda: not setup.device.may_move)
     assert setup.learning.step is LearningStep.STOPPING
     setup.simulator.do("current 1 auto")
@@ -296,7 +296,7 @@ def test_going_back_from_review_keeps_the_travel(setup: LearningSetup) -> None:
     setup.learning.back()
     setup.until_step(LearningStep.TRAVEL)
     assert all(c.travel is not None and c.travel.is_enough for c in setup.learning.channels)
-    setup.learning.again()
+    setup.learning.repeat()
     assert not any(c.travel is not None and c.travel.is_enough for c in setup.learning.channels)
     setup.learning.back()
     setup.until_step(LearningStep.NEUTRAL)
@@ -321,7 +321,7 @@ def test_written_values_request_a_test(setup: LearningSetup) -> None:
     setup.learning.use_values()
     setup.write()
     assert setup.requested_tests == [(1, 2)]
-    setup.learning.begin_test(setup.learning.numbers)
+    setup.learning.start_test(setup.learning.numbers)
     setup.until_step(LearningStep.TEST)
     assert setup.learning.tests is not None
     tests = setup.learning.tests
@@ -416,11 +416,11 @@ def test_already_stored_values_request_the_test_at_once(setup: LearningSetup) ->
     setup.use(1, calibration=stored)
     assert taken == []
     assert setup.requested_tests == [(1,)]
-    setup.learning.begin_test(setup.learning.numbers)
+    setup.learning.start_test(setup.learning.numbers)
     setup.until_step(LearningStep.TEST)
     assert setup.learning.news == "These values are stored already."
     setup.learning.cancel()
-    setup.learning.begin_test((1,))
+    setup.learning.start_test((1,))
     assert setup.learning.news == ""
 
 
@@ -447,7 +447,7 @@ def test_failed_test_does_not_deny_the_written_values(setup: LearningSetup, how:
     setup.use(1)
     setup.write()
     assert setup.requested_tests
-    setup.learning.begin_test(setup.learning.numbers)
+    setup.learning.start_test(setup.learning.numbers)
     setup.until_step(LearningStep.TEST)
     if how == "motors":
         setup.device.motors.arm()
@@ -468,7 +468,7 @@ def test_restart_after_power_loss_stops_the_motors_again(
 ) -> None:
     is_test = step is LearningStep.TEST
     if is_test:
-        setup.learning.begin_test((1,))
+        setup.learning.start_test((1,))
     elif step is LearningStep.REVIEW:
         setup.to_review(1)
     elif step is LearningStep.TRAVEL:
@@ -481,12 +481,12 @@ def test_restart_after_power_loss_stops_the_motors_again(
     assert "The board does not respond" in setup.learning.trouble
     assert ("Nothing was changed" in setup.learning.trouble) is not is_test
     assert ("The test has ended" in setup.learning.trouble) is is_test
-    setup.learning.again()
+    setup.learning.repeat()
     assert setup.learning.trouble == "Connect to a board first."
     setup.simulator.do("power on")
     setup.until(lambda: setup.device.link is ConnectionState.CONNECTED)
     assert not setup.learning.can_go_on
     assert not setup.learning.can_use_values
-    setup.learning.again()
+    setup.learning.repeat()
     assert setup.learning.step is LearningStep.STOPPING
     setup.until_step(LearningStep.TEST if is_test else LearningStep.NEUTRAL)

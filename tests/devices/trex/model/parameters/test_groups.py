@@ -98,7 +98,7 @@ def test_grouped_model_passes_qt_model_tester(
         each.edit("motor_mode", 1)
         each.both_motors = True
         each.reset("motor1_current_limit")
-        each.leave_out("serial_timeout")
+        each.remove("serial_timeout")
         each.load(SPECS, FACTORY, {}, power_cycled=True)
 
 
@@ -106,7 +106,7 @@ def test_grouped_model_passes_qt_model_tester(
 
 
 def test_reset_to_default_is_an_edit(model: ParameterModel, undo: QUndoStack) -> None:
-    model.leave_out("serial_timeout")  # of a board
+    model.remove("serial_timeout")  # of a board
     model.reset("nonsense")
     model.restore("nonsense")
     assert model.values.value_of("serial_timeout") == FACTORY["serial_timeout"]
@@ -193,7 +193,7 @@ def test_staged_settings_keep_motors_separate_in_both_mode(qtbot: QtBot) -> None
 def test_accepted_finding_changes_both_motors_in_one_step(qtbot: QtBot) -> None:
     draft = SettingsDraft()
     stored = FACTORY | {"motor1_current_limit": 10, "motor1_current_limit_p": 0}
-    draft.take_settings(Settings(SPECS.model, "1.2", stored))
+    draft.load_settings(Settings(SPECS.model, "1.2", stored))
     draft.parameters.both_motors = True
     linter = SettingsLinter(draft)
     hint = next(a for a in linter.findings if "motor1_current_limit_p" in a.change)
@@ -226,7 +226,7 @@ def test_leaving_out_a_parameter_of_a_file_can_be_undone(
     file: ParameterModel, undo: QUndoStack, qtbot: QtBot
 ) -> None:
     with qtbot.waitSignal(file.pending_changed):
-        file.leave_out("serial_timeout")
+        file.remove("serial_timeout")
     assert list(file.values.modified) == ["serial_timeout"]
     assert file.values.is_modified("serial_timeout")
     assert not file.values.pending
@@ -245,7 +245,7 @@ def test_leaving_out_applies_to_both_motors(file: ParameterModel, undo: QUndoSta
     file.both_motors = True
     file.edit("motor1_current_limit", 12)
     assert file.values.value_of("motor2_current_limit") == 12
-    file.leave_out("motor2_current_limit")
+    file.remove("motor2_current_limit")
     assert file.values.value_of("motor1_current_limit") is None
     undo.undo()
     assert file.values.value_of("motor1_current_limit") == 12
@@ -253,9 +253,9 @@ def test_leaving_out_applies_to_both_motors(file: ParameterModel, undo: QUndoSta
 
 def test_left_out_parameter_counts_as_pending(qtbot: QtBot) -> None:
     draft = SettingsDraft()
-    draft.take_settings(Settings(SPECS.model, "1.2", {"serial_timeout": 5}))
+    draft.load_settings(Settings(SPECS.model, "1.2", {"serial_timeout": 5}))
     assert draft.can_edit("motor_mode")
-    draft.parameters.leave_out("serial_timeout")
+    draft.parameters.remove("serial_timeout")
     draft.parameters.edit("motor_mode", 1)
     assert draft.pending == 2
     assert draft.shown is not None
@@ -289,7 +289,7 @@ def test_side_panel_explains_wire_value_default_and_source(model: ParameterModel
 
 def test_side_panel_shows_the_grade_of_each_range_and_default(model: ParameterModel) -> None:
     for key in FACTORY:
-        specs = [model.values.specs[each] for each in model.text.together(key)]
+        specs = [model.values.specs[each] for each in model.text.keys_of(key)]
         for word, fields in ("Range: ", ("min", "max")), ("Default: ", ("default",)):
             (sentence,) = (text for text in model.text.about(key) if text.startswith(word))
             assert sentence.endswith(f"{max(spec.grade(*fields) for spec in specs).mark}."), key

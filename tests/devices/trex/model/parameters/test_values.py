@@ -91,10 +91,10 @@ def test_parameters_of_a_file_are_added_left_out_and_restored() -> None:
     assert draft.can_edit("serial_timeout")
     draft.edit(TIMEOUT, 9)
     assert dict(draft.pending) == {"serial_timeout": 9}
-    draft.leave_out("serial_timeout")
+    draft.remove("serial_timeout")
     assert draft.value_of("serial_timeout") is None
     assert not draft.is_modified("serial_timeout")
-    draft.leave_out("motor_mode")
+    draft.remove("motor_mode")
     assert draft.value_of("motor_mode") is None
     assert draft.is_modified("motor_mode")
     assert dict(draft.pending) == {}
@@ -104,7 +104,7 @@ def test_parameters_of_a_file_are_added_left_out_and_restored() -> None:
 
 def test_left_out_parameter_survives_reload_of_the_same_file() -> None:
     draft = of_a_file()
-    draft.leave_out("motor_mode")
+    draft.remove("motor_mode")
     draft.edit(TIMEOUT, 9)
     draft.load({"motor_mode": 0}, keep_edits=True, optional=FACTORY)
     assert draft.removed == {"motor_mode"}
@@ -116,7 +116,7 @@ def test_left_out_parameter_survives_reload_of_the_same_file() -> None:
 
 def test_parameter_of_a_board_cannot_be_left_out() -> None:
     draft = loaded()
-    draft.leave_out("motor_mode")
+    draft.remove("motor_mode")
     assert draft.value_of("motor_mode") == MODE.default
     assert not draft.is_modified("motor_mode")
 

@@ -98,29 +98,29 @@ def test_file_accepts_calibrations_of_both_sources(file: Calibrations) -> None:
     file.edit(CalibrationKey.ANALOG_CHANNEL_1, LEARNED)
     assert file.all_shown[CalibrationKey.ANALOG_CHANNEL_1] == LEARNED
     assert CalibrationKey.ANALOG_CHANNEL_1 not in file.all_stored
-    file.leave_out(CalibrationKey.ANALOG_CHANNEL_1)
+    file.remove(CalibrationKey.ANALOG_CHANNEL_1)
     assert not file.edited
-    assert not file.left_out
+    assert not file.removed
 
 
 def test_calibration_is_left_out_of_a_file_and_restored(file: Calibrations) -> None:
-    file.leave_out(2)
+    file.remove(2)
     assert file.shown(2) is None
-    assert file.left_out == {CalibrationKey.RC_CHANNEL_2}
+    assert file.removed == {CalibrationKey.RC_CHANNEL_2}
     assert file.all_shown == {CalibrationKey.ANALOG_CHANNEL_3: OTHER}
     file.edit(CalibrationKey.RC_CHANNEL_2, LEARNED)
-    assert not file.left_out
+    assert not file.removed
     assert not file.edited
-    file.leave_out(2)
+    file.remove(2)
     file.edit(CalibrationKey.RC_CHANNEL_1, LEARNED)
     file.discard_edits()
     assert file.all_shown == file.all_stored
 
 
 def test_calibration_of_a_board_cannot_be_left_out(model: Calibrations) -> None:
-    model.leave_out(2)
+    model.remove(2)
     assert model.shown(2) is not None
-    assert not model.left_out
+    assert not model.removed
 
 
 def test_other_source_cannot_be_edited(model: Calibrations) -> None:

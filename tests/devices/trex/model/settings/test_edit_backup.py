@@ -281,7 +281,7 @@ def test_edit_of_a_setting_that_is_not_read_again_is_offered_later(run: Start) -
     for read in (replace(state, parameters=parameters), state):
         first.backup.close_board()
         first.draft.set_state(read, first.device.settings, power_cycled=False)
-        first.backup.take_board(ask=False)
+        first.backup.set_board(reopened=False)
         first.settle()
         if read is not state:
             assert first.edits == {"motor1_acceleration": 3}
@@ -371,7 +371,7 @@ def test_backup_needs_no_board(qtbot: QtBot) -> None:
     device = Device()
     backup = EditBackup(device.draft)
     backup.close_board()
-    backup.take_board(ask=True)
+    backup.set_board(reopened=True)
     backup.restore()
     backup.discard()
     assert backup.files.shut_down()

@@ -147,7 +147,7 @@ class MeasuredInputs(QObject):
         self.stalled = False
         self._telemetry = telemetry
         self._last_time = -math.inf
-        self._heard_at = 0.0
+        self._received_at = 0.0
         self._ticked_at = 0.0
         self._timer = new_timer(self, _TICK_MS, self._on_tick)
 
@@ -156,7 +156,7 @@ class MeasuredInputs(QObject):
     def start(self) -> None:
         times = self._telemetry.inputs.times
         self._last_time = float(times[-1]) if len(times) else -math.inf
-        self._heard_at = self._ticked_at = now()
+        self._received_at = self._ticked_at = now()
         self.stalled = False
         self._timer.start()
 
@@ -172,7 +172,7 @@ class MeasuredInputs(QObject):
         first = int(inputs.times.searchsorted(self._last_time, side="right"))
         found: list[tuple[float, Counts]] = []
         for index, moment in enumerate(inputs.times[first:].tolist(), first):
-            self._heard_at = now()
+            self._received_at = now()
             if moment - self._last_time < _SAME_VALUE:
                 continue
             self._last_time = moment
@@ -188,7 +188,7 @@ class MeasuredInputs(QObject):
         self._ticked_at = moment
         if was_busy:  # the window was busy: measurements may still be queued
             return
-        stalled = moment - self._heard_at > _STALLED_AFTER
+        stalled = moment - self._received_at > _STALLED_AFTER
         if stalled != self.stalled:
             self.stalled = stalled
             self.stalled_changed.emit()
@@ -224,14 +224,14 @@ class LearnedChannel:
         self.travel: Travel | None = None  # measures the ends; `None` without a rest position
         self.proposal: Proposal | None = None
         self.choice: Choice | None = None
-        self._heard_at: float | None = None
+        self._received_at: float | None = None
         self.time = 0.0  # of the newest sample
 
     def feed(self, sample: ChannelSample) -> None:
         self.raw = sample.count
         self.time = sample.time
-        if sample.count is not None or self._heard_at is None:
-            self._heard_at = sample.time
+        if sample.count is not None or self._received_at is None:
+            self._received_at = sample.time
 
     def start_sampling(self) -> None:
         self.samples = []
@@ -298,8 +298,8 @@ class LearnedChannel:
     def is_silent(self) -> bool:
         return (
             self.raw is None
-            and self._heard_at is not None
-            and self.time - self._heard_at > _SILENT_AFTER
+            and self._received_at is not None
+            and self.time - self._received_at > _SILENT_AFTER
         )
 
     @property

@@ -49,7 +49,7 @@ class Learning(QObject):
     The sticks move no motor. Only `use_values` edits settings, and nothing is written.
     """
 
-    begun = Signal()  # the rest positions will be measured
+    started = Signal()  # the rest positions will be measured
     changed = Signal()  # the step, `sampling`, `inputs.stalled` or a choice
     measured = Signal()  # new samples have arrived
     edited = Signal()  # the learned values are pending edits
@@ -136,10 +136,10 @@ class Learning(QObject):
     def start(self, channels: Sequence[int] = CHANNELS) -> None:
         """Stop the motors, then learn these channels together."""
         self.news = self._next_news = ""
-        self.begun.emit()
+        self.started.emit()
         self._start(channels, LearningStep.NEUTRAL)
 
-    def begin_test(self, channels: Sequence[int] = CHANNELS) -> None:
+    def start_test(self, channels: Sequence[int] = CHANNELS) -> None:
         """Stop the motors, then test the stored values of these channels."""
         self.news, self._next_news = self._next_news, ""
         self._start(channels, LearningStep.TEST)
@@ -152,7 +152,7 @@ class Learning(QObject):
         elif self.step is LearningStep.TRAVEL:
             for channel in self.channels:
                 channel.propose()
-            self._go(LearningStep.REVIEW)
+            self._set_step(LearningStep.REVIEW)
         elif self.has_sampled:
             self._start_travel()
         else:
@@ -160,11 +160,11 @@ class Learning(QObject):
 
     def back(self) -> None:
         if self.step is LearningStep.REVIEW:
-            self._go(LearningStep.TRAVEL)
+            self._set_step(LearningStep.TRAVEL)
         elif self.step is LearningStep.TRAVEL:
             self._wait_at_rest()
 
-    def again(self) -> None:
+    def repeat(self) -> None:
         """Repeat this step. After a failure, repeat all steps."""
         match self.step:
             case LearningStep.NEUTRAL if not self.sampling:
@@ -190,7 +190,7 @@ class Learning(QObject):
             return False
         choices = {c.number: c.choice for c in self.channels if c.can_be_used and c.choice}
         is_pending = self.pending.edit(choices, title_of(tr("&Learn channels…")))
-        self._go(LearningStep.ENDED)
+        self._set_step(LearningStep.ENDED)
         if is_pending:
             self.edited.emit()
         else:
@@ -199,7 +199,7 @@ class Learning(QObject):
 
     def cancel(self) -> None:
         if self.step is not LearningStep.ENDED:
-            self._go(LearningStep.ENDED)
+            self._set_step(LearningStep.ENDED)
 
     # --- Steps --------------------------------------------------------------------------
 
@@ -214,7 +214,7 @@ class Learning(QObject):
             self._fail(trouble)
             return
         self.preconditions.start()
-        self._go(LearningStep.STOPPING)
+        self._set_step(LearningStep.STOPPING)
         if self.step is LearningStep.STOPPING:  # else a precondition is violated already
             self._standstill.start()
 
@@ -232,7 +232,7 @@ class Learning(QObject):
             "drives it, such as another controller on this line; cut its power. Continue only if "
             "they are not turning."
         ).format(currents)
-        self._go(LearningStep.DOUBT)
+        self._set_step(LearningStep.DOUBT)
 
     @Slot(str)
     def _on_stop_failed(self, why: str) -> None:
@@ -250,7 +250,7 @@ class Learning(QObject):
     def _wait_at_rest(self) -> None:
         source = self.preconditions.source
         self.channels = tuple(LearnedChannel(self._device, n, source) for n in self.numbers)
-        self._go(LearningStep.NEUTRAL)
+        self._set_step(LearningStep.NEUTRAL)
 
     def _start_sampling(self) -> None:
         for channel in self.channels:
@@ -261,13 +261,13 @@ class Learning(QObject):
     def _start_travel(self) -> None:
         for channel in self.channels:
             channel.start_travel()
-        self._go(LearningStep.TRAVEL)
+        self._set_step(LearningStep.TRAVEL)
 
     def _start_tests(self) -> None:
         self.tests = StickTests(self._device, self.numbers)
-        self._go(LearningStep.TEST)
+        self._set_step(LearningStep.TEST)
 
-    def _go(self, step: LearningStep) -> None:
+    def _set_step(self, step: LearningStep) -> None:
         self.step = step
         self.sampling = False
         is_measuring = step in _MEASURING
@@ -284,7 +284,7 @@ class Learning(QObject):
 
     def _fail(self, text: str) -> None:
         self.trouble = text
-        self._go(LearningStep.FAILED)
+        self._set_step(LearningStep.FAILED)
 
     # --- Measurements and stored values -------------------------------------------------
 

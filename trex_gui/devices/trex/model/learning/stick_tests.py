@@ -124,7 +124,7 @@ class StickTests:
                     tests[channel].feed(moment, raw, curve)
 
     @property
-    def heard(self) -> bool:
+    def has_samples(self) -> bool:
         return bool(self._counts)
 
     @property
@@ -143,7 +143,7 @@ class StickTests:
 
     @property
     def safe_start_reasons(self) -> str:
-        if not self.heard:
+        if not self.has_samples:
             return ""
         stored_of = self._device.parameters.values.stored.get
         reasons = safe_start_reasons(
@@ -158,7 +158,7 @@ class StickTests:
     @property
     def safe_start_text(self) -> str:
         """Sentence on safe-start, as if the channels were in control."""
-        if not self.heard:
+        if not self.has_samples:
             return ""
         text = tr("In {0} mode safe-start would release the motors now.")
         if reasons := self.safe_start_reasons:

@@ -107,7 +107,7 @@ class ParameterModel(QAbstractTableModel):
             Qt.ItemDataRole.AccessibleTextRole: self.text.spoken,
             ParameterRole.KEY: str,
             ParameterRole.DIRTY: lambda key: any(
-                map(self.values.is_modified, self.text.together(key))
+                map(self.values.is_modified, self.text.keys_of(key))
             ),
             ParameterRole.WAITING: lambda key: self.values.active.get(key),  # noqa: PLW0108
             ParameterRole.PROBLEM: self._problem,
@@ -164,7 +164,7 @@ class ParameterModel(QAbstractTableModel):
     def _arrange_rows(self) -> None:
         groups: dict[str, list[ParameterRow]] = {group: [] for group in self.titles}
         for key, spec in self.values.specs.items():
-            is_named_by_another = key != self.text.together(key)[-1] or key.startswith("motor2_")
+            is_named_by_another = key != self.text.keys_of(key)[-1] or key.startswith("motor2_")
             if not is_named_by_another:
                 other = other_motor_key(key)
                 keys = (key,) if other is None else (key, other)
@@ -177,14 +177,14 @@ class ParameterModel(QAbstractTableModel):
             each: (place, column)
             for place, row in enumerate(self.rows)
             for column, key in enumerate(row.keys, ParameterColumn.MOTOR1)
-            for each in self.text.together(key)
+            for each in self.text.keys_of(key)
         }
 
     def record_stored(self, stored: Mapping[str, int]) -> None:
         for key, wire in stored.items():
             if key in self.values.specs and wire != self.values.stored.get(key):
                 self.values.record_stored(self.values.specs[key], wire)
-                self._announce(key)
+                self._emit_changed(key)
         self.pending_changed.emit()
 
     def record_results(self, results: Sequence[WriteResult]) -> None:
@@ -193,7 +193,7 @@ class ParameterModel(QAbstractTableModel):
                 self.values.problems.pop(result.key, None)
                 if result.error is not None:
                     self.values.problems[result.key] = str(result.error)
-                self._announce(result.key)
+                self._emit_changed(result.key)
 
     def set_accepted(self, accepted: Accepted) -> None:
         """Set values beyond inferred limits that a board has stored."""
@@ -202,7 +202,7 @@ class ParameterModel(QAbstractTableModel):
         self.values.accepted = dict(accepted)
         for key in accepted:
             if key in self.places:
-                self._announce(key)
+                self._emit_changed(key)
         self.pending_changed.emit()
 
     # --- Values -------------------------------------------------------------------------
@@ -213,11 +213,11 @@ class ParameterModel(QAbstractTableModel):
         return sum(bool(row.keys) for row in self.rows)
 
     def is_editable(self, key: str) -> bool:
-        return all(self.values.can_edit(each) for each in self.text.together(key))
+        return all(self.values.can_edit(each) for each in self.text.keys_of(key))
 
     def open_key(self, key: str) -> str | None:
         """Return the key whose value may be tried beyond its limits."""
-        keys = (each for each in self.text.together(key) if self.values.specs[each].has_open_values)
+        keys = (each for each in self.text.keys_of(key) if self.values.specs[each].has_open_values)
         return next(keys, None) if self.is_editable(key) else None
 
     # --- Edits --------------------------------------------------------------------------
@@ -238,7 +238,7 @@ class ParameterModel(QAbstractTableModel):
         self._edit({key: wire}, keys, forced=forced)
 
     def edit_frequency(self, key: str, code: int) -> None:
-        keys = self.text.together(key)
+        keys = self.text.keys_of(key)
         self._edit(dict(zip(keys, frequency_wires(code), strict=True)), self._all_with(key))
 
     def _edit(
@@ -262,9 +262,9 @@ class ParameterModel(QAbstractTableModel):
         if self.is_editable(key):
             self._change({each: self.values.stored.get(each) for each in self._all_with(key)})
 
-    def leave_out(self, key: str) -> None:
-        if self.values.can_leave_out(key):
-            self._change(dict.fromkeys(filter(self.values.can_leave_out, self._all_with(key))))
+    def remove(self, key: str) -> None:
+        if self.values.can_remove(key):
+            self._change(dict.fromkeys(filter(self.values.can_remove, self._all_with(key))))
 
     def discard_edits(self) -> None:
         """Restore the stored values, with an undo step for each."""
@@ -276,12 +276,12 @@ class ParameterModel(QAbstractTableModel):
         return (*keys, *filter(None, others))
 
     def _all_with(self, key: str) -> tuple[str, ...]:
-        return self._with_other_motor(self.text.together(key))
+        return self._with_other_motor(self.text.keys_of(key))
 
     def _change(self, wanted: Mapping[str, int | None]) -> None:
         """Push changed values as one undo step."""
         edits = [
-            Edit(self.values.specs[key].name, self._put, key, before, wire)
+            Edit(self.values.specs[key].name, self._apply_edit, key, before, wire)
             for key, wire in wanted.items()
             if wire != (before := self.values.value_of(key))
         ]
@@ -296,14 +296,14 @@ class ParameterModel(QAbstractTableModel):
         if len(edits) > 1:
             self._undo.endMacro()
 
-    def _put(self, key: str, wire: int | None) -> None:
+    def _apply_edit(self, key: str, wire: int | None) -> None:
         """Apply an edit. Ignores parameters that the present board lacks."""
         if self.values.can_edit(key):
             if wire is None:
-                self.values.leave_out(key)
+                self.values.remove(key)
             else:
                 self.values.edit(self.values.specs[key], wire)
-            self._announce(key)
+            self._emit_changed(key)
             self.pending_changed.emit()
 
     # --- Qt -----------------------------------------------------------------------------
@@ -353,16 +353,16 @@ class ParameterModel(QAbstractTableModel):
     def _number(self, key: str) -> int | None:
         """Return the number in an editor: a wire value or a frequency code."""
         wires = self.text.wires(key)
-        return _number(wires) if len(wires) == len(self.text.together(key)) else None
+        return _number(wires) if len(wires) == len(self.text.keys_of(key)) else None
 
     def default_number(self, key: str) -> int:
-        return _number([self.values.specs[each].default for each in self.text.together(key)])
+        return _number([self.values.specs[each].default for each in self.text.keys_of(key)])
 
     def _problem(self, key: str) -> str | None:
-        return next(filter(None, map(self.values.problems.get, self.text.together(key))), None)
+        return next(filter(None, map(self.values.problems.get, self.text.keys_of(key))), None)
 
     def _reset_text(self, key: str) -> str | None:
-        differs = any(map(self.values.differs_from_default, self.text.together(key)))
+        differs = any(map(self.values.differs_from_default, self.text.keys_of(key)))
         return self.text.reset(key) if differs else None
 
     def _heading_data(self, index: Index, role: int) -> Any:
@@ -372,7 +372,7 @@ class ParameterModel(QAbstractTableModel):
         if role != Qt.ItemDataRole.DisplayRole or index.column() > 0:
             return None
         members = (row for row in self.rows if row.group == heading.group)
-        keys = (each for row in members for key in row.keys for each in self.text.together(key))
+        keys = (each for row in members for key in row.keys for each in self.text.keys_of(key))
         modified = sum(map(self.values.is_modified, keys))
         text = tr("{0} ({1} modified)") if modified else "{0}"
         return text.format(heading.name, modified)
@@ -381,7 +381,7 @@ class ParameterModel(QAbstractTableModel):
         if role != Qt.ItemDataRole.EditRole or not self.flags(index) & Qt.ItemFlag.ItemIsEditable:
             return False
         key = self._key_at(index)
-        change = self.edit if len(self.text.together(key)) == 1 else self.edit_frequency
+        change = self.edit if len(self.text.keys_of(key)) == 1 else self.edit_frequency
         try:
             change(key, int(value))
         except BadRequest as error:
@@ -394,7 +394,7 @@ class ParameterModel(QAbstractTableModel):
 
     # --- Change notification ------------------------------------------------------------
 
-    def _announce(self, key: str) -> None:
+    def _emit_changed(self, key: str) -> None:
         row = self.places[key][0]
         heading = next(each for each in range(row, -1, -1) if not self.rows[each].keys)
         for place in (row, heading):

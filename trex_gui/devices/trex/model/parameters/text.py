@@ -51,7 +51,7 @@ class ParameterText:
         pairs = ((key, pwm_keys(key)) for key in self._values.specs)
         self._pairs = {key: pair for key, pair in pairs if self._values.specs.keys() >= set(pair)}
 
-    def together(self, key: str) -> tuple[str, ...]:
+    def keys_of(self, key: str) -> tuple[str, ...]:
         """Return the keys of a cell. A PWM has two: prescaler and maximum."""
         return self._pairs.get(key, (key,))
 
@@ -59,25 +59,25 @@ class ParameterText:
 
     def title(self, key: str) -> str:
         """Return the name of a value, such as `Motor 1 Current Limit`."""
-        keys = self.together(key)
+        keys = self.keys_of(key)
         if len(keys) == 1:
             return self._values.specs[key].name
         return tr("{0} PWM Frequency").format(motor_name(key))
 
     def short_title(self, key: str) -> str:
         """Return the name without its motor, such as `Current Limit`."""
-        is_alone = len(self.together(key)) == 1
+        is_alone = len(self.keys_of(key)) == 1
         return self._values.specs[key].short_name if is_alone else tr("PWM Frequency")
 
     def value(self, key: str) -> str:
-        keys, wires = self.together(key), self.wires(key)
+        keys, wires = self.keys_of(key), self.wires(key)
         if len(wires) < len(keys):
             given = all(self._values.can_edit(each) for each in keys)
             return tr("not given") if given else tr("not read")
         return self._shown(key, wires)
 
     def wires(self, key: str) -> list[int]:
-        wires = map(self._values.value_of, self.together(key))
+        wires = map(self._values.value_of, self.keys_of(key))
         return [wire for wire in wires if wire is not None]
 
     def _shown(self, key: str, wires: Sequence[int]) -> str:
@@ -98,13 +98,13 @@ class ParameterText:
     def change(self, key: str) -> str:
         """Return the value, and the stored value if edited: `8.1 A, was off`."""
         value, stored = self.value(key), self.stored(key)
-        if not any(self._values.is_modified(each) for each in self.together(key)):
+        if not any(self._values.is_modified(each) for each in self.keys_of(key)):
             return value
         return tr("{0}, was {1}").format(value, stored or tr("not given"))
 
     def description(self, key: str) -> str:
         spec = self._values.specs[key]
-        if len(self.together(key)) == 1:
+        if len(self.keys_of(key)) == 1:
             late = tr("Takes effect when the board is switched off and on.")
             return f"{spec.description} {late if spec.needs_power_cycle else ''}".rstrip()
         return tr(
@@ -117,14 +117,14 @@ class ParameterText:
 
     def limits(self, key: str) -> str:
         spec = self._values.specs[key]
-        is_own = units().own_first or len(self.together(key)) > 1
+        is_own = units().own_first or len(self.keys_of(key)) > 1
         shown = self._range(key) if is_own else spec.short_range()
         return tr("{0} · default: {1}").format(shown, self._shown(key, self._defaults(key)))
 
     def summary(self, key: str) -> str:
         """Return wire value, number and weakest evidence."""
         wires = self.wires(key)
-        numbers = [f"{self._values.specs[each].number:#04x}" for each in self.together(key)]
+        numbers = [f"{self._values.specs[each].number:#04x}" for each in self.keys_of(key)]
         parts = (
             tr("wire {0}").format(_numbers(wires)) if wires else "",
             ", ".join(numbers),
@@ -133,11 +133,11 @@ class ParameterText:
         return " · ".join(part.strip(" ()") for part in parts if part)
 
     def _grades(self, key: str) -> list[Grade]:
-        specs = [self._values.specs[each] for each in self.together(key)]
+        specs = [self._values.specs[each] for each in self.keys_of(key)]
         return [max(spec.grade(*fields) for spec in specs) for fields in _GRADED]
 
     def about(self, key: str) -> tuple[str, ...]:
-        keys = self.together(key)
+        keys = self.keys_of(key)
         limits, default, meaning = self._grades(key)
         wires = self.wires(key)
         sentences = (
@@ -166,16 +166,16 @@ class ParameterText:
         return f"{self._guide}/{section}", tr("User's guide, section {0}").format(section)
 
     def _range(self, key: str) -> str:
-        if len(self.together(key)) > 1:
+        if len(self.keys_of(key)) > 1:
             return frequency_range(self.frequencies)
         return self._values.specs[key].range_text()
 
     def _defaults(self, key: str) -> list[int]:
-        return [self._values.specs[each].default for each in self.together(key)]
+        return [self._values.specs[each].default for each in self.keys_of(key)]
 
     def notes(self, key: str) -> tuple[str, ...]:
         """Return sentences on problems, and on a different active value."""
-        keys = self.together(key)
+        keys = self.keys_of(key)
         active = [self._values.active.get(each) for each in keys]
         sentences = [self._values.problems.get(each, "") for each in keys]
         if (wire := active[0]) is not None:
@@ -192,7 +192,7 @@ class ParameterText:
         return tr("Reset to default: {0}").format(self.with_wire(key, self._defaults(key)))
 
     def stored(self, key: str) -> str:
-        wires = [self._values.stored.get(each) for each in self.together(key)]
+        wires = [self._values.stored.get(each) for each in self.keys_of(key)]
         known = [wire for wire in wires if wire is not None]
         return self._shown(key, known) if len(known) == len(wires) else ""
 

@@ -47,7 +47,7 @@ class ParameterValues:
     def can_edit(self, key: str) -> bool:
         return key in self.stored or key in self.optional
 
-    def can_leave_out(self, key: str) -> bool:
+    def can_remove(self, key: str) -> bool:
         return key in self.optional and self.value_of(key) is not None
 
     # --- Values -------------------------------------------------------------------------
@@ -124,7 +124,7 @@ class ParameterValues:
             self.edited[spec.key] = spec.check(wire, forced=True)
         self.removed.discard(spec.key)
 
-    def leave_out(self, key: str) -> None:
+    def remove(self, key: str) -> None:
         """Remove an optional value. Ignores required parameters."""
         if key in self.optional:
             self.edited.pop(key, None)

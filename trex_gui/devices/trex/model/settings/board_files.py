@@ -154,7 +154,7 @@ def _work(
     return _Result(board, found, failure, unsaved, frozenset(moved), tuple(aside))
 
 
-class KeptFiles(QObject):
+class RecordFiles(QObject):
     """Files of a `BoardMemory`, and `AcceptedValues` of the parameters."""
 
     changed = Signal()  # content of `memory`

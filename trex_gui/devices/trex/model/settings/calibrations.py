@@ -24,7 +24,7 @@ class Calibrations(QObject):
         self.source = InputSource.RC  # the only source for which a board accepts calibrations
         self.edited: dict[CalibrationKey, Calibration] = {}  # edits for both input sources
         # Stored calibrations that Save leaves out of a file
-        self.left_out: set[CalibrationKey] = set()
+        self.removed: set[CalibrationKey] = set()
         self._undo = undo or QUndoStack(self)
         self._model_key = ""
         self._stored: dict[CalibrationKey, Calibration] = {}
@@ -40,7 +40,7 @@ class Calibrations(QObject):
 
     @property
     def modified(self) -> list[CalibrationKey]:
-        return sorted(self.edited.keys() | self.left_out)
+        return sorted(self.edited.keys() | self.removed)
 
     @property
     def all_stored(self) -> dict[CalibrationKey, Calibration]:
@@ -50,7 +50,7 @@ class Calibrations(QObject):
     def all_shown(self) -> dict[CalibrationKey, Calibration]:
         """Calibrations after Apply or Save."""
         edits = {k: e for k, e in self.edited.items() if self.can_edit(k)}
-        return {k: c for k, c in {**self._stored, **edits}.items() if k not in self.left_out}
+        return {k: c for k, c in {**self._stored, **edits}.items() if k not in self.removed}
 
     @property
     def out_of_reach(self) -> list[CalibrationKey]:
@@ -62,7 +62,7 @@ class Calibrations(QObject):
     def shown(self, channel: Channel) -> Calibration | None:
         """Return the calibration after Apply or Save, if any."""
         key = self._key(channel)
-        return None if key in self.left_out else self.edited.get(key, self._held(key))
+        return None if key in self.removed else self.edited.get(key, self._held(key))
 
     def can_edit(self, channel: Channel) -> bool:
         return self._open_ended or self._key(channel) in self._stored
@@ -95,7 +95,7 @@ class Calibrations(QObject):
         """
         if model_key != self._model_key or not keep_edits:
             self.edited.clear()
-            self.left_out.clear()
+            self.removed.clear()
             self._seen.clear()
         self._model_key = model_key
         self.source = source
@@ -103,7 +103,7 @@ class Calibrations(QObject):
         self._stored = {self._key(channel): found for channel, found in stored.items()}
         self._seen.update(self._stored)
         self.edited = {k: e for k, e in self.edited.items() if self._held(k) != e}
-        self.left_out &= self._stored.keys()
+        self.removed &= self._stored.keys()
         self.changed.emit()
 
     def clear_seen(self) -> None:
@@ -135,7 +135,7 @@ class Calibrations(QObject):
     def restore(self, channel: int) -> None:
         self._change(self._key(channel), self.stored(channel))
 
-    def leave_out(self, channel: Channel) -> None:
+    def remove(self, channel: Channel) -> None:
         """Remove a calibration from a file. Has no effect for a board."""
         if self._open_ended:
             self._change(self._key(channel), None)
@@ -150,17 +150,17 @@ class Calibrations(QObject):
         before = self.shown(key)
         if wanted != before:
             text = tr("Calibration of channel {0}").format(key.channel)
-            self._undo.push(Edit(text, self._put, key, before, wanted, run=run))
+            self._undo.push(Edit(text, self._apply_edit, key, before, wanted, run=run))
 
-    def _put(self, key: CalibrationKey, wanted: Calibration | None) -> None:
+    def _apply_edit(self, key: CalibrationKey, wanted: Calibration | None) -> None:
         held = self._held(key)
         if not self._open_ended and key.source is not self.source and held is None:
             return
-        self.left_out.discard(key)
+        self.removed.discard(key)
         if wanted is None or held == wanted:
             self.edited.pop(key, None)
         else:
             self.edited[key] = wanted
         if self._open_ended and wanted is None and key in self._stored:
-            self.left_out.add(key)
+            self.removed.add(key)
         self.changed.emit()

@@ -77,7 +77,7 @@ class ComparisonTable(QAbstractTableModel):
         self._with_ticks = with_ticks
         self._cleared = set()
         self._outcomes = dict(outcomes)
-        self._rows = self._chosen_rows()
+        self._rows = self._visible_rows()
         self.endResetModel()
         self.ticked_changed.emit()
 
@@ -87,14 +87,14 @@ class ComparisonTable(QAbstractTableModel):
             ticked = {row.key for row in self.ticked}
             self._cleared |= {row.key for row in comparison.rows if row.is_offered} - ticked
         self.comparison = comparison
-        renew_rows(self, self._rows, self._chosen_rows(), lambda row: row.key)
+        renew_rows(self, self._rows, self._visible_rows(), lambda row: row.key)
         self._announce_ticks()
 
     def set_with_equal(self, with_equal: bool) -> None:
         self._with_equal = with_equal
-        renew_rows(self, self._rows, self._chosen_rows(), lambda row: row.key)
+        renew_rows(self, self._rows, self._visible_rows(), lambda row: row.key)
 
-    def _chosen_rows(self) -> list[ComparisonRow]:
+    def _visible_rows(self) -> list[ComparisonRow]:
         return list(self.comparison.rows if self._with_equal else self.comparison.differing)
 
     @property

@@ -42,7 +42,7 @@ class SettingsDocument(QObject):
         self.readable = False  # the text has settings
         self._trouble = ""
         self._findings: tuple[Finding, ...] = ()
-        self._announcing = new_timer(self, 0, self._look, single_shot=True)
+        self._timer = new_timer(self, 0, self._publish, single_shot=True)
         self._stale = False
 
         if doubt is None:
@@ -86,18 +86,18 @@ class SettingsDocument(QObject):
     @property
     def text(self) -> str:
         """Text that Save writes, with byte order mark and line ends."""
-        self._settle()
+        self._update_text()
         return self._text
 
     @property
     def trouble(self) -> str:
         """Reason why edits do not fit into the text, or empty."""
-        self._settle()
+        self._update_text()
         return self._trouble
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        self._settle()
+        self._update_text()
         return self._findings
 
     @property
@@ -118,7 +118,7 @@ class SettingsDocument(QObject):
                 self._findings = error.findings
             else:
                 self.readable = True
-                self.draft.take_settings(settings)
+                self.draft.load_settings(settings)
             self.changed.emit()
         return self.readable
 
@@ -146,23 +146,23 @@ class SettingsDocument(QObject):
         if fresh:
             self._base = text
         if settings is not None and settings == self.settings:
-            self.draft.take_settings(settings)  # undoing makes it an edit again
+            self.draft.load_settings(settings)  # undoing makes it an edit again
         self._stale = True
-        self._look()
+        self._publish()
 
     @Slot()
     def _on_edited(self) -> None:
         if self.readable:
             self._stale = True
-            self._announcing.start()
+            self._timer.start()
 
     @Slot()
-    def _look(self) -> None:
-        self._announcing.stop()
-        self._settle()
+    def _publish(self) -> None:
+        self._timer.stop()
+        self._update_text()
         self.changed.emit()
 
-    def _settle(self) -> None:
+    def _update_text(self) -> None:
         settings = self.settings
         if not self._stale or settings is None:
             return

@@ -65,9 +65,11 @@ class Notes(QObject):
         before, after = self.of(key), clean_note(text)[:LONGEST_NOTE].rstrip()
         if self.are_known and after != before:
             title = tr("Note on {0}").format(name or key)
-            self._undo.push(Edit(title, self._put, (self._owner, key), before, after, run=run))
+            self._undo.push(
+                Edit(title, self._apply_edit, (self._owner, key), before, after, run=run)
+            )
 
-    def _put(self, place: tuple[object, str], text: str) -> None:
+    def _apply_edit(self, place: tuple[object, str], text: str) -> None:
         owner, key = place
         if owner != self._owner or not self.are_known:
             return  # the note of another board
@@ -177,7 +179,7 @@ class SettingsDraft(QObject):
         self.parameters.record_stored(state.parameters)
         self.calibrations.record_stored(state.calibrations)
 
-    def take_settings(self, settings: Settings) -> None:
+    def load_settings(self, settings: Settings) -> None:
         self._start(settings.product, settings.firmware)
         specs = specs_for(settings.product, settings.firmware)
         is_analog = settings.parameters.get(ParameterKey.CHANNEL_INPUT_SOURCE) == 1

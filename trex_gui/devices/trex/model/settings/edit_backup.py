@@ -36,15 +36,15 @@ class EditBackup(QObject):
         self._is_read = False  # the file of this board was read
         self._has_file = False
         self._undecided: Settings | None = None  # saved edits outside the draft
-        self._left: tuple[BoardIdentity | None, bool] = (None, False)
-        self._edits_left: Settings | None = None
+        self._closed: tuple[BoardIdentity | None, bool] = (None, False)
+        self._closed_edits: Settings | None = None
         self._parked: dict[BoardIdentity, Settings] = {}  # edits of boards that are not selected
         self.files.found.connect(self._on_found)
         self.files.failed.connect(self._on_failed)
         draft.pending_changed.connect(self._on_changed)
 
     def close_board(self, *, is_deselected: bool = False) -> None:
-        """Pause saving until `take_board`, while the draft is loaded.
+        """Pause saving until `set_board`, while the draft is loaded.
 
         `is_deselected`: another board on the line is selected. Edits return with the former board.
         """
@@ -55,21 +55,21 @@ class EditBackup(QObject):
                 parameters=dict(self._draft.parameters.values.pending),
                 calibrations=dict(self._draft.calibrations.edited),
             )
-        self._left = self._board, self._is_read
-        self._edits_left = None if stored is None else self._edits(stored)
+        self._closed = self._board, self._is_read
+        self._closed_edits = None if stored is None else self._edits(stored)
         self._board = None
 
-    def take_board(self, *, ask: bool, is_simulated: bool = False) -> None:
+    def set_board(self, *, reopened: bool, is_simulated: bool = False) -> None:
         """Save edits of this board, and read edits of an earlier run.
 
         Simulated and real boards have separate files. The same board gets its offer again only with
-        `ask`. Edits of settings that could not be read stay saved.
+        `reopened`. Edits of settings that could not be read stay saved.
         """
         stored = self._draft.stored
         if stored is None:
             return
         self._board = BoardIdentity.of(stored, is_simulated=is_simulated)
-        if (self._board, True) != self._left:
+        if (self._board, True) != self._closed:
             self._is_read = self._has_file = False
             self._undecided = None
             self._set_offer(None)
@@ -78,12 +78,12 @@ class EditBackup(QObject):
                 self._draft.stage(rows, tr("Edits of this board"))
             self.files.read(self._board)
             return
-        if self._edits_left is not None:
+        if self._closed_edits is not None:
             keys = set() if self._undecided is None else self._undecided.keys
-            keys |= self._out_of_reach(self._edits_left)
-            self._undecided = _only(self._edits_left, keys)
+            keys |= self._out_of_reach(self._closed_edits)
+            self._undecided = _only(self._closed_edits, keys)
         self._on_changed()
-        if self._undecided is not None and (ask or self.offer is None):
+        if self._undecided is not None and (reopened or self.offer is None):
             self._is_read = False
             self.files.read(self._board)
 

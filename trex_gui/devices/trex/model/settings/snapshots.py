@@ -95,7 +95,7 @@ class SnapshotTable(QAbstractTableModel):
         renew_rows(self, self.snapshots, wanted, lambda snapshot: snapshot.path)
         self.snapshots[:] = wanted  # equal snapshots may have different stamps
         if wanted:  # times change after midnight
-            self._announce(0, len(wanted) - 1)
+            self._emit_changed(0, len(wanted) - 1)
         self.listed.emit()
 
     def _matching(self, listing: tuple[Snapshot, ...]) -> list[Snapshot]:
@@ -105,7 +105,7 @@ class SnapshotTable(QAbstractTableModel):
         text = " ".join((*self._cells(snapshot), self._tip(snapshot))).casefold()
         return all(word in text for word in self._words)
 
-    def _announce(self, first: int, last: int) -> None:
+    def _emit_changed(self, first: int, last: int) -> None:
         self.dataChanged.emit(self.index(first, 0), self.index(last, self.columnCount() - 1))
 
     def row_of(self, path: Path) -> int | None:
@@ -142,7 +142,7 @@ class SnapshotTable(QAbstractTableModel):
         self._contents[snapshot.path] = (snapshot.stamp, content)
         row = self.row_of(snapshot.path)
         if row is not None:  # the snapshot may be damaged
-            self._announce(row, row)
+            self._emit_changed(row, row)
         self.loaded.emit()
 
     def problem_of(self, snapshot: Snapshot) -> str:

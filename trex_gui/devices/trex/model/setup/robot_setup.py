@@ -112,7 +112,7 @@ class RobotSetup(QObject):
 
     @property
     def wiring(self) -> Wiring | None:
-        return Wiring.seen(self.movements)
+        return Wiring.from_movements(self.movements)
 
     @property
     def knows_sticks(self) -> bool:

@@ -52,7 +52,7 @@ class Wiring:
     backward: frozenset[Side]  # wheels that turn backward when their motor is driven forward
 
     @classmethod
-    def seen(cls, movements: Mapping[int, Movement]) -> "Wiring | None":
+    def from_movements(cls, movements: Mapping[int, Movement]) -> "Wiring | None":
         """Return the wiring from the movements of motors 1 and 2.
 
         `None` if a movement is missing, or if both motors moved the same wheel.
@@ -60,7 +60,7 @@ class Wiring:
         sides = [movements[motor].side for motor in (1, 2) if motor in movements]
         if set(sides) != {Side.LEFT, Side.RIGHT}:
             return None
-        backward = {seen.side for seen in movements.values() if not seen.forward}
+        backward = {movement.side for movement in movements.values() if not movement.forward}
         return cls(sides[0] is Side.RIGHT, frozenset(filter(None, backward)))
 
     def rewiring(self, driver: Driver) -> Rewiring:

@@ -52,7 +52,7 @@ class LearnFlow(Flow):
 
     def test(self, channels: Sequence[int] = CHANNELS) -> None:
         """Test the sticks with the stored values. Stops the motors first."""
-        self._open(partial(self.learning.begin_test, channels))
+        self._open(partial(self.learning.start_test, channels))
 
     def _open(self, start: Callable[[], object]) -> None:
         if not self.is_learning:
@@ -70,7 +70,7 @@ class LearnFlow(Flow):
 
     def add_buttons(self, parent: QWidget) -> Sequence[QPushButton]:
         name = f"{self.name}AgainButton"
-        self._again = ui.button(parent, name, default=False, on_click=self.learning.again)
+        self._again = ui.button(parent, name, default=False, on_click=self.learning.repeat)
         return (self._again,)
 
     def back(self) -> None:
@@ -265,7 +265,7 @@ def _review_text(learning: Learning) -> str:
 
 def _test_text(learning: Learning) -> str:
     tests = learning.tests
-    if tests is not None and tests.heard:
+    if tests is not None and tests.has_samples:
         if tests.passed:
             return tr("Everything is as it should be.")
         if tests.all_ignored:

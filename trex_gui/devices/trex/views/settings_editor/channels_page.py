@@ -40,7 +40,7 @@ class DocumentChannels(PlotPage):
         self._strips.chosen.connect(self._show_channel)
         self._findings.follow(linter, lambda found: self._key in found.keys)
         self._add.clicked.connect(self._on_add)
-        self._leave_out.clicked.connect(lambda: draft.calibrations.leave_out(self._key))
+        self._leave_out.clicked.connect(lambda: draft.calibrations.remove(self._key))
         card.source_chosen.connect(self._on_source_chosen)
         card.released.connect(self._show_channel)
         card.rejected.connect(partial(card.note.show_note, alarming=True))

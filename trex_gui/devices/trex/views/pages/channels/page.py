@@ -93,7 +93,7 @@ class ChannelsPage(PlotPage):
         device.telemetry.frame_due.connect(self._on_frame_due)
         device.telemetry.text_due.connect(self._on_text_due)
         device.calibrations.changed.connect(self._refresh)
-        device.kept.changed.connect(self._show_channel)
+        device.records.changed.connect(self._show_channel)
         device.parameters.pending_changed.connect(self._refresh)
         units().changed.connect(self._on_text_due)
         self._on_device_changed()

@@ -99,7 +99,7 @@ class GamepadPanel(QWidget):
     @Slot()
     def _attend(self) -> None:
         """Let the gamepad drive only while its effect is visible."""
-        self.gamepad.attend(self._blocker())
+        self.gamepad.set_unattended(self._blocker())
 
     def _blocker(self) -> str:
         if self._dialog is not None and self._dialog.isVisible():

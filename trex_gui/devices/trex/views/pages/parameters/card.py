@@ -106,7 +106,7 @@ class ParameterCard(ui.Card):
 
     def _concerns(self, finding: LintFinding) -> bool:
         key = self._view.current_key
-        return bool(key) and not set(finding.keys).isdisjoint(self._model.text.together(key))
+        return bool(key) and not set(finding.keys).isdisjoint(self._model.text.keys_of(key))
 
     def set_can_edit(self, can_edit: bool) -> None:
         self._can_edit = can_edit
@@ -124,7 +124,7 @@ class ParameterCard(ui.Card):
             each.setAccessibleName("" if key else self.accessibleName())
         if not key:
             return
-        keys, is_open, notes = text.together(key), self._fold.isChecked(), " ".join(text.notes(key))
+        keys, is_open, notes = text.keys_of(key), self._fold.isChecked(), " ".join(text.notes(key))
         self.activate.setVisible(key in values.active)
         self.activate.setEnabled(self._can_edit)
         self._details.setVisible(is_open)
@@ -168,7 +168,7 @@ class ParameterCard(ui.Card):
 def _details(text: ParameterText, key: str) -> str:
     """Return names, evidence and the address of the guide as rich text."""
     address, title = map(escape, text.guide(key))
-    names = "<br>".join(f"<code>{each}</code>" for each in text.together(key))
+    names = "<br>".join(f"<code>{each}</code>" for each in text.keys_of(key))
     link = f'<a href="{address}" style="color:{theme().color("link").name()}">{title}</a>'
     return f"<p>{names}</p><p>{'<br>'.join(map(escape, text.about(key)))}</p><p>{link}</p>"
 

@@ -297,7 +297,7 @@ class ParameterDelegate(UnitDelegate):
         del option
         key, text = str(index.data(ParameterRole.KEY)), self._model.text
         editor: Editor
-        if len(text.together(key)) > 1:
+        if len(text.keys_of(key)) > 1:
             editor = FrequencyEditor(text.frequencies, parent)
         else:
             editor = editor_for(self._model.values.specs[key], parent)

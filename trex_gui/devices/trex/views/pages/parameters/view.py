@@ -65,7 +65,7 @@ class ParameterFilter:
         return model.index_of(next(named, keys[0] if keys else ""))
 
     def _accepts(self, model: ParameterModel, keys: tuple[str, ...]) -> bool:
-        values, members = model.values, [each for key in keys for each in model.text.together(key)]
+        values, members = model.values, [each for key in keys for each in model.text.keys_of(key)]
         is_shown = {
             ParameterChoice.CHANGED: values.is_modified,
             ParameterChoice.NOT_DEFAULT: values.differs_from_default,
@@ -154,7 +154,7 @@ class ParameterView(QTableView):
         return not index.isValid() or index.row() not in self._visible
 
     def has_finding(self, key: str) -> bool:
-        return not self.filter.found.isdisjoint(self._model.text.together(key))
+        return not self.filter.found.isdisjoint(self._model.text.keys_of(key))
 
     @property
     def current_key(self) -> str:
@@ -197,7 +197,7 @@ class ParameterView(QTableView):
         self._reset = self._action("resetParameter", model.reset, icon="default", shortcut=keys)
         text = tr("Und&o edit")
         self._restore = self._action("restoreParameter", model.restore, text, icon="undo")
-        self._leave_out = self._action("leaveOutParameter", model.leave_out, leave_out)
+        self._leave_out = self._action("leaveOutParameter", model.remove, leave_out)
         self._copy = self._action("copyParameter", self._copy_line, icon="copy", shortcut=copy)
         self._restore.setIconText(text)
         self._reset.setIconText(tr("Defa&ult"))
@@ -266,14 +266,14 @@ class ParameterView(QTableView):
         data = self.currentIndex().data
         self._reset.setEnabled(can_edit and data(ParameterRole.RESET) is not None)
         self._restore.setEnabled(can_edit and bool(data(ParameterRole.DIRTY)))
-        self._leave_out.setVisible(model.values.can_leave_out(key))
+        self._leave_out.setVisible(model.values.can_remove(key))
         lines = self._lines(key)
         self._copy.setText(tr("Copy as “{0}”").format(", ".join(lines)))
         self._copy.setEnabled(bool(lines))
 
     def _lines(self, key: str) -> list[str]:
         """Return the value as lines of a settings file."""
-        wires = {each: self._model.values.value_of(each) for each in self._model.text.together(key)}
+        wires = {each: self._model.values.value_of(each) for each in self._model.text.keys_of(key)}
         return [f"{each}: {wire}" for each, wire in wires.items() if wire is not None]
 
     def _copy_line(self, key: str) -> None:
