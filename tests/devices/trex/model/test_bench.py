@@ -1,4 +1,4 @@
-"""Bench tests with a simulated board: its motors do what the profile says, and stop in time."""
+"""Bench tests with a simulated board."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -26,7 +26,7 @@ LATE = STEP + UPDATE
 
 
 class BenchSetup:
-    """A bench test of a device that is connected to a simulated board."""
+    """Bench of a device that is connected to a simulated board."""
 
     def __init__(self, qtbot: QtBot, simulator: SimulatedDevice) -> None:
         self.device = Device()
@@ -63,7 +63,7 @@ class BenchSetup:
         return self.finished[-1]
 
     def speed(self, motor: int = 1) -> int:
-        """What the simulated output does: signed speed; 0 while it brakes."""
+        """Return the signed speed of the simulated output. 0 while braking."""
         shown = self.simulator.show()["motors"][motor - 1]
         sign = {"forward": 1, "reverse": -1, "brake": 0}[shown["direction"]]
         return int(sign * shown["speed"])
@@ -78,7 +78,7 @@ def connected(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[BenchS
     setup = BenchSetup(qtbot, quick_simulator)
     setup.connect()
     yield setup
-    qtbot.waitUntil(setup.device.shut_down)  # no thread lives on
+    qtbot.waitUntil(setup.device.shut_down)  # no thread remains
 
 
 @pytest.fixture
@@ -87,7 +87,7 @@ def armed(connected: BenchSetup) -> BenchSetup:
     return connected
 
 
-# --- What stands in the way -------------------------------------------------------------
+# --- Blockers ---------------------------------------------------------------------------
 
 
 def test_bench_needs_a_connected_board(qtbot: QtBot) -> None:
@@ -98,7 +98,7 @@ def test_bench_needs_a_connected_board(qtbot: QtBot) -> None:
 
 
 @pytest.mark.parametrize(("model", "default"), [("trex", 15.0), ("trexjr", 4.0)])
-def test_abort_current_is_that_of_the_model_before_and_after_connecting(
+def test_abort_current_follows_the_model(
     qtbot: QtBot, start_simulator: StartSimulator, model: str, default: float
 ) -> None:
     setup = BenchSetup(qtbot, start_simulator("--unpaced", "--model", model))
@@ -128,7 +128,7 @@ def test_joint_mode_blocks_the_test(connected: BenchSetup) -> None:
     assert "joint mode" in connected.bench.blocker
 
 
-# --- The motors follow ------------------------------------------------------------------
+# --- Setpoints --------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -167,7 +167,7 @@ def test_completed_test_leaves_the_motor_braked_and_armed(armed: BenchSetup) -> 
     assert armed.device.motors.holder == ""
 
 
-def test_profile_is_limited_by_the_ceiling_and_to_50_setpoints_a_second(
+def test_profile_is_limited_to_ceiling_and_setpoint_rate(
     armed: BenchSetup,
 ) -> None:
     armed.device.motors.set_ceiling(30)
@@ -192,7 +192,7 @@ def test_options_of_other_controls_are_unchanged(armed: BenchSetup) -> None:
     assert motors.linked
 
 
-# --- The numbers are the simulated motor's ----------------------------------------------
+# --- Measurements -----------------------------------------------------------------------
 
 
 def test_board_ramp_lowers_the_measured_inrush_current(armed: BenchSetup) -> None:
@@ -211,12 +211,12 @@ def test_board_ramp_lowers_the_measured_inrush_current(armed: BenchSetup) -> Non
     assert len(armed.bench.runs) == len(armed.finished) == 2
 
 
-# --- Letting go and what ends a test ----------------------------------------------------
+# --- Release and abort ------------------------------------------------------------------
 
 
 @pytest.fixture
 def driving(armed: BenchSetup) -> BenchSetup:
-    """A long test that runs."""
+    """Start a long test."""
     armed.plan(speed=60, duration=30.0, abort_current=20.0)
     assert armed.bench.start()
     armed.until(lambda: armed.speed() == 60)
@@ -242,7 +242,7 @@ def test_next_test_can_begin_right_after_release(driving: BenchSetup) -> None:
 
 
 def aborted(setup: BenchSetup) -> Run:
-    """Wait for the end; the simulated motor stands and nothing is armed."""
+    """Wait for the end, with the motor at rest and nothing armed."""
     run = setup.result()
     setup.until(lambda: setup.speed() == 0)
     assert run.end is End.ABORTED

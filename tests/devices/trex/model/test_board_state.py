@@ -1,4 +1,4 @@
-"""What a board holds, by what it said and what was written since."""
+"""State of a board from its replies and later writes."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -61,7 +61,7 @@ def test_factory_calibration_counts_as_uncalibrated() -> None:
     [
         WriteResult("motor_mode", error=NoReply("x")),
         WriteResult(CalibrationKey.RC_CHANNEL_2, error=NoReply("x")),
-        WriteResult("factory_reset", 1),  # is no parameter that the board shows
+        WriteResult("factory_reset", 1),  # not a readable parameter
     ],
 )
 def test_unverified_result_does_not_change_the_state(result: WriteResult) -> None:
@@ -103,7 +103,7 @@ DraftAfter = Callable[[WriteResult], SettingsDraft]
 
 @pytest.fixture
 def written(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> DraftAfter:
-    """Gives the draft of a board after this result of a write."""
+    """Update the draft of a board after this result of a write."""
 
     devices = []
 

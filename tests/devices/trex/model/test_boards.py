@@ -1,4 +1,4 @@
-"""Several boards on one line, as the window sees them."""
+"""Several boards on one line."""
 
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -32,7 +32,7 @@ from trex_gui.ui.preferences import Preferences
 
 
 class Stand:
-    """A device on a line with boards, and what the window says."""
+    """Device on a line with boards, and its messages."""
 
     def __init__(self, device: Device, simulator: VirtualSimulator, qtbot: QtBot) -> None:
         self.device = device
@@ -55,7 +55,7 @@ class Stand:
         self.wait(lambda: self.device.is_connected and self.device.motors.is_available)
 
     def connect_known(self, number: int, *others: int) -> None:
-        """Connect to one of the boards that an earlier scan of this port has found."""
+        """Connect to a board that an earlier scan of this port has found."""
         key = f"boards/{quote(self.simulator.url, safe='')}"
         Preferences().set(key, ",".join(map(str, (number, *others))))
         self.connect(number)
@@ -88,13 +88,13 @@ class Stand:
 
 
 @pytest.fixture
-def make(
+def new_stand(
     start_simulator: StartSimulator, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> Iterator[Callable[..., Stand]]:
-    """Put boards with these numbers, which are below 16, on a line."""
+    """Create a line of boards with these numbers, below 16."""
     devices: list[Device] = []
 
-    def make(*boards: str) -> Stand:
+    def new_stand(*boards: str) -> Stand:
         monkeypatch.setattr("trex_gui.devices.trex.model.boards.NUMBERS", 16)
         options = [word for board in boards for word in ("--device", board)]
         simulator = start_simulator("--unpaced", *options)
@@ -102,20 +102,20 @@ def make(
         devices.append(Device())
         return Stand(devices[-1], simulator, qtbot)
 
-    yield make
+    yield new_stand
     for device in devices:
         qtbot.waitUntil(device.shut_down)
         device.edit_backup.files.shut_down()
 
 
-Make = Callable[..., Stand]
+NewStand = Callable[..., Stand]
 
 
 # --- Finding ----------------------------------------------------------------------------
 
 
-def test_scan_finds_each_board_by_number(make: Make) -> None:
-    stand = make("3", "7", "12:trexjr")
+def test_scan_finds_each_board_by_number(new_stand: NewStand) -> None:
+    stand = new_stand("3", "7", "12:trexjr")
     stand.connect(7)
     assert not stand.boards.has_several
     stand.scan()
@@ -133,8 +133,8 @@ def test_scan_finds_each_board_by_number(make: Make) -> None:
     assert not stand.device.board.quality.is_noisy
 
 
-def test_board_that_is_switched_off_and_on_is_noticed(make: Make) -> None:
-    stand = make("3", "7")
+def test_board_that_is_switched_off_and_on_is_noticed(new_stand: NewStand) -> None:
+    stand = new_stand("3", "7")
     stand.connect_known(7, 3)
     stand.simulator.do("@3 power off")
     stand.wait(lambda: stand.presences[3] is Presence.SILENT)
@@ -145,8 +145,8 @@ def test_board_that_is_switched_off_and_on_is_noticed(make: Make) -> None:
     assert set(stand.presences.values()) == {Presence.UNKNOWN}
 
 
-def test_boards_of_a_scan_are_known_at_the_next_start(make: Make) -> None:
-    stand = make("3", "7")
+def test_boards_of_a_scan_are_known_at_the_next_start(new_stand: NewStand) -> None:
+    stand = new_stand("3", "7")
     stand.connect(7)
     stand.scan()
     stand.boards = BoardList(stand.device)
@@ -155,8 +155,8 @@ def test_boards_of_a_scan_are_known_at_the_next_start(make: Make) -> None:
     stand.wait(lambda: stand.presences[7] is Presence.RESPONDING)
 
 
-def test_connection_without_a_number_expects_a_single_board(make: Make) -> None:
-    stand = make("3", "7")
+def test_connection_without_a_number_expects_a_single_board(new_stand: NewStand) -> None:
+    stand = new_stand("3", "7")
     stand.connect_known(7, 3)
     stand.simulator.do("@3 power off")
     stand.connect(None)
@@ -164,8 +164,8 @@ def test_connection_without_a_number_expects_a_single_board(make: Make) -> None:
     assert stand.device.motors.can_arm
 
 
-def test_scan_of_single_board_says_what_others_would_need(make: Make) -> None:
-    stand = make("7")
+def test_scan_of_single_board_explains_missing_boards(new_stand: NewStand) -> None:
+    stand = new_stand("7")
     stand.connect(None)
     stand.scan()
     assert not stand.boards.has_several
@@ -174,8 +174,8 @@ def test_scan_of_single_board_says_what_others_would_need(make: Make) -> None:
     assert stand.device.settings.device_number is None
 
 
-def test_commands_carry_a_number_once_several_boards_are_known(make: Make) -> None:
-    stand = make("7", "9")
+def test_commands_carry_a_number_once_several_boards_are_known(new_stand: NewStand) -> None:
+    stand = new_stand("7", "9")
     stand.simulator.do("@9 power off")
     stand.connect(None)
     stand.simulator.do("@9 power on")
@@ -189,8 +189,8 @@ def test_commands_carry_a_number_once_several_boards_are_known(make: Make) -> No
     assert not stand.show(9)["motors"][0]["target_speed"]
 
 
-def test_nothing_reaches_several_boards_that_a_scan_has_found(make: Make) -> None:
-    stand = make("3", "7", "9")
+def test_nothing_reaches_several_boards_that_a_scan_has_found(new_stand: NewStand) -> None:
+    stand = new_stand("3", "7", "9")
     device = stand.device
     stand.simulator.do("@3 power off")
     stand.simulator.do("@9 power off")
@@ -211,7 +211,7 @@ def test_nothing_reaches_several_boards_that_a_scan_has_found(make: Make) -> Non
     assert not device.writer.running
     stand.wait(lambda: len(stand.errors) == 3)
     assert all("it would reach several boards" in one for one in stand.errors)
-    # The same file for all is written to one after the other, each with its number.
+    # Each board gets the same file, but retains its number.
     work = Work(stand)
     work.reviewed(wanted(serial_timeout=5), 7)
     assert device.settings is not None
@@ -220,8 +220,8 @@ def test_nothing_reaches_several_boards_that_a_scan_has_found(make: Make) -> Non
     assert device.writer.can_apply
 
 
-def test_scan_asks_for_every_number_whatever_was_asked_before(make: Make) -> None:
-    stand = make("0", "7", "9")
+def test_scan_probes_every_number(new_stand: NewStand) -> None:
+    stand = new_stand("0", "7", "9")
     stand.connect(7)
     stand.boards.scan()
     stand.wait(lambda: stand.boards.scanned == 1)
@@ -229,15 +229,15 @@ def test_scan_asks_for_every_number_whatever_was_asked_before(make: Make) -> Non
     stand.boards.boards = ()
     stand.scan()
     assert set(stand.presences) == {0, 7, 9}
-    # Also while a board is asked whether it still responds.
+    # The same during a presence query.
     stand.simulator.do("@9 power off")
     stand.wait(lambda: stand.boards.is_probing)
     stand.scan()
     assert set(stand.presences) == {0, 7}
 
 
-def test_arming_ends_scan_and_forbids_another(make: Make) -> None:
-    stand = make("7", "9")
+def test_arming_ends_scan_and_forbids_another(new_stand: NewStand) -> None:
+    stand = new_stand("7", "9")
     stand.connect(7)
     stand.boards.scan()
     stand.wait(lambda: (stand.boards.scanned or 0) > 10)
@@ -251,9 +251,9 @@ def test_arming_ends_scan_and_forbids_another(make: Make) -> None:
 # --- Selecting --------------------------------------------------------------------------
 
 
-def test_held_controls_and_answers_are_not_handed_to_the_next_board(make: Make) -> None:
-    """A motor test, a pulse of the assistant and a gamepad, all held throughout the switch."""
-    stand = make("7", "9")
+def test_selection_ends_held_controls(new_stand: NewStand) -> None:
+    """Bench, pulses and gamepad are held throughout the switch."""
+    stand = new_stand("7", "9")
     stand.connect(7)
     device, motors, pads = stand.device, stand.device.motors, HeldPads(PAD)
     motors.lockout = 0
@@ -267,7 +267,7 @@ def test_held_controls_and_answers_are_not_handed_to_the_next_board(make: Make) 
         return any(motor["direction"] != "brake" for motor in stand.show(number)["motors"])
 
     def hold_gamepad() -> None:
-        gamepad.switch_on()  # for each board anew
+        gamepad.switch_on()  # again for each board
         stand.wait(lambda: gamepad.text.startswith("Hold"))
         pads.press(4)
         stand.wait(lambda: gamepad.request.drives)
@@ -299,7 +299,7 @@ def test_held_controls_and_answers_are_not_handed_to_the_next_board(make: Make) 
         motors.stop()
     assert bench.runs[-1].reason == "Another board was selected."
     gamepad.switch_off()
-    # Nor is what was seen of the sticks of the former one.
+    # Measurements of the former board's sticks are cleared as well.
     for _ in range(3):
         device.mix_jumper.feed((60, 0), (60, -60))
     stand.wait(lambda: device.mix_jumper.is_on)
@@ -312,8 +312,8 @@ def test_held_controls_and_answers_are_not_handed_to_the_next_board(make: Make) 
     assert not stand.errors
 
 
-def test_board_that_is_off_is_not_selected(make: Make) -> None:
-    stand = make("7", "9")
+def test_board_that_is_off_is_not_selected(new_stand: NewStand) -> None:
+    stand = new_stand("7", "9")
     stand.connect_known(7, 9)
     stand.simulator.do("@9 power off")
     stand.select(9)
@@ -323,8 +323,8 @@ def test_board_that_is_off_is_not_selected(make: Make) -> None:
     stand.wait(lambda: stand.device.motors.can_arm)
 
 
-def test_edits_and_counts_of_each_board_return(make: Make) -> None:
-    stand = make("7", "9")
+def test_edits_and_counts_of_each_board_return(new_stand: NewStand) -> None:
+    stand = new_stand("7", "9")
     device = stand.device
     stand.connect_known(7, 9)
     device.parameters.edit("serial_timeout", 5)
@@ -339,7 +339,7 @@ def test_edits_and_counts_of_each_board_return(make: Make) -> None:
     stand.select(7)
     assert dict(device.parameters.values.pending) == {"serial_timeout": 5, "crc7_polynomial": 0x11}
     assert any(one.count for one in device.board.errors.entries)
-    # What waits for the next start waits still.
+    # Values still wait for the next start.
     device.writer.apply()
     stand.wait(lambda: device.draft.pending == 0 and not device.writer.running)
     waiting = device.parameters.values.waiting_for_power
@@ -356,8 +356,8 @@ def test_edits_and_counts_of_each_board_return(make: Make) -> None:
 # --- Numbers ----------------------------------------------------------------------------
 
 
-def test_board_gets_a_free_number(make: Make) -> None:
-    stand = make("7", "9")
+def test_board_gets_a_free_number(new_stand: NewStand) -> None:
+    stand = new_stand("7", "9")
     stand.connect(7)
     stand.scan()
     stand.device.writer.set_device_number(9)
@@ -381,7 +381,7 @@ def wanted(**parameters: int) -> Settings:
 
 
 class Work(ApplyToBoards):
-    """Settings that are written to boards of a stand, and waited for."""
+    """Settings that are written to boards of a stand."""
 
     def __init__(self, stand: Stand) -> None:
         super().__init__(stand.boards, stand.device, stand.device)
@@ -400,8 +400,8 @@ class Work(ApplyToBoards):
         return {plan.number: plan.step for plan in self.plans}
 
 
-def test_settings_are_written_to_several_boards(make: Make) -> None:
-    stand = make("3", "7", "9:trexjr", "12")
+def test_settings_are_written_to_several_boards(new_stand: NewStand) -> None:
+    stand = new_stand("3", "7", "9:trexjr", "12")
     stand.connect_known(7, 3, 9, 12)
     stand.simulator.do("@12 power off")
     stand.device.parameters.edit("motor1_acceleration", 9)
@@ -436,8 +436,8 @@ def test_settings_are_written_to_several_boards(make: Make) -> None:
     assert numbers == {3, 7}
 
 
-def test_plan_names_doubts_and_findings_of_each_board(make: Make) -> None:
-    stand = make("3", "7")
+def test_plan_names_doubts_and_findings_of_each_board(new_stand: NewStand) -> None:
+    stand = new_stand("3", "7")
     stand.connect_known(7, 3)
     stand.line.boards[0].eeprom.write("ignored_channels", 63)
     stand.simulator.do("@3 power cycle")
@@ -452,8 +452,8 @@ def test_plan_names_doubts_and_findings_of_each_board(make: Make) -> None:
     ]
 
 
-def test_first_error_while_writing_ends_the_work(make: Make) -> None:
-    stand = make("3", "7", "9")
+def test_first_error_while_writing_ends_the_work(new_stand: NewStand) -> None:
+    stand = new_stand("3", "7", "9")
     stand.connect_known(9, 3, 7)
     work = Work(stand)
     work.reviewed(wanted(serial_timeout=5), 3, 7, 9)
@@ -477,8 +477,8 @@ def test_first_error_while_writing_ends_the_work(make: Make) -> None:
     assert stand.boards.selected == 9
 
 
-def test_work_is_cancelled_between_boards(make: Make) -> None:
-    stand = make("3", "7", "9")
+def test_work_is_cancelled_between_boards(new_stand: NewStand) -> None:
+    stand = new_stand("3", "7", "9")
     stand.connect_known(7, 3, 9)
     work = Work(stand)
     work.review(wanted(serial_timeout=5), (3, 7, 9))
@@ -507,8 +507,8 @@ def test_work_is_cancelled_between_boards(make: Make) -> None:
     assert stand.boards.selected == 7
 
 
-def test_stop_ends_the_work_and_leaves_no_board_half_written(make: Make) -> None:
-    stand = make("3", "7", "9")
+def test_stop_ends_the_work_and_leaves_no_board_half_written(new_stand: NewStand) -> None:
+    stand = new_stand("3", "7", "9")
     stand.connect_known(7, 3, 9)
     work, third = Work(stand), stand.line.boards[0]
     settings = wanted(serial_timeout=5, motor1_acceleration=9, motor2_acceleration=9)

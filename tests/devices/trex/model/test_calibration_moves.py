@@ -1,4 +1,4 @@
-"""Handles that are moved stay where the board takes them."""
+"""Moved handles of a calibration stay within the limits of the board."""
 
 import pytest
 from hypothesis import given

@@ -42,7 +42,7 @@ USUAL = Calibration(2500, 3750, 5000, 75)
         (5, Mode.RC, {"reversed_": True}, "while the input is above about 1750 µs (inferred)"),
     ],
 )
-def test_text_says_what_a_channel_does(
+def test_function_text_of_channel(
     channel: int, mode: Mode, state: dict[str, Any], words: str
 ) -> None:
     options = {"joint": False} | {key: state[key] for key in ("joint", "mixed") if key in state}
@@ -50,7 +50,7 @@ def test_text_says_what_a_channel_does(
     assert words in function_text(channel, mode, curve, InputSource.RC, **options)
 
 
-def test_override_takes_motors_from_channels_and_names_channel_5() -> None:
+def test_override_is_reported_with_channel_5() -> None:
     said = [
         function_text(channel, Mode.RC, None, InputSource.RC, joint=False, overridden=True)
         for channel in (1, 2, 3, 4, 5)

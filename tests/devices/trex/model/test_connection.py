@@ -1,4 +1,4 @@
-"""A line that ends without a last word is closed all the same."""
+"""Lines that end without a last report."""
 
 import pytest
 from pytestqt.qtbot import QtBot

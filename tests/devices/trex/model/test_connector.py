@@ -1,4 +1,4 @@
-"""From a choice in the port list to an open line, the simulated board, changed line settings."""
+"""Connections from the port list, the simulator, and changed line settings."""
 
 import sys
 from collections.abc import Callable, Iterator
@@ -22,7 +22,7 @@ from trex_gui.ui.devices.simulator import Simulator, simulator_command
 
 
 class ConnectorSetup:
-    """A device that is not connected, a list of ports, and the controller that connects them."""
+    """Device that is not connected, a list of ports, and a controller."""
 
     def __init__(self, qtbot: QtBot) -> None:
         self.ports = new_ports()
@@ -89,9 +89,7 @@ def test_search_keeps_to_a_line_that_other_devices_share(
         assert sent == bytes.fromhex("80 07 01")
         assert "Other devices share the line" in scanner.findings[0].text
         sent.clear()
-        scanner.start(
-            [setup.ports.now(port) or port], only_recall=True
-        )  # found by a compact packet
+        scanner.start([setup.ports.now(port) or port], only_recall=True)  # compact packet
         setup.until(partial(scanner_is_idle, scanner))
         assert sent == bytes.fromhex("80 07 01")
         sent.clear()
@@ -103,7 +101,7 @@ def test_numbers_of_other_devices_outlast_the_choice_of_a_port(setup: ConnectorS
     setup.connector.set_settings(shared)
     for name, number, expected in (
         ("/dev/ttyA", None, shared),  # a compact packet would reach the others
-        ("/dev/ttyB", 7, shared),  # so would this number
+        ("/dev/ttyB", 7, shared),  # this number would, too
         ("/dev/ttyC", 8, ConnectionSettings("", device_number=8, reserved=reserved)),
     ):
         port = setup.ports.add_typed(name)
@@ -292,7 +290,7 @@ UART, POLYNOMIAL = "uart_settings", "crc7_polynomial"
 
 
 def store(setup: ConnectorSetup, **wires: int) -> None:
-    """Apply these parameters, and wait until that is done."""
+    """Apply these parameters, and wait for the end."""
     device = setup.device
     for key, wire in wires.items():
         device.parameters.edit(key, wire)
@@ -301,7 +299,7 @@ def store(setup: ConnectorSetup, **wires: int) -> None:
 
 
 def restart(setup: ConnectorSetup, act: Callable[[], None]) -> None:
-    """Let a board be without power for a moment, and wait until it was missed and is back."""
+    """Cut the power of a board for a moment, and wait until it is back."""
     act()
     setup.until_link(ConnectionState.NOT_RESPONDING)
     setup.until_link(ConnectionState.CONNECTED)
@@ -353,7 +351,7 @@ def test_simulated_board_reconnects_at_its_last_settings(setup: ConnectorSetup) 
     setup.device.connection.expect((ConnectionSettings("", NEW),))
     restart(setup, setup.connector.demo_board.power_cycle)
     assert line_of(setup) == NEW
-    assert setup.connector.settings == ConnectionSettings("")  # which are for real boards
+    assert setup.connector.settings == ConnectionSettings("")  # of real boards
     setup.disconnect()
     setup.connect(setup.ports.demo_of("trex"))
     assert line_of(setup) == NEW

@@ -1,4 +1,4 @@
-"""The simulated board: what the panel does reaches the simulator, and its state is read."""
+"""Panel of the simulated board: control lines and displayed state."""
 
 from collections.abc import Callable, Iterator
 
@@ -21,7 +21,7 @@ from trex_gui.devices.trex.simulator.line import SimulatedBoards
 
 
 class OverheardBoard(DemoBoard):
-    """A simulated board whose control lines are written down."""
+    """Simulated board that records its control lines."""
 
     def __init__(self, qtbot: QtBot) -> None:
         self.simulator = Overheard()
@@ -46,10 +46,10 @@ def seen(board: DemoBoard) -> DemoSnapshot:
     return board.snapshot
 
 
-# --- What is seen -----------------------------------------------------------------------
+# --- Display ----------------------------------------------------------------------------
 
 
-def test_new_board_is_powered_in_serial_mode_with_moving_sticks(board: OverheardBoard) -> None:
+def test_new_board_starts_in_serial_mode_with_moving_sticks(board: OverheardBoard) -> None:
     assert seen(board).power
     assert seen(board).mode is Mode.SERIAL_RC
     assert seen(board).jumpers.mode == "serial"
@@ -61,7 +61,7 @@ def test_new_board_is_powered_in_serial_mode_with_moving_sticks(board: Overheard
 
 def test_unwatched_board_is_not_polled(board: OverheardBoard) -> None:
     board.watch(False)
-    board.watch(True)  # asks at once
+    board.watch(True)  # requests a snapshot at once
     board.watch(False)
     board.simulator.lines.clear()
     board.set_mix(True)
@@ -126,7 +126,7 @@ def test_stick_position_follows_its_signal(
     assert DemoChannel(signal, raw).stick(source) == stick
 
 
-# --- What hands do ----------------------------------------------------------------------
+# --- Controls ---------------------------------------------------------------------------
 
 
 HANDS: list[tuple[str, Callable[[DemoBoard], None]]] = [
@@ -144,7 +144,6 @@ HANDS: list[tuple[str, Callable[[DemoBoard], None]]] = [
 
 
 def test_each_hand_sends_its_control_line(board: OverheardBoard, qtbot: QtBot) -> None:
-    """The tests of the board.simulator show what each line does."""
     for line, act in HANDS:
         board.simulator.lines.clear()
         answers: list[str] = []
@@ -158,13 +157,13 @@ def test_each_hand_sends_its_control_line(board: OverheardBoard, qtbot: QtBot) -
 def test_power_cycle_is_visible_and_runs_once(board: OverheardBoard) -> None:
     off: list[bool] = []
 
-    def note() -> None:
+    def on_changed() -> None:
         off.append(board.snapshot is not None and not board.snapshot.power)
 
-    board.changed.connect(note)
+    board.changed.connect(on_changed)
     board.simulator.lines.clear()
     board.power_cycle()
-    board.power_cycle()  # is under way
+    board.power_cycle()  # not complete yet
     board.wait(lambda: "power on" in board.simulator.lines and seen(board).power)
     assert board.simulator.orders() == ["power off", "power on"]
     assert any(off)
@@ -183,14 +182,14 @@ def test_snapshot_older_than_a_command_is_not_shown(board: OverheardBoard) -> No
     board.hold_stick(1, 1000)
     board.wait(lambda: seen(board).channels[0].signal == "1000us")
     shown: list[str] = []
-    board.wait(lambda: board.simulator.lines[-1] == "show")  # a look is under way, or just was
+    board.wait(lambda: board.simulator.lines[-1] == "show")  # a snapshot was requested
     board.hold_stick(1, 2000)
 
-    def note() -> None:
+    def on_changed() -> None:
         if board.snapshot is not None:
             shown.append(board.snapshot.channels[0].signal)
 
-    board.changed.connect(note)
+    board.changed.connect(on_changed)
     board.wait(lambda: "2000us" in shown)
     assert "1000us" not in shown
 

@@ -1,4 +1,4 @@
-"""The board as the window sees it: a real thread, a real line, a simulated board."""
+"""Device with a real thread, a real line and a simulated board."""
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -18,7 +18,7 @@ LEARNED = Calibration(2400, 3700, 5100, 80)
 
 
 class DeviceRecorder:
-    """A device, and the states, failures and results it reported."""
+    """Device with its states, failures and results."""
 
     def __init__(self, qtbot: QtBot) -> None:
         self.device = Device()
@@ -58,7 +58,7 @@ class DeviceRecorder:
         assert self.device.parameters.setData(self.device.parameters.index_of(key), wire)
 
     def apply(self) -> tuple[WriteResult, ...]:
-        """Apply every edit; return how it went."""
+        """Apply every edit, and return the results."""
         before = len(self.results)
         self.device.writer.apply()
         self.until(lambda: len(self.results) > before)
@@ -66,7 +66,7 @@ class DeviceRecorder:
 
 
 class RecorderOfBoard(DeviceRecorder):
-    """A device beside a simulated board."""
+    """Device beside a simulated board."""
 
     def __init__(self, simulator: SimulatedDevice, qtbot: QtBot) -> None:
         super().__init__(qtbot)
@@ -75,10 +75,9 @@ class RecorderOfBoard(DeviceRecorder):
 
 @pytest.fixture
 def recorder(quick_simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[RecorderOfBoard]:
-    """A device that is not connected."""
     recorder = RecorderOfBoard(quick_simulator, qtbot)
     yield recorder
-    qtbot.waitUntil(recorder.device.shut_down)  # no thread lives on
+    qtbot.waitUntil(recorder.device.shut_down)  # no thread remains
 
 
 @pytest.fixture
@@ -197,7 +196,7 @@ def test_unpowered_board_cannot_be_driven(connected: RecorderOfBoard) -> None:
 def test_edits_that_another_board_may_get_are_mentioned(
     connected: RecorderOfBoard, maximum: int
 ) -> None:
-    """The cable was moved to another board of the same model, or the board was switched off."""
+    """The board may be another of the same model."""
     device, texts = connected.device, list[str]()
     device.notifier.delayed_info.connect(texts.append)
     connected.edit("motor1_acceleration", 5)
@@ -263,7 +262,7 @@ def test_disconnecting_reports_no_failure(connected: RecorderOfBoard) -> None:
     assert connected.device.state is None
     assert connected.device.status == "Not connected."
     assert connected.device.telemetry.raw is None
-    assert connected.device.parameters.rowCount() > 0  # still to be looked at
+    assert connected.device.parameters.rowCount() > 0  # still displayed
 
 
 def test_closing_connection_is_never_reported_connected(
@@ -272,7 +271,7 @@ def test_closing_connection_is_never_reported_connected(
     recorder = RecorderOfBoard(simulator, qtbot)
     recorder.device.connect_to(ConnectionSettings(simulator.url))
     while simulator.show()["counters"]["packets"] < 45:
-        runtime().sleep(0.001)  # the window hangs meanwhile; `Connected` waits in its queue
+        runtime().sleep(0.001)  # the window hangs, so `Connected` is queued
     recorder.device.disconnect_line()
     recorder.until_link(ConnectionState.DISCONNECTED)
     assert recorder.links == [
@@ -312,7 +311,7 @@ def test_line_is_closed_before_another_is_opened(
     assert connected.device.parameters.values.pending == ()
     assert connected.failures == []
     fresh = DeviceRecorder(connected.qtbot)
-    fresh.connect(connected.simulator.url)  # nobody holds it any more
+    fresh.connect(connected.simulator.url)  # the line is free
     fresh.until(fresh.device.shut_down)
 
 

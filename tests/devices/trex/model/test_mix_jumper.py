@@ -1,4 +1,4 @@
-"""Whether the mix jumper is on, as the board's answers show it."""
+"""State of the mix jumper, inferred from reported outputs."""
 
 import pytest
 from hypothesis import given

@@ -1,4 +1,4 @@
-"""Looking at a recording without a device."""
+"""Playback of a recording without a device."""
 
 from collections import deque
 from collections.abc import Iterator
@@ -50,7 +50,7 @@ def minute_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def long_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Four minutes, which take a while to read and to export."""
+    """Four minutes of recording, slow to read and to export."""
     path = tmp_path_factory.mktemp("long") / "long.trexrec"
     write_an_hour(path, 4)
     return path
@@ -105,7 +105,7 @@ def test_seeking_gives_the_same_state_as_sequential_reading(minute: Playback) ->
 
 
 def test_late_marker_does_not_disturb_seeking(tmp_path: Path, qtbot: QtBot) -> None:
-    """An event may be noted long after it happened, also at the start of a chunk."""
+    """An event may be added late, also at the start of a chunk."""
     control: list[Record] = [Control(T0 + n, by_serial=n % 2 == 0) for n in range(2 * CHUNK)]
     control[CHUNK] = Marker(T0 + 5, "fault", "noted late")
     playback = playback_of(tmp_path / "a.trexrec", qtbot, *control)
@@ -228,7 +228,7 @@ def test_empty_recording_opens(tmp_path: Path, qtbot: QtBot) -> None:
     playback.close()
 
 
-# --- The thread that reads ----------------------------------------------------------------
+# --- Reading thread -------------------------------------------------------------------------
 
 
 @pytest.fixture(scope="module")
@@ -240,7 +240,7 @@ def hour(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
 
 
 class Ticks(QObject):
-    """A timer of the window's thread; shows whether the thread was blocked."""
+    """Timer in the window's thread that reveals blocking."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -255,7 +255,7 @@ class Ticks(QObject):
         self.times.append(now())
 
     def within(self, begin: float, end: float) -> int:
-        """Return the number of ticks in a time."""
+        """Return the number of ticks in a time span."""
         return sum(begin <= at <= end for at in self.times)
 
     def longest_pause(self, begin: float, end: float) -> float:
@@ -266,13 +266,13 @@ class Ticks(QObject):
 
 @pytest.mark.slow
 @pytest.mark.realtime
-@pytest.mark.timeout(300)  # a busy computer takes its time, and is not judged by it
+@pytest.mark.timeout(300)  # for a busy computer
 def test_window_responds_while_an_hour_is_read(hour: Path, qtbot: QtBot) -> None:
     assert any(responds_while_reading(hour, qtbot) for _ in range(TRIES))
 
 
 def responds_while_reading(hour: Path, qtbot: QtBot) -> bool:
-    """Open a recording; return whether the window stayed responsive."""
+    """Open a recording. Return whether the window stayed responsive."""
     ticks = Ticks()
     begin = now()
     playback = loading(Playback(open_recording(hour)))
@@ -285,7 +285,7 @@ def responds_while_reading(hour: Path, qtbot: QtBot) -> bool:
     assert playback.drawn[0] == playback.drawn[1] > 280_000
     assert playback.end - playback.start == pytest.approx(3600, abs=0.1)
     playback.close()
-    # Of the whole time the first call takes next to nothing, and nothing later holds up the rest.
+    # The first call returns at once, and no later step blocks.
     return (
         opened - begin < (end - begin) / 20
         and ticks.within(begin, looked_through) >= 5
@@ -296,7 +296,7 @@ def responds_while_reading(hour: Path, qtbot: QtBot) -> bool:
 
 @pytest.fixture
 def started_workers(monkeypatch: pytest.MonkeyPatch) -> list[FileWorker]:
-    """Workers that the test started."""
+    """Workers started by the test."""
     workers: list[FileWorker] = []
     start = FileWorker.start
 
@@ -364,7 +364,7 @@ def test_cancelled_export_keeps_the_existing_file(
 
 
 def is_cancelled(path: Path, playback: Playback, qtbot: QtBot, how: str) -> bool:
-    """Cancel an export; return whether it was still running then."""
+    """Cancel an export. Return whether it was still running."""
     path.write_text("what was there")
     done: list[Path] = []
     playback.exported.connect(done.append)

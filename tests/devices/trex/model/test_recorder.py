@@ -1,4 +1,4 @@
-"""Recording a session while it runs."""
+"""Recording of a running session."""
 
 import csv
 import math
@@ -32,7 +32,7 @@ from trex_gui.ui.runtime import now
 
 
 class RecorderSetup:
-    """A device on a simulated board, its recorder, and everything the line reported."""
+    """Device on a simulated board, its recorder, and its reports."""
 
     def __init__(self, simulator: SimulatedDevice, qtbot: QtBot) -> None:
         self.simulator = simulator
@@ -139,7 +139,7 @@ def test_setpoints_events_and_settings_are_recorded_in_order(
     assert min(times) <= setpoints[0].time < seen.time <= max(times)
 
 
-def test_end_of_the_line_or_of_the_input_source_ends_the_recording_intact(
+def test_closed_line_or_new_input_source_ends_recording(
     session: RecorderSetup, tmp_path: Path
 ) -> None:
     session.recorder.start(tmp_path / "a.trexrec")
@@ -193,7 +193,7 @@ def test_recording_is_committed_every_second(session: RecorderSetup, tmp_path: P
     session.wait(lambda: now() > begin + 1)
     copies = [tmp_path / f"copy{suffix}" for suffix in (".trexrec", ".trexrec-wal")]
     for suffix, copied in zip(("", "-wal"), copies, strict=True):
-        shutil.copy(f"{path}{suffix}", copied)  # what a power failure would leave
+        shutil.copy(f"{path}{suffix}", copied)  # as after a power failure
     recording = open_recording(copies[0])
     last = recording.read(recording.count - 20, recording.count)[-1]
     recording.close()
@@ -202,7 +202,7 @@ def test_recording_is_committed_every_second(session: RecorderSetup, tmp_path: P
 
 
 class Kept:
-    """The recordings of faults and stops of a device, and the events in each of them."""
+    """Recordings of faults and stops, with their events."""
 
     def __init__(self, session: RecorderSetup) -> None:
         self._session = session
@@ -220,14 +220,14 @@ class Kept:
         self.wait(1)
 
     def newest(self, count: int) -> tuple[Path, list[Record]]:
-        """Wait until so many are complete; return the newest one."""
+        """Wait for this number of recordings, and return the newest."""
         self._session.wait(lambda: len(self.files) == count)
         return self.files[-1], everything(self.files[-1])
 
 
 @pytest.fixture
 def kept(session: RecorderSetup, monkeypatch: pytest.MonkeyPatch) -> Iterator[Kept]:
-    """Keep the 2 seconds before an event and the 2 seconds after it."""
+    """Shorten the time before and after an event to 2 seconds."""
     assert (recorder._BEFORE, recorder._AFTER) == (20.0, 10.0)
     monkeypatch.setattr(recorder, "_BEFORE", 2.0)
     monkeypatch.setattr(recorder, "_AFTER", 2.0)
@@ -238,11 +238,9 @@ def kept(session: RecorderSetup, monkeypatch: pytest.MonkeyPatch) -> Iterator[Ke
     kept.recorder.shut_down()
 
 
-def test_seconds_around_a_stop_are_kept_with_what_came_before(
-    session: RecorderSetup, kept: Kept
-) -> None:
+def test_seconds_around_a_stop_are_recorded(session: RecorderSetup, kept: Kept) -> None:
     motors = session.device.motors
-    motors.press_stop()  # at rest: nothing to keep
+    motors.press_stop()  # at rest, nothing is recorded
     session.wait(lambda: not motors.locked_for)
     kept.drive()
     kept.wait(3)
@@ -256,7 +254,7 @@ def test_seconds_around_a_stop_are_kept_with_what_came_before(
     assert 1.5 < stopped - records[0].time < 2.5
     assert 2.5 < records[-1].time - stopped < 3.5
     first = records[0]
-    assert isinstance(first, SetpointRecord)  # from before the seconds that are kept
+    assert isinstance(first, SetpointRecord)  # from before the recorded seconds
     assert first.drive == Drive.at(40)
     kinds = [record.kind for record in records if isinstance(record, Marker)]
     assert kinds == [EventKind.STOP.value, EventKind.FAULT.value]
@@ -266,7 +264,7 @@ def test_seconds_around_a_stop_are_kept_with_what_came_before(
     file.close()
 
 
-def test_stop_is_not_kept_in_a_recording_of_the_user_or_switched_off(
+def test_stop_gets_no_file_during_a_recording_or_if_off(
     session: RecorderSetup, kept: Kept, tmp_path: Path
 ) -> None:
     session.recorder.start(tmp_path / "user.trexrec")
@@ -285,9 +283,7 @@ def test_stop_is_not_kept_in_a_recording_of_the_user_or_switched_off(
     assert not EventRecorder(session.device, session.recorder).is_on
 
 
-def test_fault_is_kept_even_if_the_line_is_closed_at_once(
-    session: RecorderSetup, kept: Kept
-) -> None:
+def test_fault_is_recorded_if_the_line_closes_at_once(session: RecorderSetup, kept: Kept) -> None:
     kept.wait(2)
     session.simulator.do("fault 2 on")
     session.wait(lambda: bool(session.device.board.errors.recent(2, now())))
@@ -297,7 +293,7 @@ def test_fault_is_kept_even_if_the_line_is_closed_at_once(
     assert any(isinstance(one, Currents) for one in records)
 
 
-def test_bits_from_before_the_connection_are_not_kept(session: RecorderSetup, kept: Kept) -> None:
+def test_bits_before_the_connection_are_not_recorded(session: RecorderSetup, kept: Kept) -> None:
     session.device.disconnect_line()
     session.wait(lambda: session.device.link is ConnectionState.DISCONNECTED)
     session.simulator.do("fault 2 on")
@@ -309,7 +305,7 @@ def test_bits_from_before_the_connection_are_not_kept(session: RecorderSetup, ke
     assert not kept.recorder.recording
 
 
-def test_oldest_kept_recordings_make_room_but_renamed_ones_stay() -> None:
+def test_oldest_recordings_are_removed_except_renamed() -> None:
     folder = create_kept_folder()
     names = [kept_path(datetime(2026, 1, day, tzinfo=UTC), "stop").name for day in range(1, 5)]
     for name in (*names, "my crash.trexrec"):
@@ -335,7 +331,7 @@ def test_slow_disk_drops_samples_and_marks_the_gap() -> None:
     backlog: Backlog[Record] = Backlog(capacity=10)
     first: list[Record] = [Control(float(n), by_serial=True) for n in range(8)]
     backlog.put(first)
-    backlog.put(first)  # has no room
+    backlog.put(first)  # no space left
     assert backlog.lost == 8
     assert backlog.get(0) == first
     backlog.put([Control(20.0, by_serial=True)])
@@ -345,7 +341,7 @@ def test_slow_disk_drops_samples_and_marks_the_gap() -> None:
     assert backlog.get(0) is None
 
 
-def test_recording_of_two_boards_tells_them_apart(
+def test_recording_distinguishes_two_boards(
     start_simulator: StartSimulator, qtbot: QtBot, tmp_path: Path
 ) -> None:
     simulator = start_simulator("--unpaced", "--device", "7", "--device", "9:trexjr")

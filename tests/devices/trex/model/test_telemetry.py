@@ -1,4 +1,4 @@
-"""The newest values, and the currents of the last hour."""
+"""Newest values, and currents of the last hour."""
 
 import math
 
@@ -33,7 +33,7 @@ def telemetry(motors: Motors) -> Telemetry:
     return telemetry
 
 
-def take(telemetry: Telemetry, *samples: Sample) -> None:
+def feed(telemetry: Telemetry, *samples: Sample) -> None:
     for sample in samples:
         telemetry.newest.update(sample)
         telemetry.add(sample)
@@ -41,7 +41,7 @@ def take(telemetry: Telemetry, *samples: Sample) -> None:
 
 
 def test_newest_sample_of_each_kind_is_kept(telemetry: Telemetry) -> None:
-    take(
+    feed(
         telemetry,
         Raw(1.0, (1, 2, 3, 4, 5)),
         Remapped(1.1, (1, 2, 3, 4, 5)),
@@ -56,7 +56,7 @@ def test_newest_sample_of_each_kind_is_kept(telemetry: Telemetry) -> None:
     assert telemetry.latest == 1.4
     assert telemetry.samples == 5
     raw = telemetry.raw
-    take(
+    feed(
         telemetry,
         LatchedStatus(2.0, Status.MOTOR1_FAULT, UartError(0)),
         ModeSample(3.0, Mode.ANALOG),
@@ -66,21 +66,21 @@ def test_newest_sample_of_each_kind_is_kept(telemetry: Telemetry) -> None:
 
 
 def test_currents_are_kept_in_amperes_with_times(telemetry: Telemetry) -> None:
-    take(telemetry, Currents(1.0, (0, 10)), Currents(1.0125, (20, 255)))
+    feed(telemetry, Currents(1.0, (0, 10)), Currents(1.0125, (20, 255)))
     assert telemetry.motor_currents == pytest.approx((3.0, 38.25))
     assert list(telemetry.currents.times) == [1.0, 1.0125]
     assert list(telemetry.currents.values(0)) == pytest.approx([0.0, 3.0])
     assert list(telemetry.currents.values(1)) == pytest.approx([1.5, 38.25])
     telemetry.start(0.04)
     assert len(telemetry.currents) == 0
-    take(telemetry, Currents(2.0, (100, 0)))
+    feed(telemetry, Currents(2.0, (100, 0)))
     assert telemetry.motor_currents == pytest.approx((4.0, 0.0))
 
 
 def test_batch_emits_one_update(telemetry: Telemetry, qtbot: QtBot) -> None:
     announced: list[None] = []
     telemetry.updated.connect(lambda: announced.append(None))
-    take(telemetry, *(Raw(float(time), (1, 2, 3, 4, 5)) for time in range(20)))
+    feed(telemetry, *(Raw(float(time), (1, 2, 3, 4, 5)) for time in range(20)))
     assert len(announced) == 1
 
 
@@ -88,17 +88,17 @@ def test_text_is_due_less_often_than_a_frame(telemetry: Telemetry) -> None:
     due: list[float] = []
     telemetry.text_due.connect(lambda: due.append(telemetry.latest))
     for frame in range(100):
-        take(telemetry, Raw(frame / 64, (1, 2, 3, 4, 5)))
+        feed(telemetry, Raw(frame / 64, (1, 2, 3, 4, 5)))
     every = math.ceil(64 * TEXT_INTERVAL)
     assert due == [frame / 64 for frame in range(0, 100, every)]
 
 
-def test_text_is_due_as_soon_as_values_are_forgotten(telemetry: Telemetry, qtbot: QtBot) -> None:
-    take(telemetry, Raw(1.0, (1, 2, 3, 4, 5)))
+def test_text_is_due_after_values_are_cleared(telemetry: Telemetry, qtbot: QtBot) -> None:
+    feed(telemetry, Raw(1.0, (1, 2, 3, 4, 5)))
     with qtbot.waitSignal(telemetry.text_due):
         telemetry.clear()
     with qtbot.waitSignal(telemetry.text_due):
-        take(telemetry, Raw(1.01, (1, 2, 3, 4, 5)))
+        feed(telemetry, Raw(1.01, (1, 2, 3, 4, 5)))
 
 
 def test_views_are_renewed_only_while_a_window_is_seen(telemetry: Telemetry) -> None:
@@ -107,17 +107,17 @@ def test_views_are_renewed_only_while_a_window_is_seen(telemetry: Telemetry) -> 
     telemetry.frame_due.connect(lambda: emitted.append("frame"))
     telemetry.text_due.connect(lambda: emitted.append("text"))
     telemetry.set_visible(False)
-    take(telemetry, Raw(1.0, (1, 2, 3, 4, 5)))
+    feed(telemetry, Raw(1.0, (1, 2, 3, 4, 5)))
     telemetry.clear()
     assert emitted == ["updated", "updated"]
     telemetry.set_visible(True)
     assert emitted[2:] == ["frame", "text"]
-    take(telemetry, Raw(1.01, (1, 2, 3, 4, 5)))
+    feed(telemetry, Raw(1.01, (1, 2, 3, 4, 5)))
     assert emitted[4:] == ["updated", "frame", "text"]
 
 
-def test_forget_clears_values_and_keeps_the_history(telemetry: Telemetry, qtbot: QtBot) -> None:
-    take(telemetry, Currents(1.0, (1, 2)), Raw(1.0, (1, 2, 3, 4, 5)), Control(1.0, by_serial=True))
+def test_clear_retains_the_history(telemetry: Telemetry, qtbot: QtBot) -> None:
+    feed(telemetry, Currents(1.0, (1, 2)), Raw(1.0, (1, 2, 3, 4, 5)), Control(1.0, by_serial=True))
     with qtbot.waitSignal(telemetry.updated):
         telemetry.newest.samples.clear()
         telemetry.clear()
@@ -129,25 +129,25 @@ def test_forget_clears_values_and_keeps_the_history(telemetry: Telemetry, qtbot:
 def test_setpoints_and_channels_are_kept_with_the_currents(
     telemetry: Telemetry, motors: Motors
 ) -> None:
-    take(telemetry, Currents(1.0, (0, 0)))
+    feed(telemetry, Currents(1.0, (0, 0)))
     assert telemetry.currents.values(Series.SETPOINT1)[0] == 0
     assert math.isnan(telemetry.currents.values(Series.CHANNEL5)[0])
     motors.set_available(available=True)
     motors.arm()
     motors.set_speed(1, -30)
     motors.set_brake(2, 127)
-    take(telemetry, Remapped(1.0, (10, 20, 30, 40, -50)), Currents(1.0125, (0, 0)))
+    feed(telemetry, Remapped(1.0, (10, 20, 30, 40, -50)), Currents(1.0125, (0, 0)))
     assert telemetry.currents.values(Series.SETPOINT1)[1] == -30
     assert telemetry.currents.values(Series.SETPOINT2)[1] == 0
     assert telemetry.currents.values(Series.CHANNEL1)[1] == 10
     assert telemetry.currents.values(Series.CHANNEL5)[1] == -50
     motors.stop()
-    take(telemetry, Currents(1.025, (0, 0)))
+    feed(telemetry, Currents(1.025, (0, 0)))
     assert telemetry.currents.values(Series.SETPOINT1)[2] == 0
 
 
 def test_inputs_are_kept_with_times_and_gaps(telemetry: Telemetry) -> None:
-    take(telemetry, Raw(1.0, (1, None, 3, 4, 5)), Raw(1.02, (7, 8, 3, 4, 5)))
+    feed(telemetry, Raw(1.0, (1, None, 3, 4, 5)), Raw(1.02, (7, 8, 3, 4, 5)))
     assert list(telemetry.inputs.times) == [1.0, 1.02]
     assert list(telemetry.inputs.values(0)) == [1, 7]
     assert math.isnan(telemetry.inputs.values(1)[0])

@@ -352,7 +352,7 @@ class Device(QObject):
     def _handle_files(self, report: Connected, *, opened: bool) -> None:
         """Read the saved files of the board. `opened`: it may be another board."""
         state, is_simulated = report.state, bool(report.settings.name)
-        self.edit_backup.set_board(reopened=opened, is_simulated=is_simulated)
+        self.edit_backup.set_board(opened=opened, is_simulated=is_simulated)
         self.records.set_kind(state.signature, opened=opened, is_simulated=is_simulated)
 
     def _on_selected(self, report: Connected) -> None:

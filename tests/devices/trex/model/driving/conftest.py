@@ -1,4 +1,4 @@
-"""A device without a window, and a board whose channels drive its motors."""
+"""Device without a window, and a board whose channels drive its motors."""
 
 from collections.abc import Iterator
 
@@ -15,7 +15,6 @@ from trex_gui.ui.devices.connection import ConnectionState
 
 @pytest.fixture
 def device(qtbot: QtBot) -> Iterator[Device]:
-    """A device that is not connected."""
     device = Device()
     yield device
     qtbot.waitUntil(device.shut_down)
@@ -23,7 +22,6 @@ def device(qtbot: QtBot) -> Iterator[Device]:
 
 @pytest.fixture
 def controller(qtbot: QtBot) -> Iterator[TrexController]:
-    """A controller whose device is not connected."""
     controller = new_controller()
     yield controller
     qtbot.waitUntil(controller.device.shut_down)
@@ -31,13 +29,13 @@ def controller(qtbot: QtBot) -> Iterator[TrexController]:
 
 @pytest.fixture
 def rc_board(start_simulator: StartSimulator) -> SimulatedDevice:
-    """A simulated board in RC mode, with all sticks at rest."""
+    """Simulated board in RC mode with all sticks at rest."""
     return start_simulator("--unpaced", "--mode", "rc")
 
 
 @pytest.fixture
 def rc_device(device: Device, rc_board: SimulatedDevice, qtbot: QtBot) -> Device:
-    """A device that is connected to `rc_board`; no sample has come in yet."""
+    """Device that is connected to `rc_board`, before the first sample."""
     device.connect_to(ConnectionSettings(rc_board.url))
     qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED)
     return device

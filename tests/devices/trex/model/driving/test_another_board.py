@@ -1,4 +1,4 @@
-"""Another board at the port while motors turn: its stop is not that of the one that was driven."""
+"""Another board at the port while motors of the first may turn."""
 
 from collections.abc import Callable
 
@@ -17,7 +17,7 @@ Start = Callable[..., VirtualSimulator]
 
 
 class DrivenBoard:
-    """A device with a board whose motor 1 runs, and what the window reports."""
+    """Device with a board whose motor 1 runs, and its messages."""
 
     def __init__(
         self,
@@ -55,7 +55,7 @@ class DrivenBoard:
         return bool(board.show()["motors"][0]["direction"] == "forward")
 
     def unplug(self, board: VirtualSimulator) -> None:
-        """Take the board, which stays powered, off the open port."""
+        """Remove the board from the open port. It stays powered."""
         board.move_cable_to(self.unpowered)
         self.wait(lambda: self.device.link is ConnectionState.NOT_RESPONDING)
 
@@ -65,12 +65,12 @@ class DrivenBoard:
         self.wait(lambda: not self.device.may_move)
 
     def exchange(self, other: VirtualSimulator) -> None:
-        """Plug another board into the open port, by hand."""
+        """Plug another board into the open port."""
         self.unplug(self.board)
         self.plug(other)
 
     def closing_text(self) -> str:
-        """Disconnect, and return the warning of a window that is closed."""
+        """Disconnect, and return the warning of a closing window."""
         self.device.disconnect_line()
         self.wait(lambda: self.device.link is ConnectionState.DISCONNECTED)
         return self.controller.unconfirmed_stop
@@ -88,12 +88,12 @@ def driven(
 
 @pytest.fixture
 def start(start_simulator: StartSimulator) -> Start:
-    def begin(*arguments: str) -> VirtualSimulator:
+    def start_unpaced(*arguments: str) -> VirtualSimulator:
         simulator = start_simulator("--unpaced", *arguments)
         assert isinstance(simulator, VirtualSimulator)
         return simulator
 
-    return begin
+    return start_unpaced
 
 
 def runs_on(driven: DrivenBoard) -> str:
@@ -110,9 +110,7 @@ def test_another_model_does_not_confirm_the_stop(driven: DrivenBoard, start: Sta
     assert driven.closing_text() == runs_on(driven)
 
 
-def test_other_stored_settings_are_reported_as_perhaps_another_board(
-    driven: DrivenBoard, start: Start
-) -> None:
+def test_other_stored_settings_suggest_another_board(driven: DrivenBoard, start: Start) -> None:
     other = start()
     other.do("eeprom serial_timeout 7")
     driven.exchange(other)
@@ -153,7 +151,7 @@ def test_driven_board_at_another_port_is_stopped(driven: DrivenBoard, start: Sta
     driven.device.disconnect_line()
     driven.wait(lambda: driven.device.link is ConnectionState.DISCONNECTED)
     driven.controller.press_stop()
-    # What is known of the serial timeout is that of the board which answered instead.
+    # The known serial timeout belongs to the other board.
     assert driven.errors[-1] == runs_on(driven)
     driven.connect(driven.board.url)
     assert is_stopped(driven.board)
@@ -219,7 +217,7 @@ def test_interrupted_apply_does_not_make_it_another_board(driven: DrivenBoard) -
     assert driven.closing_text() == ""
 
 
-def test_setting_that_another_program_writes_stops_motors_without_claiming_a_restart(
+def test_write_of_another_program_stops_motors(
     driven: DrivenBoard,
 ) -> None:
     driven.board.do("eeprom serial_timeout 20")

@@ -1,4 +1,4 @@
-"""Setpoints and stops between the window and a board in a separate process."""
+"""Setpoints and stops between the window and a board in another process."""
 
 import threading
 import time
@@ -30,7 +30,7 @@ STOOD_STILL = "The program did not respond for more than half a second."
 
 
 class DrivenDevice(Device):
-    """A device whose motor 1 runs."""
+    """Device whose motor 1 runs."""
 
     def __init__(self, simulator: SimulatedDevice, qtbot: QtBot) -> None:
         super().__init__()
@@ -59,7 +59,7 @@ def test_stop_from_another_thread_drops_later_setpoints(driven: DrivenDevice) ->
     thread = threading.Thread(target=driven.connection.stop_now)
     thread.start()
     thread.join()
-    # The window does not know of it yet, and continues to send setpoints.
+    # The window does not know it yet, and continues to send setpoints.
     driven.motors.set_speed(1, 70)
     driven.wait(lambda: is_braked(driven.simulator))
     driven.motors.set_speed(1, 80)
@@ -71,7 +71,7 @@ def test_stop_from_another_thread_drops_later_setpoints(driven: DrivenDevice) ->
     driven.wait(lambda: driven.simulator.show()["motors"][0]["speed"] == 40)
 
 
-def test_stop_without_an_outcome_is_answered_when_the_line_ends(driven: DrivenDevice) -> None:
+def test_stop_without_outcome_fails_when_the_line_closes(driven: DrivenDevice) -> None:
     answers: list[StudioError | None] = []
     driven.driving.stop(answers.append)
     assert driven.shut_down()
@@ -81,7 +81,7 @@ def test_stop_without_an_outcome_is_answered_when_the_line_ends(driven: DrivenDe
 
 
 def test_restarted_board_disarms_the_motors(driven: DrivenDevice) -> None:
-    """The restart is so short that only the changed input source reveals it."""
+    """Only the changed input source reveals the short restart."""
     driven.simulator.do("eeprom channel_input_source 1")
     driven.simulator.do("power cycle")
     driven.wait(lambda: not driven.motors.armed)
@@ -104,7 +104,7 @@ def test_frozen_window_reports_the_confirmed_stop(driven: DrivenDevice) -> None:
     said: list[str] = []
     driven.notifier.error.connect(said.append)
     deadline = now() + 15
-    while not is_braked(driven.simulator):  # and no event of the window is served meanwhile
+    while not is_braked(driven.simulator):  # without events of the window
         assert now() < deadline, "the motor was not stopped"
         runtime().sleep(0.05)
     driven.wait(lambda: not driven.may_move)
@@ -118,7 +118,7 @@ def test_frozen_window_reports_the_confirmed_stop(driven: DrivenDevice) -> None:
 
 
 def hang(driven: DrivenDevice, seconds: float) -> None:
-    """Let the session hang when it next writes, and wait until it does."""
+    """Block the session in its next write, and wait until it is blocked."""
     simulator = driven.simulator
     assert isinstance(simulator, VirtualSimulator)
     hanging: list[bytes] = []
@@ -136,7 +136,7 @@ def hang(driven: DrivenDevice, seconds: float) -> None:
     ("is_guarded", "remedy"),
     [(True, "The guardian process sends it now."), (False, "Cut the power.")],
 )
-def test_stop_that_a_hanging_session_cannot_send_is_reported_in_time(
+def test_stop_of_a_hanging_session_is_reported(
     is_guarded: bool, remedy: str, driven: DrivenDevice, virtual_time: VirtualRuntime
 ) -> None:
     said: list[str] = []
@@ -188,7 +188,6 @@ def test_arming_on_a_noisy_line_recommends_crc(driven: DrivenDevice, qtbot: QtBo
 
 
 def test_session_that_did_not_respond_disarms_the_motors(driven: DrivenDevice) -> None:
-    """What the window had sent before does not start a motor afterwards."""
     said: list[str] = []
     driven.notifier.error.connect(said.append)
     hang(driven, 0.55)

@@ -1,4 +1,4 @@
-"""What the Motors page says of a motor, its channel, its blockers and the serial timeout."""
+"""Texts of the Motors page: motors, channels, blockers, serial timeout."""
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -53,7 +53,7 @@ def test_report_shows_the_speed_waiting_behind_channel_5(
     assert report_text(rc_device, 3) == "channel 3 at +99 (overridden)"
 
 
-# --- Why motors do not follow -----------------------------------------------------------
+# --- Blockers ---------------------------------------------------------------------------
 
 
 def reported(device: Device) -> BoardInputs:
@@ -72,7 +72,7 @@ def test_situation_follows_the_override_switch(
     assert drive_statuses(drive_inputs(rc_device))[0].blocker is DriveBlocker.NOT_ARMED
 
 
-def test_channels_that_keep_safe_start_are_known_after_they_were_read(
+def test_safe_start_reasons_need_read_channels(
     rc_device: Device, rc_board: SimulatedDevice, qtbot: QtBot
 ) -> None:
     assert rc_device.telemetry.raw is None
@@ -93,7 +93,7 @@ def test_channels_that_keep_safe_start_are_known_after_they_were_read(
 
 
 def effect(timeout: float) -> TimeoutStop:
-    """Return what is expected of a timeout in seconds with UART-Error Shutdown set."""
+    """Return the expected effect of a timeout with UART-Error Shutdown set."""
     return TimeoutStop.EXPECTED if timeout else TimeoutStop.OFF
 
 
@@ -130,9 +130,7 @@ def test_slow_line_gets_the_longest_offered_timeout() -> None:
 @pytest.mark.parametrize(
     ("is_guarded", "fails"), [(True, "cable or this computer"), (False, "or this program")]
 )
-def test_warning_names_the_program_only_if_no_guardian_watches_it(
-    is_guarded: bool, fails: str
-) -> None:
+def test_warning_names_program_without_guardian(is_guarded: bool, fails: str) -> None:
     warning = timeout_warning_on(
         ConnectionSettings("/dev/ttyUSB0"), 0, effect(0), is_guarded=is_guarded
     )
@@ -141,7 +139,7 @@ def test_warning_names_the_program_only_if_no_guardian_watches_it(
     assert ("guardian" in warning.text) == (not is_guarded)
 
 
-def test_missing_guardian_is_reported_although_the_serial_timeout_is_set() -> None:
+def test_missing_guardian_is_reported_with_serial_timeout() -> None:
     warning = timeout_warning_on(
         ConnectionSettings("/dev/ttyUSB0"), 12.5, effect(12.5), is_guarded=False
     )

@@ -1,4 +1,4 @@
-"""A board is driven gently: a low ceiling until the user raises it, and speeds that grow slowly."""
+"""First drive of a board: low ceiling, and speeds that grow slowly."""
 
 from itertools import pairwise
 
@@ -23,7 +23,7 @@ from trex_gui.ui.runtime import now
 
 
 class Pad:
-    """A control on armed motors, and when it sent which speeds."""
+    """Control on armed motors that records its speeds and their times."""
 
     def __init__(self, ceiling: int) -> None:
         self.motors = Motors()
@@ -61,7 +61,7 @@ def connect(device: Device, settings: ConnectionSettings, qtbot: QtBot) -> None:
     qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED and device.motors.is_available)
 
 
-def test_ceiling_is_low_for_a_new_board_and_remembered_for_each(
+def test_ceiling_is_low_at_first_and_saved_for_each_board(
     device: Device, start_simulator: StartSimulator, qtbot: QtBot
 ) -> None:
     boards = [
@@ -129,7 +129,7 @@ def test_inputs_that_drive_are_switched_off_for_another_board(qtbot: QtBot) -> N
     assert states() == (False, False, False)
 
 
-def test_boards_alike_on_different_adapters_have_their_own_ceilings(qtbot: QtBot) -> None:
+def test_equal_boards_on_two_adapters_have_own_ceilings(qtbot: QtBot) -> None:
     motors = Motors()
     for adapter, expected in (("one", FIRST_CEILING), ("two", FIRST_CEILING), ("one", 90)):
         motors.adapter = adapter
@@ -142,7 +142,7 @@ def test_boards_alike_on_different_adapters_have_their_own_ceilings(qtbot: QtBot
 def test_new_device_number_changes_no_ceiling(
     device: Device, start_simulator: StartSimulator, qtbot: QtBot, chosen: int
 ) -> None:
-    """The ceiling of another board may be remembered for that number."""
+    """A ceiling may be saved for the new number."""
     fast, slow = (
         ConnectionSettings(start_simulator("--unpaced", "--device", number).url)
         for number in ("9", "8")
@@ -189,7 +189,7 @@ def test_ramp_keeps_the_curve(pad: Pad, virtual_time: VirtualRuntime) -> None:
 
 
 def test_hand_that_moves_fast_speeds_up_no_faster(pad: Pad, virtual_time: VirtualRuntime) -> None:
-    for step in range(1, 101):  # as a mouse reports it
+    for step in range(1, 101):  # steps of a mouse
         pad.drive.steer(step / 100, 0.0)
         virtual_time.advance(0.001)
     assert max(pad.speeds) <= GROWTH * 0.1 + 5

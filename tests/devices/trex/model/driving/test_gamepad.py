@@ -1,4 +1,4 @@
-"""A gamepad, and the setpoints and stops it gives the motors."""
+"""Setpoints and stops of a gamepad."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -20,7 +20,7 @@ OTHER = replace(PAD, ident=2, guid="b" * 32, name="Other pad")
 
 
 class GamepadSetup:
-    """A gamepad that drives the motors of a device, and the stops it requested."""
+    """Gamepad that drives the motors of a device, and its stops."""
 
     def __init__(self, qtbot: QtBot) -> None:
         self.qtbot = qtbot
@@ -52,7 +52,7 @@ class GamepadSetup:
         self.qtbot.waitUntil(lambda: self.speeds() == (left, right))
 
     def drive_forward(self) -> None:
-        """Drive forward as fast as it goes."""
+        """Push the stick all the way forward."""
         self.pads.press(HOLD)
         self.wait_for("Driving")
         self.pads.move(Y, -1.0)
@@ -209,7 +209,7 @@ def test_profile_is_saved_per_gamepad_model(setup: GamepadSetup) -> None:
     later = Gamepad(setup.device, HeldPads(PAD, OTHER))
     later.switch_on()
     assert later.profile == profile
-    later.set_profile(replace(profile, first=Axis(9)))  # which this gamepad does not have
+    later.set_profile(replace(profile, first=Axis(9)))  # this gamepad has no axis 9
     later.switch_off()
     later.switch_on()
     assert later.profile.first == Axis(Y, inverted=True)

@@ -1,4 +1,4 @@
-"""A board that was lost while it was driven, and is back."""
+"""Return of a board that was lost while driven."""
 
 from dataclasses import replace
 
@@ -19,7 +19,7 @@ OUTAGE_S = 4.0
 
 
 class LostBoard:
-    """A board that goes away for some seconds while motor 1 is driven.
+    """Board that is lost for some seconds while motor 1 is driven.
 
     `goes_on`: its serial timeout needs UART-Error Shutdown, which is off.
     """
@@ -87,7 +87,7 @@ def lost(
     ("answer", "known"),
     [("timeoutWorked", TimeoutStop.TRIED), ("timeoutFailed", TimeoutStop.FAILED)],
 )
-def test_answer_about_the_timeout_is_remembered_for_the_board(
+def test_answer_about_the_timeout_is_saved_for_the_board(
     lost: LostBoard, answer: str, known: TimeoutStop
 ) -> None:
     lost.lose()
@@ -123,7 +123,7 @@ def test_adapter_that_gets_another_port_is_the_same(lost: LostBoard, adapter: st
     [("Demo", OUTAGE_S, ""), ("", 1.0, ""), ("", OUTAGE_S, "power cycle")],
     ids=["simulated", "too short", "power was cut"],
 )
-def test_nothing_is_asked_after_an_outage_that_shows_nothing(
+def test_short_outage_prompts_nothing(
     lost: LostBoard, name: str, seconds: float, power: str
 ) -> None:
     lost.lose(name=name, seconds=seconds, power=power)

@@ -1,4 +1,4 @@
-"""Forward and turn, of a stick or of held keys, become two speeds."""
+"""Mixing of forward and turn to two speeds."""
 
 import pytest
 from hypothesis import given
@@ -52,7 +52,7 @@ def test_mixed_speeds_match_the_board_direction(forward: float, turn: float) -> 
 @given(forward=SHARE, turn=SHARE)
 def test_mixing_keeps_the_speed_ratio_when_limited(forward: float, turn: float) -> None:
     left, right = mix(forward, turn)
-    # Either way the two stand in the ratio of the sums, within what rounding does.
+    # The speeds have the ratio of the sums, except for rounding.
     assert abs(left * (forward - turn) - right * (forward + turn)) <= 2
 
 

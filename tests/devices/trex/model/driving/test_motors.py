@@ -1,4 +1,4 @@
-"""Setpoints of the motors, and when they are sent."""
+"""Setpoints, arming and stops of the motors."""
 
 from collections.abc import Callable
 from functools import partial
@@ -22,7 +22,7 @@ from trex_gui.devices.trex.protocol.driving import Drive
 
 
 class RequestRecorder:
-    """Motors, and the requests, stops and changes they emitted."""
+    """Motors with their requests, stops and changes."""
 
     def __init__(self) -> None:
         self.motors = Motors()
@@ -202,7 +202,7 @@ def test_pressed_stop_prevents_arming_during_the_lockout(
     virtual_time.advance(2.9)
     motors.arm()
     assert not motors.armed
-    with qtbot.waitSignal(motors.arming_changed):  # the end of the lock is announced
+    with qtbot.waitSignal(motors.arming_changed):
         virtual_time.advance(0.2)
     assert motors.locked_for == 0
     motors.arm()
@@ -271,7 +271,7 @@ def test_higher_ceiling_takes_effect_after_release(armed: RequestRecorder) -> No
     armed.motors.acquire("stick")
     armed.motors.set_speed(1, 127, "stick")
     armed.motors.set_ceiling(100)
-    armed.motors.set_speed(1, 127, "stick")  # as a stick that is paused says again and again
+    armed.motors.set_speed(1, 127, "stick")  # as from a stick that does not move
     armed.motors.set_auxiliary(127, "stick")
     assert armed.motors.drive(1) == Drive.at(30)
     assert (armed.motors.ceiling, armed.motors.auxiliary) == (100, 30)

@@ -1,4 +1,4 @@
-"""Learning on a simulated board: the steps, what stops them, and what they leave behind."""
+"""Learning on a simulated board: steps, interruptions and results."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -26,7 +26,7 @@ LEARNED = Calibration(2400, 3700, 5100, 80)
 
 
 class LearningSetup:
-    """A device that learns its channels from a simulated transmitter."""
+    """Device that learns its channels from a simulated transmitter."""
 
     def __init__(self, simulator: SimulatedDevice, qtbot: QtBot) -> None:
         self.simulator = simulator
@@ -35,7 +35,7 @@ class LearningSetup:
         self.transmitter = Transmitter(
             simulator, {1: Stick(), 2: Stick(rest=1520, forward_is_down=True)}
         )
-        self.requested_tests: list[tuple[int, ...]] = []  # the channels of each
+        self.requested_tests: list[tuple[int, ...]] = []  # channels of each test
         self._qtbot = qtbot
         failures: list[str] = []
         self.device.notifier.error.connect(failures.append)
@@ -52,7 +52,7 @@ class LearningSetup:
         self._qtbot.waitUntil(condition, timeout=timeout)
 
     def until_step(self, step: LearningStep) -> None:
-        """Wait for a step; try again as a user does when a stop is not confirmed at once."""
+        """Wait for a step. Repeat while a stop is not confirmed."""
 
         def is_there() -> bool:
             learning = self.learning
@@ -76,7 +76,7 @@ class LearningSetup:
         self.until_step(LearningStep.TRAVEL)
 
     def push_all(self) -> None:
-        """Hold every stick at each end until it was seen there, then let go."""
+        """Hold every stick at each end until measured, then release it."""
         for position in (1.0, -1.0):
             for channel in self.transmitter.sticks:
                 self.transmitter.put(channel, position)
@@ -90,7 +90,7 @@ class LearningSetup:
         self.learning.next()
 
     def review(self, *channels: int, calibration: Calibration = LEARNED) -> None:
-        """Begin the review of channels whose sticks gave these values."""
+        """Start the review of channels whose sticks gave these values."""
         learned = [LearnedChannel(self.device, number, InputSource.RC) for number in channels]
         for channel in learned:
             channel.choice = Choice(calibration, reversed_=False)
@@ -98,7 +98,7 @@ class LearningSetup:
         self.learning.step = LearningStep.REVIEW
 
     def use(self, *channels: int, calibration: Calibration = LEARNED) -> None:
-        """Edit the settings as if these channels had been learned."""
+        """Edit the settings as after learning these channels."""
         self.review(*channels, calibration=calibration)
         self.learning.use_values()
 
@@ -175,7 +175,7 @@ def test_mode_in_which_sticks_drive_is_refused(
 
 
 def test_channels_in_control_fail_learning_for_good(setup: LearningSetup) -> None:
-    """After a short power break the mode may still be the old one when control is read."""
+    """After a short power break the mode may be outdated."""
     setup.device.telemetry.newest.update(Control(now(), by_serial=False))
     steps: list[LearningStep] = []
     setup.learning.changed.connect(lambda: steps.append(setup.learning.step))

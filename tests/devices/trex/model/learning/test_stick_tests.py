@@ -1,4 +1,4 @@
-"""What the test of the sticks says about the inputs of a board, with what the board stores."""
+"""Test of sticks with the stored calibrations."""
 
 from collections.abc import Callable, Iterator
 
@@ -24,7 +24,7 @@ REST = {1: 1500.0, 2: 1500.0, 3: 1500.0, 4: 1500.0, 5: 1900.0}
 
 
 class Sticks:
-    """Holds inputs in µs; `None` is no signal."""
+    """Inputs in µs. `None` is no signal."""
 
     def __init__(self, device: Device, *numbers: int) -> None:
         self.tests = StickTests(device, numbers)
@@ -32,7 +32,7 @@ class Sticks:
         self._held: dict[int, float | None] = dict(REST)
 
     def hold(self, channel: int | None = None, where: float | None = 1500.0) -> None:
-        """Hold a channel somewhere for 0.6 s, or only wait; the others stay where they are."""
+        """Hold a channel at a position for 0.6 s, or only wait."""
         if channel is not None:
             self._held[channel] = where
         counts = [None if us is None else round(us * 2.5) for us in self._held.values()]
@@ -41,7 +41,7 @@ class Sticks:
             self.tests.feed(self._seconds, counts)
 
     def push(self, channel: int) -> None:
-        """Push a stick to both ends, then let go."""
+        """Push a stick to both ends, then release it."""
         for where in (2000.0, 1000.0, REST[channel]):
             self.hold(channel, where)
 
@@ -106,7 +106,7 @@ def test_uneven_stick_passes_with_both_ends() -> None:
     assert test.passed
 
 
-# --- Good is what is good now -----------------------------------------------------------
+# --- Present state ----------------------------------------------------------------------
 
 
 def test_passed_channel_held_off_neutral_fails_until_released(
@@ -184,7 +184,7 @@ def test_single_wild_pulses_are_no_position_of_the_switch() -> None:
 
 
 def stick_held_at(*phases: tuple[int, int]) -> StickTest:
-    """Feed channel 1 an output for so many samples, phase by phase, 50 samples a second."""
+    """Feed outputs of channel 1 in phases, at 50 samples a second."""
     test = StickTest(1)
     step = 0
     for output, samples in phases:
@@ -195,7 +195,7 @@ def stick_held_at(*phases: tuple[int, int]) -> StickTest:
 
 
 def switch_held_at(*phases: tuple[bool, int]) -> StickTest:
-    """Feed a switch that is active or not for so many samples, phase by phase."""
+    """Feed positions of a switch in phases, at 50 samples a second."""
     test = StickTest(4)
     for active, samples in phases:
         for _ in range(samples):
@@ -251,7 +251,7 @@ def test_throttle_is_idle_on_its_shorter_side(calibration: Calibration, side: in
 # --- Switches ---------------------------------------------------------------------------
 
 
-def test_switch_passes_once_both_positions_were_held_for_three_samples() -> None:
+def test_switch_passes_after_both_positions_were_held() -> None:
     assert switch_held_at((True, 2)).text == "Move the switch to all its positions."
     for active in (False, True):
         seen = switch_held_at((active, 3))

@@ -1,4 +1,4 @@
-"""Headings, both motors as one, what a file leaves out, and what rows say in words."""
+"""Headings, edits of both motors, files, and texts of rows."""
 
 from itertools import pairwise
 
@@ -42,7 +42,7 @@ def model(undo: QUndoStack) -> ParameterModel:
 
 @pytest.fixture
 def file(undo: QUndoStack) -> ParameterModel:
-    """The parameters of a file that gives two of them."""
+    """Parameters of a file that gives two values."""
     model = ParameterModel(undo=undo)
     given = {"serial_timeout": 5, "motor1_current_limit": 10}
     model.load(SPECS, given, {}, power_cycled=True, open_ended=True)
@@ -102,7 +102,7 @@ def test_grouped_model_passes_qt_model_tester(
         each.load(SPECS, FACTORY, {}, power_cycled=True)
 
 
-# --- Back to the default, to what is stored ---------------------------------------------
+# --- Reset and restore ------------------------------------------------------------------
 
 
 def test_reset_to_default_is_an_edit(model: ParameterModel, undo: QUndoStack) -> None:
@@ -162,8 +162,8 @@ def test_other_motor_is_left_alone_where_it_cannot_follow(model: ParameterModel)
     model.edit("motor1_current_limit", 4)
     model.both_motors = True
     model.edit("motor1_current_limit", 4)  # unchanged
-    model.edit("motor1_acceleration", 4)  # that of the other motor was not read
-    model.edit("aux_acceleration", 4)  # there is no other
+    model.edit("motor1_acceleration", 4)  # motor 2 was not read
+    model.edit("aux_acceleration", 4)  # there is only one auxiliary motor
     expected = {"motor1_current_limit": 4, "motor1_acceleration": 4, "aux_acceleration": 4}
     assert dict(model.values.pending) == expected
     with pytest.raises(BadRequest):
@@ -325,7 +325,7 @@ def test_prescaler_and_maximum_are_one_value(
 
     reports: list[int] = []
     model.dataChanged.connect(lambda first, _last: reports.append(first.row()))
-    model.edit("motor1_pwm_prescaler", 0, alone=True)  # as a settings file or a finding changes it
+    model.edit("motor1_pwm_prescaler", 0, alone=True)  # as a file or a finding edits it
     assert cell.data() == "19531 Hz"
     assert cell.row() in reports
     assert cell.data(ParameterRole.DIRTY) is True

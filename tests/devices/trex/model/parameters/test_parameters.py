@@ -1,4 +1,4 @@
-"""The parameter table as Qt sees it."""
+"""Parameter table as a Qt model."""
 
 from collections.abc import Mapping
 
@@ -56,7 +56,7 @@ def of(model: ParameterModel, key: str, role: ParameterRole) -> object:
     return found
 
 
-# --- What Qt asks of a model ------------------------------------------------------------
+# --- Qt model ---------------------------------------------------------------------------
 
 
 def test_model_passes_qt_model_tester_through_changes(
@@ -89,7 +89,7 @@ def test_unknown_key_has_no_index(model: ParameterModel) -> None:
     assert model.index_of("motor_mode").isValid()
 
 
-# --- What is shown ----------------------------------------------------------------------
+# --- Display ----------------------------------------------------------------------------
 
 
 def test_row_shows_name_and_value(model: ParameterModel) -> None:

@@ -1,4 +1,4 @@
-"""A working copy beside the device's."""
+"""Stored, edited and active values."""
 
 import pytest
 from hypothesis import given
@@ -40,7 +40,7 @@ def test_edit_made_during_the_write_stays_pending() -> None:
     assert draft.pending == (("serial_timeout", 10),)
 
 
-def test_edit_is_kept_on_request_unless_it_is_stored_or_its_parameter_is_missing() -> None:
+def test_load_retains_edits_on_request() -> None:
     for stored in (FACTORY | {"serial_timeout": 9}, {"motor_mode": 0}):
         draft = loaded()
         draft.edit(TIMEOUT, 9)
@@ -77,7 +77,7 @@ def test_active_value_stays_until_a_power_cycle() -> None:
     assert unknown.active == {}
 
 
-# --- A file, which need not give everything -------------------------------------------------
+# --- Files with few values ------------------------------------------------------------------
 
 
 def of_a_file() -> ParameterValues:

@@ -87,7 +87,7 @@ def test_edit_is_dropped_for_another_model(model: Calibrations) -> None:
 
 @pytest.fixture
 def file(qtbot: QtBot) -> Calibrations:
-    """What a file gives: one calibration of each source, and room for others."""
+    """Calibrations of a file with one calibration of each source."""
     model = Calibrations()
     given = {CalibrationKey.RC_CHANNEL_2: LEARNED, CalibrationKey.ANALOG_CHANNEL_3: OTHER}
     model.load("trex", InputSource.RC, given, open_ended=True)

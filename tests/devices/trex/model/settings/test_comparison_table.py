@@ -1,4 +1,4 @@
-"""Two sets of settings side by side as Qt sees them, and which changes are wanted."""
+"""Comparison of settings as a Qt model, and ticked changes."""
 
 from dataclasses import replace
 from typing import Any
@@ -170,7 +170,7 @@ def test_markup_is_shown_as_it_is_written(table: ComparisonTable) -> None:
     assert "&lt;b&gt;" in cell.data(Qt.ItemDataRole.ToolTipRole)
 
 
-# --- A list of rows becomes another -----------------------------------------------------
+# --- Renewed rows -----------------------------------------------------------------------
 
 
 Cell = tuple[int, str]

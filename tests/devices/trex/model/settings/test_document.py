@@ -1,4 +1,4 @@
-"""A settings file while it is worked on."""
+"""Settings file in an editor."""
 
 from functools import partial
 from pathlib import Path
@@ -55,7 +55,7 @@ def test_edit_changes_only_its_value_and_comment(rover: Path) -> None:
     assert after == ROVER.replace("  5  # 0.5 s", "  15  # 1.5 s")
 
 
-def test_value_beyond_an_inferred_limit_is_written_and_read_again(rover: Path) -> None:
+def test_value_beyond_inferred_limit_is_written(rover: Path) -> None:
     document = SettingsDocument.of_file(rover, load(rover))
     with pytest.raises(BadRequest):
         document.draft.parameters.edit("ignored_channels", 63)
@@ -167,7 +167,7 @@ def test_edits_made_while_it_is_saved_stay_unsaved(rover: Path) -> None:
 
 def test_file_not_editable_in_place_is_rewritten_on_request(tmp_path: Path) -> None:
     path = tmp_path / "odd.txt"
-    # The block of text ends where the file ends; with a line behind it, it would end in a break.
+    # The block ends where the file ends. A line after it would add a line break.
     path.write_text("product: TReX\nfirmware: |\n  1.2", encoding="utf-8")
     document = SettingsDocument.of_file(path, load(path))
     assert not document.trouble

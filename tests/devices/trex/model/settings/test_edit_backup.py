@@ -1,4 +1,4 @@
-"""Edits that were not applied outlive the program, for the board that they belong to."""
+"""Edits that outlive the program until they are applied."""
 
 import itertools
 from collections.abc import Callable, Iterator
@@ -29,7 +29,7 @@ TREX = BoardIdentity(device_table().model("trex"), "1.2", 7)
 
 
 class Run:
-    """One run of the program, which only ends by dying: nothing is closed in order."""
+    """Run of the program that ends with a crash."""
 
     def __init__(self, qtbot: QtBot, url: str) -> None:
         self.qtbot = qtbot
@@ -55,7 +55,7 @@ class Run:
         self.settle()
 
     def settle(self) -> None:
-        """Let everything be read and saved that is due."""
+        """Wait until everything is read and saved."""
         backup = self.backup
         self.wait(lambda: backup.files.is_idle and backup._is_read)
 
@@ -79,7 +79,7 @@ class Run:
 
 @pytest.fixture
 def run(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[Callable[..., Run]]:
-    """Start the program again: the last run dies."""
+    """Start the program again after a crash of the last run."""
     runs: list[Run] = []
 
     def start(url: str = quick_simulator.url) -> Run:
@@ -217,7 +217,7 @@ def test_reset_that_is_not_written_discards_no_edit(
 ) -> None:
     one = run()
     one.edit(serial_timeout=15)
-    quick_simulator.do("eeprom motor1_acceleration 9")  # as if it were another board
+    quick_simulator.do("eeprom motor1_acceleration 9")  # another board
     one.device.writer.reset_to_factory()
     one.wait(lambda: not one.device.writer.running)
     assert dict(one.device.draft.parameters.values.pending) == {"serial_timeout": 15}
@@ -272,7 +272,7 @@ def test_calibrations_of_the_other_source_stay_saved(
     assert run().offered == {"serial_timeout": 15, RC_2: STICK}
 
 
-def test_edit_of_a_setting_that_is_not_read_again_is_offered_later(run: Start) -> None:
+def test_edit_of_an_unread_setting_is_offered_later(run: Start) -> None:
     first = run()
     first.edit(serial_timeout=15, motor1_acceleration=3)
     state = first.device.state
@@ -281,7 +281,7 @@ def test_edit_of_a_setting_that_is_not_read_again_is_offered_later(run: Start) -
     for read in (replace(state, parameters=parameters), state):
         first.backup.close_board()
         first.draft.set_state(read, first.device.settings, power_cycled=False)
-        first.backup.set_board(reopened=False)
+        first.backup.set_board(opened=False)
         first.settle()
         if read is not state:
             assert first.edits == {"motor1_acceleration": 3}
@@ -291,7 +291,7 @@ def test_edit_of_a_setting_that_is_not_read_again_is_offered_later(run: Start) -
     assert first.edits == {"serial_timeout": 15, "motor1_acceleration": 3}
 
 
-def test_discarded_calibration_of_the_other_source_is_not_kept(
+def test_discarded_calibration_of_other_source_is_dropped(
     run: Start, quick_simulator: SimulatedDevice
 ) -> None:
     first = run()
@@ -346,7 +346,7 @@ def test_edits_that_could_not_be_saved_are_saved_at_the_end(run: Start) -> None:
     assert saved.settings.parameters["serial_timeout"] == 15
 
 
-def test_edits_of_a_simulated_board_are_kept_apart() -> None:
+def test_edits_of_a_simulated_board_are_saved_separately() -> None:
     stored = factory_settings(device_table().model("trex"), "1.2")
     real, simulated = BoardIdentity.of(stored), BoardIdentity.of(stored, is_simulated=True)
     assert EditFiles().path(real) != EditFiles().path(simulated)
@@ -371,7 +371,7 @@ def test_backup_needs_no_board(qtbot: QtBot) -> None:
     device = Device()
     backup = EditBackup(device.draft)
     backup.close_board()
-    backup.set_board(reopened=True)
+    backup.set_board(opened=True)
     backup.restore()
     backup.discard()
     assert backup.files.shut_down()

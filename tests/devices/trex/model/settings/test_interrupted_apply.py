@@ -1,4 +1,4 @@
-"""Power cut, cable pulled and line closed at every step of an Apply, over a real line."""
+"""Power cut, unplugged cable and closed line at every step of an Apply."""
 
 from collections.abc import Callable, Iterator
 
@@ -40,7 +40,7 @@ every_step = pytest.mark.parametrize("step", sampled(STEPS, every=4))
 
 
 class InterruptedApply:
-    """A board with pending edits, and what was kept and reported when Apply was interrupted."""
+    """Board with pending edits, and reports of an interrupted Apply."""
 
     def __init__(self, recorder: DeviceRecorder, simulator: SimulatedDevice) -> None:
         for key, wire in OLD.items():
@@ -58,7 +58,7 @@ class InterruptedApply:
         self.after = dict(self.before.parameters) | WANTED
 
     def disturb(self, step: int, act: Callable[[], object]) -> None:
-        """Apply, and do something when a step is reached."""
+        """Apply, and act when a step is reached."""
         done: list[int] = []
 
         def on_progressed(now: int, _total: int, _what: str) -> None:
@@ -73,7 +73,7 @@ class InterruptedApply:
 
     @property
     def results(self) -> tuple[WriteResult, ...]:
-        """How each write went, as far as that was told."""
+        """Results of the writes, as far as reported."""
         return self.recorder.results[-1] if self.recorder.results else ()
 
     @property
@@ -82,14 +82,14 @@ class InterruptedApply:
         return parameters
 
     def require_kept(self) -> None:
-        """The snapshot says what was stored before, whole."""
+        """Check that the snapshot has all former values."""
         (snapshot,) = self.device.writer.history.snapshots()
         assert self.device.writer.history.load(snapshot) == self.before
         assert snapshot.reason == f"Apply of {len(WANTED) + 1} settings"
         assert snapshot.adapter
 
     def require_named(self) -> None:
-        """Whatever is not stored was told, and what was told to be stored is."""
+        """Check that the report names every setting that is not stored."""
         reports = {result.key: result for result in self.results}
         assert set(reports) == {*WANTED, f"rc_channel_{CHANNEL}"}
         for key, wire in WANTED.items():
@@ -99,7 +99,7 @@ class InterruptedApply:
                 assert str(reports[key].error)
 
     def require_waiting(self) -> None:
-        """The edits that did not stick wait, and no others."""
+        """Check that only failed edits are pending."""
         waiting = dict(self.device.parameters.values.pending)
         stored = self.stored
         assert waiting == {key: wire for key, wire in WANTED.items() if stored[key] != wire}
@@ -107,7 +107,7 @@ class InterruptedApply:
         assert waits == (self.device.calibrations.stored(CHANNEL) != LEARNED)
 
     def finish(self) -> None:
-        """Apply again; everything is as it was wanted, and nothing else has changed."""
+        """Apply again. Check that only the edits have changed."""
         if self.device.draft.pending:
             results = self.recorder.apply()
             assert [result.error for result in results] == [None] * len(results)
@@ -140,7 +140,7 @@ def test_apply_resumes_after_a_power_cut(step: int, applied: InterruptedApply) -
     applied.require_named()
     require_old_or_new(applied.stored, applied.before, lost=1)
 
-    # With the line settings stored it comes back at those: Apply has said where to look.
+    # The board returns at the stored line settings, which Apply has announced.
     applied.recorder.until_link(ConnectionState.CONNECTED)
     applied.require_waiting()
     applied.finish()
@@ -159,11 +159,11 @@ def test_apply_resumes_after_an_unplugged_cable(step: int, applied: InterruptedA
     applied.finish()
 
 
-# --- A line that is closed meanwhile ----------------------------------------------------
+# --- Closed line ------------------------------------------------------------------------
 
 
 def connect_after_power_cycle(applied: InterruptedApply) -> None:
-    """Switch the board off and on, and connect at the line settings that it has stored."""
+    """Cycle the power, and connect at the stored line settings."""
     applied.simulator.do("power cycle")
     line = LineSettings.from_wire(applied.stored["uart_settings"])
     applied.device.connect_to(ConnectionSettings(applied.simulator.url, line))
@@ -171,7 +171,7 @@ def connect_after_power_cycle(applied: InterruptedApply) -> None:
 
 
 def require_report(applied: InterruptedApply) -> None:
-    """Each setting is stored or was not tried, and nobody speaks of a failure."""
+    """Check that each setting is stored or was not tried, without a failure."""
     applied.require_kept()
     applied.require_named()
     applied.require_waiting()
@@ -218,7 +218,7 @@ def test_shutdown_reports_the_results_of_an_apply(step: int, applied: Interrupte
 
 @pytest.fixture
 def addressed(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[DeviceRecorder]:
-    """A device that calls its board by the number 7."""
+    """Device that addresses its board by number 7."""
     recorder = DeviceRecorder(qtbot)
     recorder.device.connect_to(ConnectionSettings(quick_simulator.url, device_number=7))
     recorder.until_link(ConnectionState.CONNECTED)

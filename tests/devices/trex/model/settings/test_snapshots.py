@@ -1,4 +1,4 @@
-"""The history as Qt sees it."""
+"""Settings history as a Qt model."""
 
 from datetime import datetime, timedelta
 from pathlib import Path
@@ -22,7 +22,7 @@ DAY = timedelta(days=1)
 
 
 class ListedHistory(SnapshotTable):
-    """The table of a history that tests add to."""
+    """Table of a history to which tests add snapshots."""
 
     def __init__(self, history: SettingsHistory) -> None:
         super().__init__(history)
@@ -35,20 +35,20 @@ def table(qtbot: QtBot, tmp_path: Path) -> ListedHistory:
 
 
 def refresh(table: SnapshotTable) -> None:
-    """List the folder again, to its end."""
+    """List the folder again, and wait for the end."""
     table.refresh()
     finish()
 
 
 def finish() -> None:
-    """Let the threads end that list and read files."""
+    """Wait for the threads that list and read files."""
     virtual = runtime()
     assert isinstance(virtual, VirtualRuntime)
     assert virtual.run_until(lambda: not background, 10)
 
 
 def content_of(table: SnapshotTable, snapshot: Snapshot) -> Settings | str | None:
-    """Return what a snapshot holds, once it was read."""
+    """Return the content of a snapshot once it was read."""
     if table.content_of(snapshot) is None:
         finish()
     return table.content_of(snapshot)
@@ -133,7 +133,7 @@ def test_snapshot_is_reloaded_only_after_a_file_change(table: ListedHistory) -> 
 def test_window_reads_no_snapshot_itself(
     table: ListedHistory, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """In virtual time a thread has not begun before the test lets time pass."""
+    """In virtual time, no thread starts before the test waits."""
     take(table.history)
     refresh(table)
     read: list[str] = []

@@ -1,4 +1,4 @@
-"""The assistant on a simulated robot: pulses show its wiring, and the edits correct it."""
+"""Robot assistant on a simulated robot: wiring and corrections."""
 
 from collections.abc import Callable, Iterator
 
@@ -33,7 +33,7 @@ FORWARD = {Side.LEFT: 1, Side.RIGHT: 1}
 RIGHT = {Side.LEFT: 1, Side.RIGHT: -1}
 
 
-# --- Which motor is which ---------------------------------------------------------------
+# --- Wiring -----------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -43,7 +43,7 @@ RIGHT = {Side.LEFT: 1, Side.RIGHT: -1}
 def test_one_stick_is_corrected_by_reversed_channels(
     robot: Robot, swapped: bool, reversed_: bool, pushed: int
 ) -> None:
-    """Without any change of wires, as long as both motors are connected the same way round."""
+    """Both motors are connected in the same direction."""
     robot.pushed = pushed
     if swapped:
         robot.exchange_motors()
@@ -99,7 +99,6 @@ def test_two_sticks_are_corrected_once_each_drives_its_side(
 
 
 def test_computer_needs_the_wires_exchanged(robot: Robot) -> None:
-    """No setting changes what serial commands do."""
     robot.exchange_motors()
     robot.exchange_wires(Side.LEFT)
     setup = robot.setup
@@ -156,13 +155,13 @@ def test_learned_directions_are_taken_over(robot: Robot) -> None:
     setup.record_movement(2, Movement.RIGHT_FORWARD)
     while setup.step is not SetupStep.MOTORS:
         setup.skip()
-    assert setup.edits == {}  # learning has edited the directions as they have to be
+    assert setup.edits == {}  # learning has corrected the directions
     setup.record_movement(1, Movement.LEFT_BACKWARD)
     setup.record_movement(2, Movement.RIGHT_BACKWARD)
     assert setup.edits == {ParameterKey.REVERSED_CHANNELS: 0b10}
 
 
-# --- What is still open -----------------------------------------------------------------
+# --- Open steps -------------------------------------------------------------------------
 
 
 def test_skipped_steps_stay_open_until_they_have_their_result(robot: Robot) -> None:
@@ -191,7 +190,7 @@ def test_skipped_steps_stay_open_until_they_have_their_result(robot: Robot) -> N
     assert setup.open_steps == []
     robot.device.draft.undo.undo()
     assert setup.open_steps == [SetupStep.MOTORS]
-    setup.select_driver(Driver.TWO_STICKS)  # which needs other wires and another jumper
+    setup.select_driver(Driver.TWO_STICKS)  # needs other wires and another jumper
     assert setup.open_steps == all_open[:3]
     robot.device.disconnect_line()
     robot.wait(lambda: setup.open_steps == all_open)
@@ -210,7 +209,7 @@ def test_jumper_seen_to_be_wrong_leaves_its_step_open(robot: Robot, mix: str) ->
         assert is_open is ((driver, mix) in {(Driver.ONE_STICK, "off"), (Driver.TWO_STICKS, "on")})
 
 
-def test_stop_says_why_it_was_made(robot: Robot) -> None:
+def test_stop_has_a_reason(robot: Robot) -> None:
     reasons: list[str] = []
     motors = robot.device.motors
     motors.stop_requested.connect(lambda: reasons.append(motors.stop_reason))
@@ -234,7 +233,7 @@ def test_stop_says_why_it_was_made(robot: Robot) -> None:
 # --- Pulses -----------------------------------------------------------------------------
 
 
-def test_held_motor_runs_in_short_weak_pulses_and_the_other_rests(robot: Robot) -> None:
+def test_pulses_drive_only_one_motor(robot: Robot) -> None:
     robot.arm()
     pulses, motors = robot.setup.pulses, robot.device.motors
     motors.set_linked(True)
@@ -255,7 +254,7 @@ def test_held_motor_runs_in_short_weak_pulses_and_the_other_rests(robot: Robot) 
 
 
 def test_stronger_pulse_jumps_to_its_speed_below_the_ceiling(robot: Robot) -> None:
-    """With the slowest ramp of the board nothing would move within a pulse."""
+    """A slow ramp would move nothing in a pulse."""
     robot.device.parameters.edit("motor1_acceleration", 1)
     robot.apply()
     robot.arm()
@@ -324,7 +323,7 @@ def test_board_in_rc_mode_gets_neither_pulses_nor_edits(
 def test_other_model_on_the_line_gets_no_answers_of_the_first(
     robot: Robot, start_simulator: Callable[..., SimulatedDevice]
 ) -> None:
-    """A current limit counts in other units there."""
+    """Current limits have other units there."""
     setup = robot.setup
     setup.select_preset(Preset.TANK)
     setup.rises.update({1: True, 2: True})
@@ -339,7 +338,7 @@ def test_other_model_on_the_line_gets_no_answers_of_the_first(
 
 
 @pytest.mark.parametrize("number", [7, 9])
-def test_other_robot_that_comes_after_a_silence_gets_no_answers(robot: Robot, number: int) -> None:
+def test_other_robot_after_a_silence_gets_no_answers(robot: Robot, number: int) -> None:
     setup, simulator = robot.setup, robot.simulator
     setup.record_movement(1, Movement.LEFT_FORWARD)
     setup.rises.update({1: True, 2: True})

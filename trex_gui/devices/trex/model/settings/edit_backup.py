@@ -59,11 +59,11 @@ class EditBackup(QObject):
         self._closed_edits = None if stored is None else self._edits(stored)
         self._board = None
 
-    def set_board(self, *, reopened: bool, is_simulated: bool = False) -> None:
+    def set_board(self, *, opened: bool, is_simulated: bool = False) -> None:
         """Save edits of this board, and read edits of an earlier run.
 
         Simulated and real boards have separate files. The same board gets its offer again only with
-        `reopened`. Edits of settings that could not be read stay saved.
+        `opened`. Edits of settings that could not be read stay saved.
         """
         stored = self._draft.stored
         if stored is None:
@@ -83,7 +83,7 @@ class EditBackup(QObject):
             keys |= self._out_of_reach(self._closed_edits)
             self._undecided = _only(self._closed_edits, keys)
         self._on_changed()
-        if self._undecided is not None and (reopened or self.offer is None):
+        if self._undecided is not None and (opened or self.offer is None):
             self._is_read = False
             self.files.read(self._board)
 
