@@ -1,4 +1,4 @@
-"""Write of the same settings to several boards, after a review."""
+"""Writing the same settings to several boards."""
 
 from collections.abc import Collection
 from dataclasses import dataclass, replace
@@ -35,12 +35,10 @@ class BoardStep(Enum):
 class BoardPlan:
     number: int  # device number
     step: BoardStep = BoardStep.WAITING
-    changes: Comparison | None = None  # to the stored settings; `None` before reading
+    changes: Comparison | None = None  # `None` before reading
     problem: str = ""  # reason for the user
-    # About the settings after these changes
-    findings: tuple[LintFinding, ...] = ()
-    # Changes beyond inferred limits, which the board may reject
-    doubts: tuple[str, ...] = ()
+    findings: tuple[LintFinding, ...] = ()  # about the settings after these changes
+    doubts: tuple[str, ...] = ()  # changes that the board may reject
 
     @property
     def to_write(self) -> int:

@@ -53,12 +53,12 @@ class Bench(QObject):
         super().__init__(parent)
         self.plan = Plan()
         self.phase = Phase.IDLE
-        self.runs: tuple[Run, ...] = ()  # the last tests, oldest first
+        self.runs: tuple[Run, ...] = ()  # oldest first
         self._device = device
         self._motors = device.motors
         self._run: Run | None = None
         self._ends_at_limit = False
-        self._ampere = 0.0  # the unit of `plan.abort_current`
+        self._ampere = 0.0  # unit of `plan.abort_current`
         self._start = self._last_reading = 0.0
         self._setpoints: list[tuple[float, int]] = []
         self._readings: list[tuple[float, float]] = []
@@ -252,14 +252,14 @@ class Bench(QObject):
 
     # --- The end ------------------------------------------------------------------------
 
-    def _end(self, how: End, reason: str = "") -> None:
+    def _end(self, end: End, reason: str = "") -> None:
         self.phase = Phase.BRAKING
-        if how is not End.ABORTED:
+        if end is not End.ABORTED:
             self._motors.release(_HOLDER)
         elif self._motors.holder == _HOLDER:  # otherwise the motors are stopped already
             self._motors.press_stop(reason=reason)
         if self._run is not None:
-            self._run = replace(self._run, end=how, reason=reason, ended=now() - self._start)
+            self._run = replace(self._run, end=end, reason=reason, ended=now() - self._start)
         self.changed.emit()
 
     def _finish(self) -> None:

@@ -62,7 +62,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         self._last: Port | None = None  # port of the last connection attempt
         LossWhileDriven(device, self)
         self._stops = 0  # automatic stops so far
-        self._unconfirmed = ""  # reason of an unconfirmed stop; else empty
+        self._unconfirmed = ""  # reason of an unconfirmed stop, or empty
 
         self.simulator.ended.connect(self._reset_demo_settings)
         self.demo_board.factory_reset.connect(self._reset_demo_settings)
@@ -113,11 +113,11 @@ class TrexController(DeviceController[ConnectionSettings]):
 
     def connect_with(self, port: Port, settings: PortSettings) -> None:
         self.select(port)
-        found = ConnectionSettings.on(settings)
+        connection = ConnectionSettings.on(settings)
         if port.kind is PortKind.DEMO:
-            self._demo_settings = found
+            self._demo_settings = connection
         else:
-            self.set_settings(found)
+            self.set_settings(connection)
         self.connect_to(port)
 
     def set_packed(self, settings: str) -> None:

@@ -182,22 +182,22 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
         if (snapshot := self.snapshot) is None:
             return
         low, high = STICK_ENDS[snapshot.source]
-        for channel, seen in zip(CHANNELS, snapshot.channels, strict=True):
+        for channel, state in zip(CHANNELS, snapshot.channels, strict=True):
             if automatic:
                 self._held.pop(channel, None)
             elif channel not in self._held:
-                value = seen.stick(snapshot.source) if seen.has_signal else None
+                value = state.stick(snapshot.source) if state.has_signal else None
                 share = 0.5 if value is None else (value - low) / (high - low)
                 self._held[channel] = min(max(share, 0.0), 1.0)
-            if seen.has_signal:
+            if state.has_signal:
                 self._send_stick(channel)
         self.changed.emit()
 
     def centre_sticks(self) -> None:
         if self.snapshot is not None:
             middle = sum(STICK_ENDS[self.snapshot.source]) / 2
-            for channel, seen in zip(CHANNELS, self.snapshot.channels, strict=True):
-                if seen.has_signal:
+            for channel, state in zip(CHANNELS, self.snapshot.channels, strict=True):
+                if state.has_signal:
                     self.hold_stick(channel, middle)
 
     def _send_stick(self, channel: int) -> None:

@@ -42,7 +42,7 @@ from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier, never
 from trex_gui.ui.runtime import new_timer, now
 
-Routed = Sequence[tuple[int | None, SetpointRequest]]  # by number of the board in a group
+Routed = Sequence[tuple[int | None, SetpointRequest]]  # board number in a group, and setpoint
 
 AfterStop = Callable[[StudioError | None], None]  # called with `None` for a confirmed stop
 
@@ -52,11 +52,11 @@ _REFUSALS = {ErrorCode.OTHER_DRIVES, ErrorCode.MAY_NOT_DRIVE}  # a server refuse
 class DriveController(QObject):
     """Sends setpoints and stops of the motors to the board.
 
-    Once the line was opened or silent, a different board may respond. Its confirmations do not
+    After the line was opened or silent, a different board may respond. Its confirmations do not
     count before it is read.
     """
 
-    changed = Signal()  # `reaches_several`, or a confirmed stop, which may leave `may_move`
+    changed = Signal()  # `reaches_several`, or a stop was confirmed
 
     def __init__(
         self,
@@ -76,8 +76,8 @@ class DriveController(QObject):
         self._connection = connection
         self._lost_with: ConnectionSettings | None = None  # line on which motors may turn
         self._lost_place = ""  # `place` of the line in `_lost_with`
-        self._board: Connected | None = None  # as last read
-        # Set by a group: setpoints for each board; number of a board that cannot be driven
+        self._board: Connected | None = None  # newest report of the board
+        # Set by a group. `lacking` returns the number of a board that cannot be driven.
         self.routed: Callable[[SetpointRequest], Routed] = lambda request: ((None, request),)
         self.lacking: Callable[[], int | None] = lambda: None
         self.named: Callable[[str], str] = str  # adds the number of the board in a group

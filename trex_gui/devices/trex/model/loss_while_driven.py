@@ -30,7 +30,7 @@ class LossWhileDriven(QObject):
         self._lost_at: float | None = None
         self._lost_place = ""
         self._has_shutdown = False  # UART-Error Shutdown was on
-        self._silent_for: float | None = None  # s, if that may have stopped motors
+        self._silent_for: float | None = None  # duration of a silence that may have stopped motors
         self._has_timed_out = False
 
         device.connection.not_responding.connect(self._on_lost)

@@ -40,13 +40,13 @@ class Motors(QObject):
     Set attributes through methods, except `accelerate`, `lockout` and `adapter`.
     """
 
-    arming_changed = Signal()  # also each second of `locked_for`
+    arming_changed = Signal()  # `armed`, `is_available`, `stop_reason`, `locked_for`
     setpoints_changed = Signal()  # `drive`, `auxiliary` or `text`
     holder_changed = Signal()
     options_changed = Signal()  # `board`, `ceiling`, `linked` or `release_brake`
     board_changed = Signal()  # another board is connected
     requested = Signal(object)  # a `SetMotor`, `SetMotors` or `SetAuxiliary`
-    stop_requested = Signal()  # before any other signal of a stop
+    stop_requested = Signal()  # emitted before any other signal of a stop
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -56,7 +56,7 @@ class Motors(QObject):
         self.lockout = self._store.real(_KEY, LOCKOUT, 0.0, LONGEST)
         self.armed = False
         self.is_available = False  # serial commands can drive
-        self.stop_reason = ""  # of the last stop; empty if the user pressed stop
+        self.stop_reason = ""  # reason for the last stop; empty if the user pressed stop
         self.holder = ""  # name of the control that has acquired the motors
         self.auxiliary = 0  # setpoint of the auxiliary motor, 0-127
         self.board = ""  # key of the saved ceiling; empty before a board is read
@@ -112,13 +112,13 @@ class Motors(QObject):
             self._store.set(self._ceiling_key, 0 if self.is_first_drive else self.ceiling)
             self.options_changed.emit()
             return
-        chosen = self._store.integer(self._ceiling_key, 0, 0, FULL_SCALE)
-        self.is_first_drive = not chosen
+        saved = self._store.integer(self._ceiling_key, 0, 0, FULL_SCALE)
+        self.is_first_drive = not saved
         self.linked = False
         if self._options is not None:
             self._options = self._options[0], False
         self.board_changed.emit()
-        self._limit_to(chosen or FIRST_CEILING)
+        self._limit_to(saved or FIRST_CEILING)
 
     def set_ceiling(self, speed: int) -> None:
         """Set and save the speed ceiling of this board. Faster motors slow down.
@@ -154,7 +154,7 @@ class Motors(QObject):
         if not self.holder or speed < self.ceiling_in_force:
             self.ceiling_in_force = speed
         driven = {motor: drive for motor, drive in self._drives.items() if not drive.is_brake}
-        self._set({motor: self._at(drive.signed) for motor, drive in driven.items()})
+        self._set({motor: self._limited(drive.signed) for motor, drive in driven.items()})
         if self.auxiliary > speed:
             self._set_auxiliary(speed)
         self.options_changed.emit()
@@ -279,11 +279,11 @@ class Motors(QObject):
 
     def set_speed(self, motor: int, speed: int, holder: str = "") -> None:
         """Drive motor 1 or 2 at a speed (-127 to 127)."""
-        self._set_for({motor: self._at(speed)}, holder)
+        self._set_for({motor: self._limited(speed)}, holder)
 
     def set_speeds(self, first: int, second: int, holder: str = "") -> None:
         """Drive both motors at signed speeds. If linked, the first applies to both."""
-        self._set_for({1: self._at(first), 2: self._at(second)}, holder)
+        self._set_for({1: self._limited(first), 2: self._limited(second)}, holder)
 
     def set_brake(self, motor: int, duty: int, holder: str = "") -> None:
         """Brake motor 1 or 2 with a duty of 0 (coast) to 127 (full)."""
@@ -304,7 +304,7 @@ class Motors(QObject):
                 self._held.update(drives)
             self._set(drives)
 
-    def _at(self, speed: int) -> Drive:
+    def _limited(self, speed: int) -> Drive:
         _ = Drive.at(speed)  # raises on an invalid speed instead of limiting it
         return Drive.at(max(-self.ceiling_in_force, min(self.ceiling_in_force, speed)))
 

@@ -32,7 +32,7 @@ from trex_gui.ui.translations import error_sentence, error_text
 
 class ProvisionStep(Enum):
     PROFILE = auto()  # not started
-    WAIT = auto()  # for a board
+    WAIT = auto()  # waits for a board
     REVIEW = auto()
     WRITE = auto()
     MOTORS = auto()

@@ -131,7 +131,7 @@ class Recorder(RecordThread[Record]):
 
 _BEFORE = 20.0  # s recorded before a fault or stop
 _AFTER = 10.0  # s recorded after the last fault or stop
-_LONGEST = 120.0  # s; then repeated faults do not extend a file
+_LONGEST = 120.0  # s; repeated faults do not extend a file further
 _START_DELAY = 0.5  # s; recording must not slow down the stop
 
 

@@ -176,7 +176,7 @@ class Telemetry(QObject):
         return self.remapped[CHANNELS.index(channel)] if self.remapped else None
 
 
-_ENOUGH = 3  # equal results in a row, five a second, that make the state known
+_ENOUGH = 3  # equal results in a row that make the state known
 
 
 class MixJumper(QObject):
@@ -194,20 +194,20 @@ class MixJumper(QObject):
         super().__init__(parent)
         self._draft = draft
         self._telemetry = telemetry
-        self.is_on: bool | None = None  # `None`: not known
+        self.is_on: bool | None = None  # `None` if unknown
         self._candidate: bool | None = None
         self._count = 0
         telemetry.updated.connect(self._on_updated)
         telemetry.text_due.connect(self._on_text_due)
 
     def feed(self, outputs: tuple[int, int], reported: tuple[int, int]) -> None:
-        seen = is_mixed(outputs, reported)
-        if seen is None:
+        mixed = is_mixed(outputs, reported)
+        if mixed is None:
             return
-        self._count = self._count + 1 if seen is self._candidate else 1
-        self._candidate = seen
+        self._count = self._count + 1 if mixed is self._candidate else 1
+        self._candidate = mixed
         if self._count >= _ENOUGH:
-            self._set(seen)
+            self._set(mixed)
 
     def clear(self) -> None:
         self._candidate = None

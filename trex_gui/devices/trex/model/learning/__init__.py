@@ -1,1 +1,1 @@
-"""Learning channels from the sticks, step by step."""
+"""Learning of channels from stick movements."""

@@ -24,10 +24,10 @@ from trex_gui.ui.runtime import new_timer, now
 _ASIDE = {InputSource.RC: 250, InputSource.ANALOG: 102}
 """Offset from rest, in counts (100 us, 0.5 V), at which the speed of a throttle is checked."""
 
-_MUCH = FULL_SCALE // 2  # highest output there without a warning
+_FAST = FULL_SCALE // 2  # highest output there without a warning
 
 
-_Found = tuple[ProblemKind, str, tuple[object, ...]]  # kind, variant and values of a problem
+_Finding = tuple[ProblemKind, str, tuple[object, ...]]  # kind, variant and values of a problem
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,15 +43,15 @@ class Check:
     def problems(self) -> tuple[CalibrationProblem, ...]:
         return tuple(
             CalibrationProblem(kind, variant, values, fatal=False)
-            for kind, variant, values in self._found()
+            for kind, variant, values in self._findings()
         )
 
-    def _found(self) -> Iterator[_Found]:
-        text, wanted = self.neutral.source.text, self.curve.calibration
+    def _findings(self) -> Iterator[_Finding]:
+        text, calibration = self.neutral.source.text, self.curve.calibration
         yield from self._useless()
         for way, end, name in (
-            (Way.UP, wanted.maximum, tr("Maximum")),
-            (Way.DOWN, wanted.minimum, tr("Minimum")),
+            (Way.UP, calibration.maximum, tr("Maximum")),
+            (Way.DOWN, calibration.minimum, tr("Minimum")),
         ):
             reached = self.travel.end(way)
             if self.travel.reached(way) and way.value * (end - reached) > 0:
@@ -59,38 +59,42 @@ class Check:
         if self.travel.task is Task.SWITCH:
             yield from self._switching()
             return
-        if wanted.deadband < self.neutral.noise / 2:
-            yield ProblemKind.NOISE, "CREEP", (self.neutral.noise_text, text(wanted.deadband))
+        if calibration.deadband < self.neutral.noise / 2:
+            yield ProblemKind.NOISE, "CREEP", (self.neutral.noise_text, text(calibration.deadband))
         else:
             yield from self._neutral_moved()
         if (idle := self.travel.idle) is not None:
             source = self.neutral.source
             place = self.neutral.value + idle.value * _ASIDE[source]
             place = min(max(place, source.lowest_count), source.highest_count)
-            if (speed := abs(self.curve.output(place))) > _MUCH:
+            if (speed := abs(self.curve.output(place))) > _FAST:
                 yield ProblemKind.SPEEDS_UP, "", (text(place), str(speed), FULL_SCALE)
 
-    def _useless(self) -> Iterator[_Found]:
-        wanted, source, idle = self.curve.calibration, self.neutral.source, self.travel.idle
+    def _useless(self) -> Iterator[_Finding]:
+        calibration, source, idle = self.curve.calibration, self.neutral.source, self.travel.idle
         if idle is None:
-            text = concern(wanted, source)
+            text = concern(calibration, source)
         else:
-            text = deadband_problem(wanted, source, "minimum" if idle is Way.UP else "maximum")
+            text = deadband_problem(calibration, source, "minimum" if idle is Way.UP else "maximum")
         if text:
             yield ProblemKind.USELESS, "", (text,)
 
-    def _neutral_moved(self) -> Iterator[_Found]:
-        text, wanted, sampled = self.neutral.source.text, self.curve.calibration, self.neutral.value
+    def _neutral_moved(self) -> Iterator[_Finding]:
+        text, calibration, sampled = (
+            self.neutral.source.text,
+            self.curve.calibration,
+            self.neutral.value,
+        )
         rest = self.travel.rest
-        if abs(rest - wanted.neutral) <= wanted.deadband:
+        if abs(rest - calibration.neutral) <= calibration.deadband:
             return
         output = signed_text(self.curve.output(rest))
-        if wanted.neutral != sampled:
+        if calibration.neutral != sampled:
             yield ProblemKind.NEUTRAL_MOVED, "CHOSEN", (text(rest), output)
         else:
             yield ProblemKind.NEUTRAL_MOVED, "MEASURED", (text(rest), text(sampled), output)
 
-    def _switching(self) -> Iterator[_Found]:
+    def _switching(self) -> Iterator[_Finding]:
         threshold = self.curve.threshold(self.channel)
         if threshold is None:
             return
@@ -225,7 +229,7 @@ class LearnedChannel:
         self.proposal: Proposal | None = None
         self.choice: Choice | None = None
         self._received_at: float | None = None
-        self.time = 0.0  # of the newest sample
+        self.time = 0.0  # time of the newest sample
 
     def feed(self, sample: ChannelSample) -> None:
         self.raw = sample.count
@@ -269,16 +273,16 @@ class LearnedChannel:
         """Curve of the chosen values, if valid."""
         if self.choice is None or self.choice.calibration.problem() is not None:
             return None
-        wanted, reversed_ = self.choice.calibration, self.choice.reversed_
-        return ChannelCurve(wanted, reversed_, self._parabolic, self._ignored)
+        calibration, reversed_ = self.choice.calibration, self.choice.reversed_
+        return ChannelCurve(calibration, reversed_, self._parabolic, self._ignored)
 
     @property
     def new_rest(self) -> int | None:
         """Last rest position, if neutral should move there."""
         if self.travel is None or self.choice is None or self.travel.task is Task.SWITCH:
             return None
-        rest, wanted = self.travel.rest, self.choice.calibration
-        if abs(rest - wanted.neutral) <= wanted.deadband or rest == self.travel.neutral:
+        rest, calibration = self.travel.rest, self.choice.calibration
+        if abs(rest - calibration.neutral) <= calibration.deadband or rest == self.travel.neutral:
             return None
         return rest
 

@@ -32,7 +32,7 @@ class PendingLearnedValues(QObject):
 
     def edit(self, choices: dict[int, Choice], name: str) -> bool:
         """Edit these channels in one undo step. Return whether an edit is pending."""
-        reversed_ = self._wanted_reversed()
+        reversed_ = self._reversed_channels()
         with self._device.draft.one_edit(name):
             for number, choice in choices.items():
                 self._device.calibrations.edit(number, choice.calibration)
@@ -64,9 +64,9 @@ class PendingLearnedValues(QObject):
     def _turned(self) -> set[int]:
         """Return channels with a pending change of direction."""
         stored = channels_in(self._device.parameters.values.stored.get(_REVERSED) or 0)
-        return self._wanted_reversed() ^ set(stored)
+        return self._reversed_channels() ^ set(stored)
 
-    def _wanted_reversed(self) -> set[int]:
+    def _reversed_channels(self) -> set[int]:
         return set(channels_in(self._device.parameters.values.value_of(_REVERSED) or 0))
 
     @Slot(object)
@@ -92,7 +92,7 @@ class PendingLearnedValues(QObject):
 
     @Slot()
     def _on_pending_changed(self) -> None:
-        shown, reversed_ = self._device.calibrations.shown, self._wanted_reversed()
+        shown, reversed_ = self._device.calibrations.shown, self._reversed_channels()
         has_directions = self._device.parameters.values.can_edit(_REVERSED)
         self._waiting = {
             number: choice

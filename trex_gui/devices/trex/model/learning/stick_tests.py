@@ -26,7 +26,7 @@ class StickTest:
         self.source = source
         self.calibration: Calibration | None = None  # stored by the board
         self.raw: int | None = None  # the newest count; `None` without a signal
-        self.time = 0.0  # of the newest sample
+        self.time = 0.0  # time of the newest sample
         self.output: int | None = None  # -127 to 127 now; `None` without a signal
         self.forward = self.reverse = False  # full output was reached
         self.is_at_rest = False  # the output was 0 for `_REST_SECONDS`

@@ -1,1 +1,1 @@
-"""The parameters with their edits, as a Qt model."""
+"""Qt model of the parameters with their edits."""

@@ -134,12 +134,12 @@ class ParameterModel(QAbstractTableModel):
         """
         pending = self.values.modified
         readable = sorted(specs.readable, key=lambda spec: _GROUPS.index(spec.group))
-        wanted = {spec.key: spec for spec in readable}
-        has_other_rows = wanted != self.values.specs or specs.model.key != self.model_key
+        loaded = {spec.key: spec for spec in readable}
+        has_other_rows = loaded != self.values.specs or specs.model.key != self.model_key
         if has_other_rows:  # a reset closes an open editor
             self.beginResetModel()
             self.values.specs.clear()
-            self.values.specs.update(wanted)
+            self.values.specs.update(loaded)
             self.text.set_board(specs.model)
             self._arrange_rows()
         self.values.load(
@@ -152,8 +152,8 @@ class ParameterModel(QAbstractTableModel):
             self.values.record_active(key, wire)
         self.model_key = specs.model.key
         problems = self.values.problems.items()
-        kept = {key: why for key, why in problems if self.values.is_modified(key)}
-        self.values.problems = kept | dict(unread)
+        failed_edits = {key: why for key, why in problems if self.values.is_modified(key)}
+        self.values.problems = failed_edits | dict(unread)
         if has_other_rows:
             self.endResetModel()
         else:
@@ -246,13 +246,13 @@ class ParameterModel(QAbstractTableModel):
     ) -> None:
         if all(wire == self.values.value_of(key) for key, wire in values.items()):
             return  # an editor closed without a change must not edit the other motor either
-        wanted = {key: values.get(key, values.get(other_motor_key(key) or "", 0)) for key in keys}
-        for key, wire in wanted.items():
+        wires = {key: values.get(key, values.get(other_motor_key(key) or "", 0)) for key in keys}
+        for key, wire in wires.items():
             if wire != self.values.stored.get(key):
                 self.values.specs[key].check(
                     wire, forced=forced or not self.values.is_doubtful(key, wire)
                 )
-        self._change(wanted)
+        self._change(wires)
 
     def reset(self, key: str) -> None:
         if self.is_editable(key):
@@ -278,17 +278,17 @@ class ParameterModel(QAbstractTableModel):
     def _all_with(self, key: str) -> tuple[str, ...]:
         return self._with_other_motor(self.text.keys_of(key))
 
-    def _change(self, wanted: Mapping[str, int | None]) -> None:
+    def _change(self, wires: Mapping[str, int | None]) -> None:
         """Push changed values as one undo step."""
         edits = [
             Edit(self.values.specs[key].name, self._apply_edit, key, before, wire)
-            for key, wire in wanted.items()
+            for key, wire in wires.items()
             if wire != (before := self.values.value_of(key))
         ]
         if len(edits) > 1:
-            key = next(iter(wanted))
+            key = next(iter(wires))
             title, motor = self.text.title(key), motor_name(key)
-            if any(motor_name(other) != motor for other in wanted):
+            if any(motor_name(other) != motor for other in wires):
                 title = tr("Motors 1 and 2 {0}").format(self.text.short_title(key))
             self._undo.beginMacro(title)
         for each in edits:

@@ -72,8 +72,8 @@ class ParameterText:
     def value(self, key: str) -> str:
         keys, wires = self.keys_of(key), self.wires(key)
         if len(wires) < len(keys):
-            given = all(self._values.can_edit(each) for each in keys)
-            return tr("not given") if given else tr("not read")
+            is_optional = all(map(self._values.can_edit, keys))
+            return tr("not given") if is_optional else tr("not read")
         return self._shown(key, wires)
 
     def wires(self, key: str) -> list[int]:

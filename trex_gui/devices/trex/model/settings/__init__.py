@@ -1,1 +1,1 @@
-"""Settings as a whole: files, comparison, history, apply."""
+"""Settings: files, edits, comparison, history and writes."""

@@ -55,7 +55,7 @@ class BoardFiles(QObject):
         self._files = files
         self._due: dict[BoardIdentity, Any] = {}  # the newest unsaved `Content` of each board
         self._moved: set[BoardIdentity] = set()  # boards whose file may be of another board
-        self._wanted: BoardIdentity | None = None  # the board whose file is to be read
+        self._to_read: BoardIdentity | None = None  # the board whose file is to be read
         self._is_failing = False
         self._task = FileTask(self)
         self._timer = new_timer(self, _DELAY_MS, self._start, single_shot=True)
@@ -86,7 +86,7 @@ class BoardFiles(QObject):
         self.save(new, content)
 
     def read(self, board: BoardIdentity) -> None:
-        self._wanted = board
+        self._to_read = board
         self._start()
 
     def shut_down(self) -> bool:
@@ -105,13 +105,13 @@ class BoardFiles(QObject):
         due, self._due = self._due, {}
         moved = self._moved & due.keys()
         self._moved -= moved
-        self._task.start(partial(_work, self._files, due, moved, self._wanted))
+        self._task.start(partial(_work, self._files, due, moved, self._to_read))
 
     @Slot(object)
     def _on_done(self, done: Done) -> None:
         result = done.result
         if not isinstance(result, _Result):  # an internal error was logged
-            result = _Result(self._wanted, None, None, {})
+            result = _Result(self._to_read, None, None, {})
         if result.failure is not None and not self._is_failing:
             self.failed.emit(result.failure)
         self._is_failing = result.failure is not None
@@ -119,11 +119,11 @@ class BoardFiles(QObject):
         self._moved |= result.moved
         for path in result.aside:
             self.replaced.emit(path)
-        if result.board is not None and result.board == self._wanted:
-            self._wanted = None
+        if result.board is not None and result.board == self._to_read:
+            self._to_read = None
             self.found.emit(result.board, result.found)
         has_new = self._due.keys() - result.unsaved.keys()  # unsaved files wait for a change
-        if has_new or self._wanted is not None:
+        if has_new or self._to_read is not None:
             self._timer.start()
 
 
@@ -158,7 +158,7 @@ class RecordFiles(QObject):
     """Files of a `BoardMemory`, and `AcceptedValues` of the parameters."""
 
     changed = Signal()  # content of `memory`
-    failed = Signal(str)  # reason for the user, until saving works again
+    failed = Signal(str)  # reason for the user, once until saving works
     doubted = Signal(str)  # warning that the record may be of another board, for the user
 
     def __init__(self, draft: SettingsDraft, parent: QObject | None = None) -> None:

@@ -23,8 +23,7 @@ class Calibrations(QObject):
         super().__init__(parent)
         self.source = InputSource.RC  # the only source for which a board accepts calibrations
         self.edited: dict[CalibrationKey, Calibration] = {}  # edits for both input sources
-        # Stored calibrations that Save leaves out of a file
-        self.removed: set[CalibrationKey] = set()
+        self.removed: set[CalibrationKey] = set()  # stored keys that Save leaves out
         self._undo = undo or QUndoStack(self)
         self._model_key = ""
         self._stored: dict[CalibrationKey, Calibration] = {}
@@ -62,12 +61,12 @@ class Calibrations(QObject):
     def shown(self, channel: Channel) -> Calibration | None:
         """Return the calibration after Apply or Save, if any."""
         key = self._key(channel)
-        return None if key in self.removed else self.edited.get(key, self._held(key))
+        return None if key in self.removed else self.edited.get(key, self._latest(key))
 
     def can_edit(self, channel: Channel) -> bool:
         return self._open_ended or self._key(channel) in self._stored
 
-    def _held(self, key: CalibrationKey) -> Calibration | None:
+    def _latest(self, key: CalibrationKey) -> Calibration | None:
         """Return the stored or the last shown calibration."""
         seen = None if self._open_ended else self._seen.get(key)
         return self._stored.get(key, seen)
@@ -102,7 +101,7 @@ class Calibrations(QObject):
         self._open_ended = open_ended
         self._stored = {self._key(channel): found for channel, found in stored.items()}
         self._seen.update(self._stored)
-        self.edited = {k: e for k, e in self.edited.items() if self._held(k) != e}
+        self.edited = {k: e for k, e in self.edited.items() if self._latest(k) != e}
         self.removed &= self._stored.keys()
         self.changed.emit()
 
@@ -121,16 +120,16 @@ class Calibrations(QObject):
 
     # --- Edits --------------------------------------------------------------------------
 
-    def edit(self, channel: Channel, wanted: Calibration, *, run: object = None) -> None:
+    def edit(self, channel: Channel, calibration: Calibration, *, run: object = None) -> None:
         """Edit a calibration. The stored calibration removes the edit.
 
         Consecutive edits with the same `run` are one undo step. Raises `BadRequest` for values that
         the board would reject.
         """
         key = self._key(channel)
-        if problem := wanted.problem():
+        if problem := calibration.problem():
             raise BadRequest(tr("calibration of channel {0}: {1}").format(key.channel, problem))
-        self._change(key, wanted, run=run)
+        self._change(key, calibration, run=run)
 
     def restore(self, channel: int) -> None:
         self._change(self._key(channel), self.stored(channel))
@@ -142,25 +141,25 @@ class Calibrations(QObject):
 
     def discard_edits(self) -> None:
         for key in self.modified:
-            self._change(key, self._held(key))
+            self._change(key, self._latest(key))
 
     def _change(
-        self, key: CalibrationKey, wanted: Calibration | None, *, run: object = None
+        self, key: CalibrationKey, calibration: Calibration | None, *, run: object = None
     ) -> None:
         before = self.shown(key)
-        if wanted != before:
+        if calibration != before:
             text = tr("Calibration of channel {0}").format(key.channel)
-            self._undo.push(Edit(text, self._apply_edit, key, before, wanted, run=run))
+            self._undo.push(Edit(text, self._apply_edit, key, before, calibration, run=run))
 
-    def _apply_edit(self, key: CalibrationKey, wanted: Calibration | None) -> None:
-        held = self._held(key)
-        if not self._open_ended and key.source is not self.source and held is None:
+    def _apply_edit(self, key: CalibrationKey, calibration: Calibration | None) -> None:
+        latest = self._latest(key)
+        if not self._open_ended and key.source is not self.source and latest is None:
             return
         self.removed.discard(key)
-        if wanted is None or held == wanted:
+        if calibration is None or latest == calibration:
             self.edited.pop(key, None)
         else:
-            self.edited[key] = wanted
-        if self._open_ended and wanted is None and key in self._stored:
+            self.edited[key] = calibration
+        if self._open_ended and calibration is None and key in self._stored:
             self.removed.add(key)
         self.changed.emit()

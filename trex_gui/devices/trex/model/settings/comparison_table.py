@@ -229,7 +229,7 @@ def _wires_text(row: ComparisonRow) -> str:
 def renew_rows(
     model: QAbstractItemModel,
     rows: list[RowT],
-    wanted: Sequence[RowT],
+    new_rows: Sequence[RowT],
     key: Callable[[RowT], Hashable],
 ) -> None:
     """Update the `rows` of a model in place.
@@ -237,14 +237,14 @@ def renew_rows(
     Selection, scroll position and check boxes stay. `key` identifies a row. Resets the model if
     remaining rows change their order.
     """
-    if not rows and not wanted:
+    if not rows and not new_rows:
         return
-    keys = [key(row) for row in wanted]
+    keys = [key(row) for row in new_rows]
     old_keys = [key(row) for row in rows]
     stay = set(keys) & set(old_keys)
     if not rows or [k for k in old_keys if k in stay] != [k for k in keys if k in stay]:
         model.beginResetModel()
-        rows[:] = wanted
+        rows[:] = new_rows
         model.endResetModel()
         return
     root = QModelIndex()
@@ -253,7 +253,7 @@ def renew_rows(
             model.beginRemoveRows(root, place, place)
             del rows[place]
             model.endRemoveRows()
-    for place, row in enumerate(wanted):
+    for place, row in enumerate(new_rows):
         if place >= len(rows) or key(rows[place]) != keys[place]:
             model.beginInsertRows(root, place, place)
             rows.insert(place, row)

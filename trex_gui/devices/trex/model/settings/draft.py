@@ -235,22 +235,22 @@ class SettingsDraft(QObject):
         Raises:
             BadRequest: no board accepts a value. Nothing is changed.
         """
-        chosen = list(rows)
-        wanted = [row for row in chosen if row.after is not None and self.can_edit(row.key)]
-        noted = [row for row in chosen if row.brings_note]
-        for row in wanted:
+        all_rows = list(rows)
+        edits = [row for row in all_rows if row.after is not None and self.can_edit(row.key)]
+        for row in edits:
             if isinstance(row.after, Calibration):
                 row.after.encode()
             elif row.after is not None and row.after != self.parameters.values.stored.get(row.key):
                 self.parameters.values.specs[row.key].check(row.after, forced=True)
         with self.one_edit(text):
-            for row in wanted:
+            for row in edits:
                 if isinstance(row.after, Calibration):
                     self.calibrations.edit(CALIBRATION_KEYS[row.key], row.after)
                 elif row.after is not None:
                     self.parameters.edit(row.key, row.after, alone=True, forced=True)
-            for row in noted:
-                self.notes.edit(row.key, row.note_after, name=row.name)
+            for row in all_rows:
+                if row.brings_note:
+                    self.notes.edit(row.key, row.note_after, name=row.name)
 
     def discard_edits(self) -> None:
         if self.pending:

@@ -25,7 +25,7 @@ class EditBackup(QObject):
     """Saves edits in a thread, and offers edits of an earlier run."""
 
     offered = Signal()  # `offer` is new or gone
-    failed = Signal(str)  # reason for the user, until saving works again
+    failed = Signal(str)  # reason for the user, once until saving works
 
     def __init__(self, draft: SettingsDraft, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -169,5 +169,5 @@ class EditBackup(QObject):
 
 
 def _only(edits: Settings, keys: Collection[str]) -> Settings | None:
-    kept = edits.only(keys)
-    return kept if kept.keys else None
+    part = edits.only(keys)
+    return part if part.keys else None

@@ -61,7 +61,7 @@ class SnapshotTable(QAbstractTableModel):
 
     listed = Signal()  # the folder was read, or the search has changed
     loaded = Signal()  # `content_of` has another snapshot
-    failed = Signal(str)  # why the folder cannot be listed, for the user
+    failed = Signal(str)  # reason for the user
 
     def __init__(self, history: SettingsHistory, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -91,11 +91,11 @@ class SnapshotTable(QAbstractTableModel):
 
     def _on_read(self, listing: tuple[Snapshot, ...]) -> None:
         self.listing = listing
-        wanted = self._matching(listing)
-        renew_rows(self, self.snapshots, wanted, lambda snapshot: snapshot.path)
-        self.snapshots[:] = wanted  # equal snapshots may have different stamps
-        if wanted:  # times change after midnight
-            self._emit_changed(0, len(wanted) - 1)
+        matching = self._matching(listing)
+        renew_rows(self, self.snapshots, matching, lambda snapshot: snapshot.path)
+        self.snapshots[:] = matching  # equal snapshots may have different stamps
+        if matching:  # times change after midnight
+            self._emit_changed(0, len(matching) - 1)
         self.listed.emit()
 
     def _matching(self, listing: tuple[Snapshot, ...]) -> list[Snapshot]:

@@ -1,1 +1,1 @@
-"""Setting a robot up step by step."""
+"""Robot setup, step by step."""

@@ -93,7 +93,7 @@ class RobotSetup(QObject):
         self.pulses = MotorPulses(device, self)
         self._device = device
         self._learning = learning
-        self._completed: set[SetupStep] = set()  # left with `next`
+        self._completed: set[SetupStep] = set()  # completed with `next`
 
         learning.edited.connect(self._handle_learned)
         learning.stored.connect(self._handle_learned)
@@ -152,7 +152,7 @@ class RobotSetup(QObject):
         parameters = self._device.parameters
         return {
             key: wire
-            for key, wire in self._wanted(step).items()
+            for key, wire in self._values_of(step).items()
             if parameters.values.can_edit(key) and parameters.values.value_of(key) != wire
         }
 
@@ -167,7 +167,7 @@ class RobotSetup(QObject):
             return tr("Settings are being written.")
         return mode_blocker(device)
 
-    def _wanted(self, step: SetupStep) -> Mapping[str, int]:
+    def _values_of(self, step: SetupStep) -> Mapping[str, int]:
         match step:
             case SetupStep.MOTORS:
                 return self._directions()
@@ -216,8 +216,8 @@ class RobotSetup(QObject):
         self.changed.emit()
         return tuple(channel for channel in channels if channel not in self.rises)
 
-    def record_movement(self, motor: int, seen: Movement) -> None:
-        self.movements[motor] = seen
+    def record_movement(self, motor: int, movement: Movement) -> None:
+        self.movements[motor] = movement
         self.changed.emit()
 
     def clear_movements(self) -> None:
