@@ -28,7 +28,6 @@ class Gamepad(QObject):
 
     `set_unattended` prevents driving, but not the stop button of the gamepad. One gamepad is
     read at a time. Each kind of gamepad has its own saved profile.
-
     """
 
     changed = Signal()  # any attribute but `state` and `request`

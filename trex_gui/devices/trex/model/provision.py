@@ -105,20 +105,20 @@ class Provision(QObject):
     @Slot()
     def _on_board_changed(self) -> None:
         device, stored = self._device, self._device.draft.stored
-        is_there = device.is_connected and device.state is not None and stored is not None
+        is_present = device.is_connected and device.state is not None and stored is not None
         number = stored.parameters.get(ParameterKey.DEVICE_NUMBER) if stored else None
         match self.step:
-            case ProvisionStep.WAIT if is_there and device.is_writable:
+            case ProvisionStep.WAIT if is_present and device.is_writable:
                 self._review()
             case ProvisionStep.REVIEW:
-                if is_there:
+                if is_present:
                     self._review()
                 else:
                     self._set_step(ProvisionStep.WAIT)
-            case ProvisionStep.MOTORS if not is_there:
+            case ProvisionStep.MOTORS if not is_present:
                 self.finish_motors(turned=False)
             case ProvisionStep.UNPLUG if self._saving is None:
-                if not is_there or (self.board is not None and number != self.board.number):
+                if not is_present or (self.board is not None and number != self.board.number):
                     self._set_step(ProvisionStep.WAIT)
                     self._on_board_changed()
 

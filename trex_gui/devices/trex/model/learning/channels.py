@@ -80,12 +80,8 @@ class Check:
             yield ProblemKind.USELESS, "", (text,)
 
     def _neutral_moved(self) -> Iterator[_Finding]:
-        text, calibration, sampled = (
-            self.neutral.source.text,
-            self.curve.calibration,
-            self.neutral.value,
-        )
-        rest = self.travel.rest
+        text, sampled = self.neutral.source.text, self.neutral.value
+        calibration, rest = self.curve.calibration, self.travel.rest
         if abs(rest - calibration.neutral) <= calibration.deadband:
             return
         output = signed_text(self.curve.output(rest))

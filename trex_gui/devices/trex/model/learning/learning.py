@@ -325,7 +325,7 @@ class Learning(QObject):
     @Slot(object)
     def _on_stored(self, numbers: tuple[int, ...]) -> None:
         if self.step is LearningStep.ENDED:
-            self._report_stored(numbers, tr("What was learned is stored."))
+            self._report_stored(numbers, tr("The learned values are stored."))
 
     def _report_stored(self, numbers: tuple[int, ...], news: str) -> None:
         self.numbers, self._next_news = numbers, news

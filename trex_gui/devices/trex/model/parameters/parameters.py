@@ -136,7 +136,7 @@ class ParameterModel(QAbstractTableModel):
         readable = sorted(specs.readable, key=lambda spec: _GROUPS.index(spec.group))
         loaded = {spec.key: spec for spec in readable}
         has_other_rows = loaded != self.values.specs or specs.model.key != self.model_key
-        if has_other_rows:  # a reset closes an open editor
+        if has_other_rows:  # a model reset closes an open editor
             self.beginResetModel()
             self.values.specs.clear()
             self.values.specs.update(loaded)

@@ -211,5 +211,5 @@ class RecordFiles(QObject):
 
     @Slot(object)
     def _on_failed(self, failure: StudioError) -> None:
-        text = tr("What was applied to this board cannot be remembered. {0}")
+        text = tr("Records of this board cannot be saved. {0}")
         self.failed.emit(text.format(error_sentence(failure)))

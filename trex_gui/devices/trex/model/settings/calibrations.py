@@ -123,8 +123,10 @@ class Calibrations(QObject):
     def edit(self, channel: Channel, calibration: Calibration, *, run: object = None) -> None:
         """Edit a calibration. The stored calibration removes the edit.
 
-        Consecutive edits with the same `run` are one undo step. Raises `BadRequest` for values that
-        the board would reject.
+        Consecutive edits with the same `run` are one undo step.
+
+        Raises:
+            BadRequest: the board would reject the values.
         """
         key = self._key(channel)
         if problem := calibration.problem():

@@ -22,8 +22,8 @@ _LAYOUT = "\t\n\v\f\r\x1b\xa0"
 class SettingsDocument(QObject):
     """Text of a file, and a draft of its settings.
 
-    The user edits the text while it has errors, and the draft afterwards. Edits of the draft retain
-    comments and order of the text.
+    The user edits the text while it has errors, and the draft afterwards. Edits retain the comments
+    and order of the text.
     """
 
     changed = Signal()  # text, findings, file or `readable`

@@ -35,7 +35,7 @@ class EditBackup(QObject):
         self._board: BoardIdentity | None = None  # owner of the edits in the draft
         self._is_read = False  # the file of this board was read
         self._has_file = False
-        self._undecided: Settings | None = None  # saved edits outside the draft
+        self._undecided: Settings | None = None  # saved edits that are not in the draft
         self._closed: tuple[BoardIdentity | None, bool] = (None, False)
         self._closed_edits: Settings | None = None
         self._parked: dict[BoardIdentity, Settings] = {}  # edits of boards that are not selected
@@ -62,7 +62,7 @@ class EditBackup(QObject):
     def set_board(self, *, opened: bool, is_simulated: bool = False) -> None:
         """Save edits of this board, and read edits of an earlier run.
 
-        Simulated and real boards have separate files. The same board gets its offer again only with
+        Simulated and real boards have separate files. The same board gets its offer again only when
         `opened`. Edits of settings that could not be read stay saved.
         """
         stored = self._draft.stored

@@ -110,7 +110,10 @@ class SettingsWriter(QObject):
     def set_serial_timeout(self, seconds: float) -> None:
         """Write the serial timeout in seconds. 0 disables it.
 
-        Also switches on UART-Error Shutdown, which the timeout may need. Raises `BadRequest`.
+        Also switches on UART-Error Shutdown, which the timeout may need.
+
+        Raises:
+            BadRequest: the timeout is beyond the range of the board.
         """
         self._set(_TIMEOUT, lambda spec: with_shutdown(spec.check(round(seconds / spec.scale))))
 
