@@ -39,7 +39,7 @@ class Phase(Enum):
 
 
 class Bench(QObject):
-    """Runs one test at a time while its button is held.
+    """Runs one test at a time while a button is held.
 
     Releasing the button brakes the motor. A test aborts on excessive current, a fault, missing
     readings or loss of serial control, which stops, disarms and locks out all motors.

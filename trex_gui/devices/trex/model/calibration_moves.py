@@ -10,8 +10,6 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 
 
 class Handle(Enum):
-    """Parts of a calibration that can be moved along the input axis."""
-
     MINIMUM = "minimum"
     NEUTRAL = "neutral"
     MAXIMUM = "maximum"
@@ -23,7 +21,7 @@ class Handle(Enum):
         return self in {Handle.DEADBAND_LOW, Handle.DEADBAND_HIGH}
 
     def count(self, calibration: Calibration) -> int:
-        """Return the raw count of the handle, which may be negative."""
+        """Return the raw count, negative for some deadbands."""
         if self.is_deadband:
             width = calibration.deadband
             return calibration.neutral + (width if self is Handle.DEADBAND_HIGH else -width)
@@ -64,9 +62,9 @@ def moved(c: Calibration, handle: Handle, count: int) -> tuple[Calibration, str]
 def within_input(
     calibration: Calibration, handle: Handle, count: int, source: InputSource
 ) -> tuple[int, str]:
-    """Limit a count to the input range, or to a handle beyond it.
+    """Limit a count to the input range.
 
-    Also return the range as a sentence, empty if the count fits.
+    A handle beyond the range may stay there. Also return the range as a sentence, or empty.
     """
     now = handle.count(calibration)
     lowest, highest = min(source.lowest_count, now), max(source.highest_count, now)

@@ -1,4 +1,4 @@
-"""Sentences about a channel: its function, and problems of its calibration."""
+"""Sentences on the function of a channel and its calibration."""
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.texts import signed_text
@@ -45,7 +45,7 @@ _SWITCHES = (4, 5)
 
 
 def input_text(source: InputSource, count: int) -> str:
-    """Return a raw count and its physical value: `1500 µs (3750)`."""
+    """Return count and physical value: `1500 µs (3750)`."""
     first, second = units().ordered(source.text(count), str(count))
     return f"{first} ({second})"
 
@@ -135,7 +135,7 @@ def write_failure(error: StudioError) -> str:
 
 
 def wrong_order(calibration: Calibration, source: InputSource) -> str:
-    """Return the reason why the board would reject a calibration, or empty."""
+    """Return the reason for a rejection by the board, or empty."""
     problem = calibration.problem(source.text)
     return tr("The board would reject this: {0}.").format(problem) if problem else ""
 
@@ -174,14 +174,14 @@ def _exactly(count: int, source: InputSource) -> str:
 
 
 def concern(calibration: Calibration, source: InputSource) -> str:
-    """Return a warning of an invalid or useless calibration. May be empty."""
+    """Return a warning of an invalid or useless calibration."""
     if text := wrong_order(calibration, source) or beyond_input(calibration, source):
         return text
     return deadband_problem(calibration, source, "minimum", "maximum")
 
 
 def deadband_problem(calibration: Calibration, source: InputSource, *ends: str) -> str:
-    """Return a warning if the deadband reaches one of these ends. May be empty."""
+    """Return a warning if the deadband reaches these ends."""
     travel = {end: abs(getattr(calibration, end) - calibration.neutral) for end in ends}
     reached = [tr(end) for end in ends if travel[end] <= calibration.deadband]
     if not reached:

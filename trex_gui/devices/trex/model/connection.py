@@ -82,7 +82,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
         self.started.connect(self._submit_watched)
 
     def watch(self, watcher: str, watching: bool) -> None:
-        """Poll at full rate while there is a watcher, such as a window."""
+        """Poll at full rate while there is any watcher."""
         before = bool(self._watchers)
         (self._watchers.add if watching else self._watchers.discard)(watcher)
         if bool(self._watchers) != before:
@@ -198,7 +198,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
 
 
 class MemberConnection(Connection):
-    """Connection to another board of the group, over the line of `main`."""
+    """Connection to another board of the group of `main`."""
 
     def __init__(self, main: Connection, number: int, parent: QObject | None = None) -> None:
         super().__init__(parent)

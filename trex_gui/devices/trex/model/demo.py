@@ -40,7 +40,7 @@ class DemoChannel:
         return self.signal not in {"silent", "invalid"}
 
     def stick(self, source: InputSource) -> float | None:
-        """Return the position of the stick in µs or V, if known."""
+        """Return the stick position in µs or V, if known."""
         found = _SIGNAL.match(self.signal)
         if found and found[2].upper() == _SIGNAL_UNITS[source]:
             return float(found[1])
@@ -67,7 +67,7 @@ class DemoJumpers:
 
 @dataclass(frozen=True, slots=True)
 class DemoLeds:
-    """State of the LEDs: `on`, `off` or a pattern such as `blink 1/s`."""
+    """State of the LEDs, such as `on` or `blink 1/s`."""
 
     red: str
     green: str
@@ -151,13 +151,13 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
         self._send(f"jumper so-ground {switch(on)}")
 
     def corrupt(self, error: str) -> None:
-        """Deliver the next byte with an error: `framing`, `parity` or `overrun`."""
+        """Corrupt the next byte: `framing`, `parity` or `overrun`."""
         self._send(f"line error {error}")
 
     # --- Motors and sticks --------------------------------------------------------------
 
     def set_load(self, motor: int, amperes: float) -> None:
-        """Set the current of motor 1 or 2 at full speed."""
+        """Set the current at full speed."""
         self._send_newest(f"load {motor}", f"load {motor} {amperes:.1f}")
 
     def set_fault(self, motor: int, fault: bool) -> None:
@@ -178,7 +178,7 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
             self._send_stick(channel)
 
     def set_automatic(self, automatic: bool) -> None:
-        """Let connected sticks move by themselves, or hold them in place."""
+        """Move connected sticks automatically, or hold them."""
         if (snapshot := self.snapshot) is None:
             return
         low, high = STICK_ENDS[snapshot.source]

@@ -76,7 +76,7 @@ class Device(QObject):
         main: "Device | None" = None,
         number: int = 0,
     ) -> None:
-        """`main` and `number` are for another board of the group of `main`."""
+        """`main` and `number` are for another board of a group."""
         super().__init__(parent)
         self.notifier = notifier or Notifier(self)
         self.motors = Motors(self)
@@ -232,7 +232,7 @@ class Device(QObject):
 
     @property
     def may_stop_matter(self) -> bool:
-        """True if a motor that this program drove may still turn."""
+        """True if a motor may turn because of this program."""
         return self.may_move or bool(self.main.driving.lost_board)
 
     def shut_down(self) -> bool:

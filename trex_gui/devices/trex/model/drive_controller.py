@@ -258,7 +258,7 @@ class DriveController(QObject):
 
     @property
     def is_group(self) -> bool:
-        """True for a group, whose boards confirm stops one by one."""
+        """True for a group, whose boards confirm stops separately."""
         settings = self._connection.settings
         return settings is not None and bool(settings.group)
 

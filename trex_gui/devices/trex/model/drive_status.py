@@ -58,7 +58,7 @@ def fault_text(statuses: Iterable[DriveStatus]) -> str:
 
 
 def held_drive_blocker(device: Device, holder: str) -> str:
-    """Return the reason why `holder` cannot acquire the motors, or empty."""
+    """Return the reason why `holder` cannot drive, or empty."""
     motors = device.motors
     drives = [motors.drive(motor) for motor in (1, 2)]
     is_moving = any(drive and not drive.is_brake and drive.speed for drive in drives)

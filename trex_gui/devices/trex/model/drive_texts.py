@@ -1,4 +1,4 @@
-"""Texts of the Motors page about motors and the serial timeout."""
+"""Texts of the Motors page."""
 
 from dataclasses import dataclass
 
@@ -35,12 +35,12 @@ def direction_text(speed: int) -> str:
 
 
 def speed_text(speed: int) -> str:
-    """Return a signed speed with its share of full speed: `forward 64 (50 %)`."""
+    """Return a signed speed and its share: `forward 64 (50 %)`."""
     return direction_text(speed) + (f" ({share_text(speed)})" if speed else "")
 
 
 def report_text(device: Device, motor: int) -> str:
-    """Return the board's report on motor 1, 2 or the auxiliary (3)."""
+    """Return the board's report on a motor (3: auxiliary)."""
     telemetry, state, parts = device.telemetry, device.state, []
     if motor in {1, 2} and telemetry.motor_currents is not None:
         if device.board.is_joint:
@@ -94,7 +94,7 @@ def _own_warning(device: Device) -> TimeoutWarning | None:
 def timeout_warning_on(
     settings: ConnectionSettings, timeout: float, stop: TimeoutStop, *, is_guarded: bool
 ) -> TimeoutWarning | None:
-    """Return the problem of a timeout in seconds (0: off) with the effect `stop`."""
+    """Return the problem of a timeout in seconds (0: off)."""
     latency = latency_of(settings.url) + settings.timeouts.extra
 
     def sustains(seconds: float) -> bool:

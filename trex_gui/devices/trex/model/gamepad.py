@@ -24,7 +24,7 @@ _NOTHING = PilotRequest(0.0, 0.0, Waits.REST, stop=False)
 
 
 class Gamepad(QObject):
-    """Reads a gamepad while switched on, and sets speeds from its sticks.
+    """Reads a gamepad, and sets speeds from its sticks.
 
     `set_unattended` prevents driving, but not the stop button of the gamepad. One gamepad is
     read at a time. Each kind of gamepad has its own saved profile.
@@ -63,7 +63,7 @@ class Gamepad(QObject):
 
     @property
     def stops_unfocused(self) -> bool:
-        """True if the gamepad stops driving when the window loses focus."""
+        """True if driving stops when the window loses focus."""
         return self._store.flag("gamepad/stops_unfocused", default=True)
 
     # --- User actions -------------------------------------------------------------------

@@ -86,7 +86,7 @@ class BoardGroup(QObject):
         return tuple(setpoints_of(self.wheels, request).items())
 
     def _lacking(self) -> int | None:
-        """Return the number of a board that cannot be driven, if any."""
+        """Return the number of a board that cannot be driven."""
         for number, device in self._others.items():
             if not device.is_connected or not device.board.serial_controls:
                 return number

@@ -10,7 +10,7 @@ from trex_gui.devices.trex.settings.rules import Context, LintFinding, lint
 
 
 class SettingsLinter(QObject):
-    """Applies the rules to stored values and edits after each change."""
+    """Checks stored values and edits after each change."""
 
     changed = Signal()  # `findings`
 
@@ -50,7 +50,7 @@ class SettingsLinter(QObject):
 
 
 class BoardLinter(SettingsLinter):
-    """Checks a connected board in the context of its line and motors."""
+    """Checks a connected board with its line and motors."""
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(device.draft, parent)

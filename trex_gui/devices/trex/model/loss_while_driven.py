@@ -18,7 +18,7 @@ _MARGIN_S = 1.0  # for the motor to come to rest
 
 
 class LossWhileDriven(QObject):
-    """Reports the confirmed stop of a board that was lost while driven.
+    """Reports the stop of a board that was lost while driven.
 
     If the board has latched its serial timeout, asks the user whether the timeout stopped the
     motor. The program cannot know, because it sends a stop first. Simulated boards are skipped.

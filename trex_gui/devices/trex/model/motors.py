@@ -100,7 +100,7 @@ class Motors(QObject):
     # --- Options ------------------------------------------------------------------------
 
     def set_board(self, board: str, *, is_renamed: bool = False) -> None:
-        """Load the saved ceiling of a board, and unlink its motors.
+        """Load the saved ceiling of a board. Unlink the motors.
 
         With `is_renamed`, ceiling and link stay. The ceiling is saved under the new name.
         """
@@ -278,15 +278,15 @@ class Motors(QObject):
     # --- Setpoints ----------------------------------------------------------------------
 
     def set_speed(self, motor: int, speed: int, holder: str = "") -> None:
-        """Drive motor 1 or 2 at a speed (-127 to 127)."""
+        """Drive at a signed speed (-127 to 127)."""
         self._set_for({motor: self._limited(speed)}, holder)
 
     def set_speeds(self, first: int, second: int, holder: str = "") -> None:
-        """Drive both motors at signed speeds. If linked, the first applies to both."""
+        """Drive both motors. If linked, the first speed applies to both."""
         self._set_for({1: self._limited(first), 2: self._limited(second)}, holder)
 
     def set_brake(self, motor: int, duty: int, holder: str = "") -> None:
-        """Brake motor 1 or 2 with a duty of 0 (coast) to 127 (full)."""
+        """Brake with a duty of 0 (coast) to 127 (full)."""
         self._set_for({motor: Drive.brake(duty)}, holder)
 
     def set_auxiliary(self, speed: int, holder: str = "") -> None:

@@ -45,7 +45,7 @@ def _rows(state: BoardSnapshot, records: Iterable[Record], unit: float) -> list[
 
 
 def limits_in(text: str) -> Mapping[str, float]:
-    """Return the current limits (A) in a settings file, by curve name."""
+    """Return current limits (A) in settings, by curve name."""
     try:
         settings, _ = read_settings(text.encode("utf-8"), "settings")
     except (SettingsError, UnicodeError):

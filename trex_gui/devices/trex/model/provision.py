@@ -93,7 +93,7 @@ class Provision(QObject):
             self._save(self.board, self._saving)
 
     def stop(self) -> None:
-        """End the setup after the present board is written and recorded."""
+        """End the setup after the present board."""
         self.finish_motors(turned=False)
         self._is_ending = True
         if self.problem or (self.step is not ProvisionStep.WRITE and self._saving is None):

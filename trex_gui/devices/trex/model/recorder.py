@@ -36,7 +36,7 @@ _KEEP = "recording/keep_events"
 
 
 class Recorder(RecordThread[Record]):
-    """Records the session of a device into one file at a time.
+    """Records the session of a device into a file.
 
     A recording ends with the connection. It also ends when the board or its input source has
     changed, since the header would be wrong. It continues while the board does not respond.
@@ -136,7 +136,7 @@ _START_DELAY = 0.5  # s; recording must not slow down the stop
 
 
 class EventRecorder(Recorder):
-    """Records the seconds around each fault and stop in a separate file.
+    """Records each fault and stop in a separate file.
 
     The last seconds are in memory. Faults, tripped current limits and serial timeouts are always
     recorded. Stops and a lost board are recorded only if this program drove a motor. Events during

@@ -41,7 +41,7 @@ _TYPES = ["float64" if s in {Series.CURRENT1, Series.CURRENT2} else "float16" fo
 
 
 def board_traces() -> list[TraceInfo]:
-    """Return the curves of a board, in the order of `Series`."""
+    """Return the curves in the order of `Series`."""
     currents = [
         TraceInfo(f"motor{m}_current", tr("Motor {0}").format(m), "A", f"motor{m}", str(m))
         for m in (1, 2)
@@ -79,7 +79,7 @@ def _new_history(columns: Sequence[str], capacity: int) -> "SampleHistory":
 
 
 class Telemetry(QObject):
-    """Newest values, currents of the last hour, and inputs of the last minute.
+    """Newest values, with the history of currents and inputs.
 
     A row of `currents` holds the currents of both motors (A), their speed setpoints (-127 to 127)
     and the remapped channels at that moment. Unknown values are NaN, as are channels without a
@@ -180,10 +180,10 @@ _ENOUGH = 3  # equal results in a row that make the state known
 
 
 class MixJumper(QObject):
-    """State of the mix jumper when a stick was last off neutral.
+    """State of the mix jumper.
 
-    No command reads the jumper. Its state is inferred: computed outputs of channels 1 and 2 are
-    compared with the outputs that the board reports.
+    No command reads the jumper. Its state is inferred while a stick is off neutral: computed
+    outputs of channels 1 and 2 are compared with the outputs that the board reports.
     """
 
     changed = Signal()

@@ -140,7 +140,7 @@ class Learning(QObject):
         self._start(channels, LearningStep.NEUTRAL)
 
     def start_test(self, channels: Sequence[int] = CHANNELS) -> None:
-        """Stop the motors, then test the stored values of these channels."""
+        """Stop the motors, then test stored values."""
         self.news, self._next_news = self._next_news, ""
         self._start(channels, LearningStep.TEST)
 
@@ -185,7 +185,7 @@ class Learning(QObject):
         self.changed.emit()
 
     def use_values(self) -> bool:
-        """Edit the chosen values in one undo step. Return whether an edit is pending."""
+        """Edit the chosen values. Return whether an edit is pending."""
         if not self.can_use_values:
             return False
         choices = {c.number: c.choice for c in self.channels if c.can_be_used and c.choice}

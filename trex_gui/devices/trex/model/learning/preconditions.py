@@ -12,7 +12,7 @@ from trex_gui.ui.translations import error_text
 
 
 def mode_blocker(device: Device) -> str:
-    """Return the reason why the board's mode prevents learning, or empty."""
+    """Return the reason why the mode prevents learning, or empty."""
     state = device.state
     if state is None or state.mode.is_serial:
         return ""
@@ -114,7 +114,7 @@ Inferred: a reading is an average of 64 samples and varies by one count.
 
 
 class StandstillCheck(QObject):
-    """Stops the motors, waits for the confirmation, then watches the currents.
+    """Stops the motors, then watches the currents.
 
     After a confirmed stop, another controller on the same line may drive the motors again (User's
     Guide 5: one UART for both connectors). In joint mode the board measures no current, and the

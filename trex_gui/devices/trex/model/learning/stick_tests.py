@@ -1,4 +1,4 @@
-"""Test of stored calibrations: full output at both ends, none at rest.
+"""Test of stored calibrations with the sticks.
 
 Outputs are computed here, because the outputs that the board reports are mixed and flipped.
 """
@@ -96,7 +96,7 @@ class StickTest:
 
 
 def idle_side(curve: ChannelCurve) -> int:
-    """Return the sign of the output on the shorter side of rest."""
+    """Return the output sign of the shorter side of rest."""
     up = curve.calibration.maximum - curve.calibration.neutral
     down = curve.calibration.neutral - curve.calibration.minimum
     if up == down:

@@ -1,4 +1,4 @@
-"""Qt model of the parameters of a board or a file, with their edits."""
+"""Qt model of parameters with their edits."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -71,7 +71,7 @@ def _number(wires: Sequence[int]) -> int:
 
 
 class ParameterModel(QAbstractTableModel):
-    """Table of settings under headings, with a column for each motor.
+    """Table of settings with a column for each motor.
 
     Edits use an undo stack. Prescaler and maximum of a PWM share a cell with the frequency, whose
     edit role is a `frequency_code`.
@@ -88,7 +88,7 @@ class ParameterModel(QAbstractTableModel):
         self.text = ParameterText(self.values)
         self.rows: list[ParameterRow] = []  # grouped by task
         self.places: dict[str, tuple[int, int]] = {}  # row and column by key
-        self.model_key = ""  # of the loaded model; empty before `load`
+        self.model_key = ""  # empty before `load`
         self.both_motors = False  # an edit of one motor applies to both
         self._headers = (tr("Parameter"), tr("Motor 1"), tr("Motor 2"))
         self.titles = {
@@ -216,7 +216,7 @@ class ParameterModel(QAbstractTableModel):
         return all(self.values.can_edit(each) for each in self.text.keys_of(key))
 
     def open_key(self, key: str) -> str | None:
-        """Return the key whose value may be tried beyond its limits."""
+        """Return the key of a value that may exceed its limits."""
         keys = (each for each in self.text.keys_of(key) if self.values.specs[each].has_open_values)
         return next(keys, None) if self.is_editable(key) else None
 
@@ -351,7 +351,6 @@ class ParameterModel(QAbstractTableModel):
         return None if source is None else source(key)
 
     def _number(self, key: str) -> int | None:
-        """Return the number in an editor: a wire value or a frequency code."""
         wires = self.text.wires(key)
         return _number(wires) if len(wires) == len(self.text.keys_of(key)) else None
 

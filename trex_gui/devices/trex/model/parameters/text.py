@@ -58,7 +58,7 @@ class ParameterText:
     # --- Values -------------------------------------------------------------------------
 
     def title(self, key: str) -> str:
-        """Return the name of a value, such as `Motor 1 Current Limit`."""
+        """Return the name, such as `Motor 1 Current Limit`."""
         keys = self.keys_of(key)
         if len(keys) == 1:
             return self._values.specs[key].name
@@ -96,7 +96,7 @@ class ParameterText:
         return text if text == numbers else f"{numbers} ({text})"
 
     def change(self, key: str) -> str:
-        """Return the value, and the stored value if edited: `8.1 A, was off`."""
+        """Return the value and a different stored value: `8.1 A, was off`."""
         value, stored = self.value(key), self.stored(key)
         if not any(self._values.is_modified(each) for each in self.keys_of(key)):
             return value
@@ -159,7 +159,7 @@ class ParameterText:
         return text.format(", ".join(map(str, wires))) if wires else ""
 
     def guide(self, key: str) -> tuple[str, str]:
-        """Return address and title of a section of the user's guide."""
+        """Return address and title in the user's guide."""
         section = self._values.specs[key].section
         if not section:
             return self._guide, tr("User's guide of the board")
@@ -215,7 +215,7 @@ def frequency_wires(code: int) -> tuple[int, int]:
 
 @cache
 def frequency_codes(board: Model) -> tuple[int, ...]:
-    """Return codes of the PWM frequencies of a board, slowest first."""
+    """Return codes of the suitable PWM frequencies, slowest first."""
     choices = device_table().pwm.choices(board.highest_pwm or _HIGHEST_PWM)
     return tuple(frequency_code(*pair) for pair in choices)
 

@@ -104,7 +104,7 @@ class ParameterValues:
         ]
 
     def other_motor_of(self, key: str) -> str | None:
-        """Return the key of the other motor if both can be edited."""
+        """Return the key of the other motor, if editable."""
         other_motor = other_motor_key(key)
         if other_motor is None or not self.can_edit(key) or not self.can_edit(other_motor):
             return None

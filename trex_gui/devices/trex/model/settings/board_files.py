@@ -44,7 +44,7 @@ class _Result:
 
 
 class BoardFiles(QObject):
-    """Saves and reads a file for each board, in this order."""
+    """Saves, then reads a file for each board."""
 
     found = Signal(object, object)  # the board, and its content; `None` without a valid file
     failed = Signal(object)  # `SettingsError`, once until saving works
@@ -178,7 +178,7 @@ class RecordFiles(QObject):
         self._notes.edited.connect(self._on_note_edited)
 
     def set_kind(self, kind: Signature, *, opened: bool, is_simulated: bool) -> None:
-        """Read the accepted values of this kind of board, unless simulated."""
+        """Read the accepted values of a real board."""
         if opened or kind != self._kind:
             self._kind = kind
             self._parameters.set_accepted({})

@@ -1,4 +1,4 @@
-"""Channel calibrations of a board or a file, with their edits."""
+"""Channel calibrations with their edits."""
 
 from collections.abc import Mapping
 

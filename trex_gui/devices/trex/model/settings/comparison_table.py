@@ -1,4 +1,4 @@
-"""Table of two sets of settings, with a check box for each change."""
+"""Table of changes with check boxes."""
 
 from collections.abc import Callable, Collection, Hashable, Mapping, Sequence
 from enum import IntEnum

@@ -85,13 +85,13 @@ class SettingsDocument(QObject):
 
     @property
     def text(self) -> str:
-        """Text that Save writes, with byte order mark and line ends."""
+        """Text that Save writes."""
         self._update_text()
         return self._text
 
     @property
     def trouble(self) -> str:
-        """Reason why edits do not fit into the text, or empty."""
+        """Reason why edits do not fit the text, or empty."""
         self._update_text()
         return self._trouble
 
@@ -177,9 +177,9 @@ class SettingsDocument(QObject):
 
 
 def text_of(data: bytes, name: str) -> tuple[str, Finding | None]:
-    """Return the text of a file, and a finding on a guessed encoding.
+    """Return the text of a file, with its byte order mark.
 
-    The text includes the byte order mark.
+    Also return a finding if the encoding is guessed.
 
     Raises:
         SettingsError: the file is too large, or not a text.

@@ -1,4 +1,4 @@
-"""Settings and notes of a board or a file, with their edits and undo."""
+"""Settings and notes with their edits and undo."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
@@ -228,7 +228,7 @@ class SettingsDraft(QObject):
         return self.parameters.values.can_edit(key)
 
     def stage(self, rows: Iterable[ComparisonRow], text: str) -> None:
-        """Edit settings and notes to the right side of a comparison.
+        """Edit settings and notes like the right side of a comparison.
 
         This is one undo step. Rows without an editable right side are skipped.
 
@@ -274,7 +274,7 @@ class SettingsDraft(QObject):
 def diff_against_draft(
     draft: SettingsDraft, settings: Settings, *, is_stored: bool = False
 ) -> Comparison:
-    """Compare the draft with its state after other settings are applied.
+    """Compare the draft with its state after other settings.
 
     `is_stored` compares the stored settings, without edits. The result names settings that the
     board lacks or does not accept now.

@@ -22,7 +22,7 @@ class EditOffer:
 
 
 class EditBackup(QObject):
-    """Saves edits in a thread, and offers edits of an earlier run."""
+    """Saves edits, and offers edits of an earlier run."""
 
     offered = Signal()  # `offer` is new or gone
     failed = Signal(str)  # reason for the user, once until saving works
@@ -60,7 +60,7 @@ class EditBackup(QObject):
         self._board = None
 
     def set_board(self, *, opened: bool, is_simulated: bool = False) -> None:
-        """Save edits of this board, and read edits of an earlier run.
+        """Save edits of this board. Offer edits of an earlier run.
 
         Simulated and real boards have separate files. The same board gets its offer again only when
         `opened`. Edits of settings that could not be read stay saved.

@@ -1,4 +1,4 @@
-"""Table of the settings history, with a row for each snapshot."""
+"""Table of the snapshots in the settings history."""
 
 from collections.abc import Callable, Mapping
 from datetime import datetime, timedelta
@@ -113,7 +113,7 @@ class SnapshotTable(QAbstractTableModel):
         return next((row for row, snapshot in rows if snapshot.path == path), None)
 
     def neighbour(self, snapshot: Snapshot) -> Snapshot | None:
-        """Return the next newer valid snapshot, or else the next older."""
+        """Return the next newer snapshot, or else the next older."""
         row = self.row_of(snapshot.path)
         if row is None:
             return None

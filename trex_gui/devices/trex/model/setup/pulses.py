@@ -1,4 +1,4 @@
-"""Short pulses of a motor, which show the wheel it drives."""
+"""Short pulses of a motor, which show its wheel."""
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -21,7 +21,7 @@ PAUSE = 0.6  # s between two pulses
 
 
 class MotorPulses(QObject):
-    """Drives one motor forward in pulses while a button is held.
+    """Drives a motor in pulses while a button is held.
 
     Pulses are setpoints of a momentary control, so arming, speed ceiling, stops and guardian apply.
     The other motor stays at rest.
@@ -46,7 +46,7 @@ class MotorPulses(QObject):
 
     @property
     def cannot_drive(self) -> str:
-        """Reason why motors cannot be driven one by one, or empty."""
+        """Reason why pulses are impossible, or empty."""
         if self._device.is_connected and self._device.board.is_joint:
             return tr("Joint mode: both outputs drive one motor, so there is nothing to find.")
         return mode_blocker(self._device) if self._device.is_connected else ""

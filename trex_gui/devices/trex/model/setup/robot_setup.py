@@ -241,7 +241,7 @@ class RobotSetup(QObject):
         self.changed.emit()
 
     def next(self) -> None:
-        """Edit the settings of this step, then open the next step."""
+        """Edit the settings of this step. Open the next step."""
         if edits := self.edits:
             with self._device.draft.one_edit(tr("Set up my robot")):
                 for key, wire in edits.items():

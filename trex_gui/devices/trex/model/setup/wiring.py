@@ -53,7 +53,7 @@ class Wiring:
 
     @classmethod
     def from_movements(cls, movements: Mapping[int, Movement]) -> "Wiring | None":
-        """Return the wiring from the movements of motors 1 and 2.
+        """Return the wiring that the movements show.
 
         `None` if a movement is missing, or if both motors moved the same wheel.
         """
