@@ -16,7 +16,7 @@ QUESTION = re.compile(r"(What|Whether|How|Why|Where)\b")
 
 
 def first_sentence(docstring: str) -> str:
-    paragraph = " ".join(docstring.split("\n\n")[0].split())
+    paragraph = " ".join(docstring.split("\n\n", maxsplit=1)[0].split())
     end = re.search(r"[.!?](\s|$)", paragraph)
     return paragraph[: end.start()] if end else paragraph
 

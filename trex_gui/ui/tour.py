@@ -39,7 +39,7 @@ class Tour(QObject):
         *,
         size: QSize = _SIZE,
     ) -> None:
-        super().__init__()
+        super().__init__(program.window)
         self._schemes = schemes
         self._size = size
         self._program = program
